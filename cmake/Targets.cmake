@@ -1,0 +1,33 @@
+# Every target of the project is made here, so that language level, warnings and sanitizers are said once.
+
+add_library(fbrdf_build_flags INTERFACE)
+target_compile_features(fbrdf_build_flags INTERFACE cxx_std_17)
+target_compile_options(fbrdf_build_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wold-style-cast -Wdouble-promotion -Wnon-virtual-dtor
+  $<$<BOOL:${FBRDF_WARNINGS_AS_ERRORS}>:-Werror>)
+if(FBRDF_SANITIZE)
+  target_compile_options(fbrdf_build_flags INTERFACE
+    -fsanitize=${FBRDF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(fbrdf_build_flags INTERFACE -fsanitize=${FBRDF_SANITIZE} -rdynamic)
+endif()
+
+# fbrdf_library(fbrdf_brdf ALIAS fbrdf::brdf SOURCES ... LINK ... PRIVATE_LINK ...)
+# Public headers are in include/ beside the caller, private ones in src/.
+function(fbrdf_library name)
+  cmake_parse_arguments(ARG "" "ALIAS" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  add_library(${ARG_ALIAS} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_compile_features(${name} PUBLIC cxx_std_17)
+  target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:fbrdf_build_flags>)
+endfunction()
+
+# fbrdf_program(fbrdf SOURCES ... LINK ...)
+function(fbrdf_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} fbrdf_build_flags)
+endfunction()

@@ -1,0 +1,1 @@
+#include <fbrdf/sources/Source.h>

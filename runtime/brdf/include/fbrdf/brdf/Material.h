@@ -1,0 +1,37 @@
+// Material.h - a fitted BRDF: a form, its tables as stored, a colour scale for each term; and its
+// evaluation.
+#pragma once
+#include <fbrdf/brdf/Form.h>
+#include <fbrdf/brdf/Table.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fbrdf {
+
+struct Material {
+    Form form;
+    std::vector<Table> tables;  ///< one for each form.tables, same order
+    std::vector<Vec3f> scales;  ///< one for each term, >= 0
+    std::string name;
+    /// What else the file says: "source", "generator", "units" ("1/sr"), "colorspace"
+    /// ("lin_rec709"), ...
+    std::map<std::string, std::string> notes;
+    std::map<std::string, double>
+        errors;  ///< fit errors by the names of the metrics (see fitter/fit)
+};
+
+/// Bytes of all tables: texels x channels x bytes a channel.
+size_t materialBytes(const Material& material);
+
+/// Throws Error(input) naming `where` unless form, tables and scales agree and every number is
+/// finite.
+void validate(const Material& material, const std::string& where);
+
+/// f(wo, wi) in 1/sr; 0 when either direction is at or below the horizon. T = float follows the
+/// shader step by step, T = double is exact. Directions unit, local frame.
+template <class T>
+Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi);
+
+}  // namespace fbrdf

@@ -1,0 +1,108 @@
+// Projection.h - from a pair of directions to a position in a table (eta of seed Eq. 4).
+//
+// A table has a domain: a disc map of the hemisphere, or a grid over one to three angles. A factor
+// says with what the domain is looked up: one direction of the pair, or as many of its angles as
+// the grid has axes. Positions are in texels: 0 is the centre of the first texel, size - 1 that of
+// the last. The texture coordinate is (position + 1/2) / size; positions never leave [0, size - 1],
+// so bilinear filtering never reads outside. Reference: Heidrich and Seidel 1998 (parabolic maps);
+// McCool, Ang, Ahmad 2001, section 4.2 (their use here).
+#pragma once
+#include <fbrdf/brdf/Conventions.h>
+
+#include <array>
+#include <variant>
+#include <vector>
+
+namespace fbrdf {
+
+enum class Direction { wi, wo, h };
+enum class Angle { theta_h, theta_d, theta_i, theta_o };
+constexpr int kAngleCount = 4;
+
+/// How an angle in [0, pi/2] becomes u in [0, 1]: (1 - cos)^exponent, or cos^exponent. Cheap in a
+/// shader, where acos is not: (1 - cos theta)^(1/2) is sqrt(2) sin(theta / 2), nearly linear;
+/// ^(1/4) is nearly its square root.
+struct AxisMap {
+    enum class From { oneMinusCosine, cosine } from = From::oneMinusCosine;
+    double exponent = 0.5;  ///< > 0
+};
+
+struct Axis {
+    int size = 16;  ///< knots, >= 2 (1 for an axis that does not vary); the first at u = 0, the
+                    ///< last at u = 1
+    AxisMap map;
+};
+
+/// size x size texels over the hemisphere: (x, y) / (1 + z), radius r -> r^gamma, then times
+/// `radius` texels about the centre of the map. gamma = 1 is the map of 2001; gamma = 1/2 spends
+/// texels on the highlight.
+struct DiscDomain {
+    int size = 32;       ///< texels on a side, >= 2
+    double gamma = 0.5;  ///< > 0
+    double radius =
+        15.5;  ///< texels from centre to horizon, <= (size - 1) / 2; 7/16 size in the 2001 maps
+
+    static DiscDomain fitting(int size, double gamma) { return {size, gamma, 0.5 * (size - 1)}; }
+};
+
+/// Product grid over angles, first axis contiguous.
+struct GridDomain {
+    std::vector<Axis> axes;  ///< 1 to 3
+    bool symmetric =
+        false;  ///< two equal axes, F(a, b) = F(b, a); stored in full, so the shader need not sort
+};
+
+using Domain = std::variant<DiscDomain, GridDomain>;
+
+/// What a factor looks its table up with: a direction for a disc, one angle an axis for a grid.
+using Argument = std::variant<Direction, std::vector<Angle>>;
+
+/// Texels along x, y, z; 1 where the domain has no such dimension.
+std::array<int, 3> domainSize(const Domain& domain);
+int texelCount(const Domain& domain);
+/// Number of coordinates: 2 for a disc, the number of axes for a grid.
+int dimensionCount(const Domain& domain);
+bool isDisc(const Domain& domain);
+/// True when the argument suits the domain.
+bool argumentFits(const Domain& domain, const Argument& argument);
+
+/// What every projection of a pair needs, computed once. `complement` is 1 - cosine without
+/// cancellation.
+template <class T>
+struct PairGeometry {
+    Vec3<T> wo, wi, h;
+    std::array<T, kAngleCount> cosine, complement;  ///< indexed by Angle
+
+    explicit PairGeometry(const DirectionPair<T>& pair);
+};
+
+/// u of an angle from its cosine and 1 - cosine. Twin: fbrdfAxis in projection.glsl.
+template <class T>
+T axisCoordinate(const AxisMap& map, T cosine, T complement);
+/// Angle of u, radians. Inverse of axisCoordinate.
+double angleFromAxisCoordinate(const AxisMap& map, double u);
+
+/// Texel position of a direction of the upper hemisphere. Twin: fbrdfDisc in projection.glsl.
+template <class T>
+Vec2<T> discPosition(const DiscDomain& domain, const Vec3<T>& direction);
+/// Direction at a texel position; positions outside the disc give the nearest direction on the
+/// horizon.
+Vec3d directionFromDiscPosition(const DiscDomain& domain, const Vec2<double>& position);
+
+/// Texel position of a pair in a domain; unused coordinates are 0.
+template <class T>
+Vec3<T> texelPosition(const Domain& domain, const Argument& argument,
+                      const PairGeometry<T>& geometry);
+
+/// The texels that linear filtering mixes at a position, at most 8, and their weights, which sum
+/// to 1.
+template <class T>
+struct Stencil {
+    int count = 0;
+    std::array<int, 8> texel{};
+    std::array<T, 8> weight{};
+};
+template <class T>
+Stencil<T> stencilAt(const Domain& domain, const Vec3<T>& position);
+
+}  // namespace fbrdf

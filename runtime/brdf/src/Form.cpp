@@ -1,0 +1,207 @@
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/brdf/Form.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace fbrdf {
+namespace {
+
+// Bounds on what a file may ask for; far above any useful table, far below what exhausts memory.
+constexpr int kMaxSize = 4096;
+constexpr int kMaxTables = 64;
+
+[[noreturn]] void fail(const std::string& where, const std::string& what)
+{
+    throw Error(ErrorKind::input, where, what);
+}
+
+bool directionDependsOnLight(Direction d)
+{
+    return d != Direction::wo;
+}
+
+std::string number(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+void validateAxis(const Axis& axis, const std::string& where)
+{
+    if (axis.size < 1 || axis.size > kMaxSize)
+        fail(where, "axis of " + std::to_string(axis.size) + " knots, expected 1 to " +
+                        std::to_string(kMaxSize));
+    if (!(axis.map.exponent > 0.0) || !(axis.map.exponent <= 16.0))
+        fail(where,
+             "axis exponent " + number(axis.map.exponent) + ", expected above 0 and at most 16");
+}
+
+void validateDomain(const TableSpec& spec, const std::string& where)
+{
+    if (const auto* disc = std::get_if<DiscDomain>(&spec.domain)) {
+        if (disc->size < 2 || disc->size > kMaxSize)
+            fail(where, "disc map of " + std::to_string(disc->size) + " texels, expected 2 to " +
+                            std::to_string(kMaxSize));
+        if (!(disc->gamma > 0.0) || !(disc->gamma <= 16.0))
+            fail(where, "gamma " + number(disc->gamma) + ", expected above 0 and at most 16");
+        if (!(disc->radius > 0.0) || !(disc->radius <= 0.5 * (disc->size - 1)))
+            fail(where,
+                 "disc radius " + number(disc->radius) + ", expected at most half of size - 1");
+        return;
+    }
+    const auto& grid = std::get<GridDomain>(spec.domain);
+    if (grid.axes.empty() || grid.axes.size() > 3)
+        fail(where, std::to_string(grid.axes.size()) + " axes, expected 1 to 3");
+    double texels = 1.0;
+    for (const Axis& axis : grid.axes) {
+        validateAxis(axis, where);
+        texels *= axis.size;
+    }
+    if (texels > double(kMaxSize) * kMaxSize)
+        fail(where, number(texels) + " texels, expected at most 2^24");
+    if (grid.symmetric && (grid.axes.size() != 2 || grid.axes[0].size != grid.axes[1].size ||
+                           grid.axes[0].map.from != grid.axes[1].map.from ||
+                           grid.axes[0].map.exponent != grid.axes[1].map.exponent))
+        fail(where, "a symmetric table with unequal axes, expected two equal axes");
+    if (spec.uniform && (grid.axes.size() != 1 || grid.axes[0].size > 64))
+        fail(where, "a uniform table, expected one axis of at most 64 knots");
+}
+
+std::string describe(const Domain& domain)
+{
+    if (const auto* disc = std::get_if<DiscDomain>(&domain))
+        return "[disc " + std::to_string(disc->size) + "x" + std::to_string(disc->size) +
+               " gamma " + number(disc->gamma) + "]";
+    std::string text = "[";
+    const auto& grid = std::get<GridDomain>(domain);
+    for (size_t i = 0; i < grid.axes.size(); ++i) {
+        const AxisMap& map = grid.axes[i].map;
+        text += (i ? " x " : "") + std::to_string(grid.axes[i].size) +
+                (map.from == AxisMap::From::cosine ? " cos^" : " (1-cos)^") + number(map.exponent);
+    }
+    return text + (grid.symmetric ? " symmetric]" : "]");
+}
+
+std::string describe(const Argument& argument)
+{
+    if (const auto* direction = std::get_if<Direction>(&argument))
+        return std::string("(") + directionName(*direction) + ")";
+    std::string text = "(";
+    for (const Angle angle : std::get<std::vector<Angle>>(argument))
+        text += (text.size() > 1 ? ", " : "") + std::string(angleName(angle));
+    return text + ")";
+}
+
+}  // namespace
+
+const char* directionName(Direction direction)
+{
+    switch (direction) {
+        case Direction::wi: return "wi";
+        case Direction::wo: return "wo";
+        case Direction::h: return "h";
+    }
+    return "?";
+}
+
+const char* angleName(Angle angle)
+{
+    switch (angle) {
+        case Angle::theta_h: return "theta_h";
+        case Angle::theta_d: return "theta_d";
+        case Angle::theta_i: return "theta_i";
+        case Angle::theta_o: return "theta_o";
+    }
+    return "?";
+}
+
+bool dependsOnLight(const Factor& factor)
+{
+    if (const auto* direction = std::get_if<Direction>(&factor.argument))
+        return directionDependsOnLight(*direction);
+    const auto& angles = std::get<std::vector<Angle>>(factor.argument);
+    return std::any_of(angles.begin(), angles.end(), [](Angle a) { return a != Angle::theta_o; });
+}
+
+bool isIsotropic(const Form& form)
+{
+    return std::none_of(form.tables.begin(), form.tables.end(),
+                        [](const TableSpec& t) { return isDisc(t.domain); });
+}
+
+void validate(const Form& form, const std::string& where)
+{
+    if (form.tables.empty() || form.tables.size() > kMaxTables)
+        fail(where, std::to_string(form.tables.size()) + " tables, expected 1 to " +
+                        std::to_string(kMaxTables));
+    for (const TableSpec& spec : form.tables)
+        validateDomain(spec, where + ": table '" + spec.name + "'");
+    if (form.terms.empty() || form.terms.size() > kMaxTables)
+        fail(where, std::to_string(form.terms.size()) + " terms, expected 1 to " +
+                        std::to_string(kMaxTables));
+    for (const Term& term : form.terms) {
+        if (term.factors.empty()) fail(where, "a term without factors, expected at least one");
+        for (const Factor& factor : term.factors) {
+            if (factor.table < 0 || factor.table >= static_cast<int>(form.tables.size()))
+                fail(where, "table index " + std::to_string(factor.table) + ", expected below " +
+                                std::to_string(form.tables.size()));
+            const TableSpec& spec = form.tables[static_cast<size_t>(factor.table)];
+            if (!argumentFits(spec.domain, factor.argument))
+                fail(where, "table '" + spec.name + "' looked up with " +
+                                describe(factor.argument) +
+                                ", expected one direction for a disc or one angle an axis");
+        }
+    }
+}
+
+std::string describe(const Form& form)
+{
+    std::string text;
+    std::vector<bool> told(form.tables.size(), false);
+    for (const Term& term : form.terms) {
+        if (!text.empty()) text += "+ ";
+        for (const Factor& factor : term.factors) {
+            const auto index = static_cast<size_t>(factor.table);
+            text += form.tables[index].name;
+            if (!told[index]) text += describe(form.tables[index].domain);
+            told[index] = true;
+            text += describe(factor.argument) + " ";
+        }
+    }
+    if (!text.empty()) text.pop_back();
+    return text;
+}
+
+Form formPqp(int size, double gamma)
+{
+    const DiscDomain disc = DiscDomain::fitting(size, gamma);
+    return {"pqp",
+            {{"p", disc}, {"q", disc}},
+            {{{{0, Direction::wo}, {1, Direction::h}, {0, Direction::wi}}}}};
+}
+
+Form formPqpr(int size, double gamma, int knots)
+{
+    Form form = formPqp(size, gamma);
+    form.name = "pqpr";
+    form.tables.push_back(
+        {"r", GridDomain{{Axis{knots, {AxisMap::From::oneMinusCosine, 0.5}}}}, true});
+    form.terms[0].factors.push_back({2, std::vector<Angle>{Angle::theta_d}});
+    return form;
+}
+
+Form formHdio(int sizeH, int sizeD, int sizeIo)
+{
+    const Axis h{sizeH, {AxisMap::From::oneMinusCosine, 0.25}},
+        d{sizeD, {AxisMap::From::oneMinusCosine, 0.5}};
+    const Axis io{sizeIo, {AxisMap::From::oneMinusCosine, 0.5}};
+    return {"hdio",
+            {{"T1", GridDomain{{h, d}}}, {"T2", GridDomain{{io, io}, true}}},
+            {{{{0, std::vector<Angle>{Angle::theta_h, Angle::theta_d}},
+               {1, std::vector<Angle>{Angle::theta_i, Angle::theta_o}}}}}};
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,79 @@
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/brdf/Material.h>
+
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+template <class T>
+Vec3<T> evaluateTerm(const Material& material, size_t index, const PairGeometry<T>& geometry)
+{
+    Vec3<T> logSum(T(0)), product(T(1));
+    for (const Factor& factor : material.form.terms[index].factors) {
+        const Table& table = material.tables[static_cast<size_t>(factor.table)];
+        const Vec3<T> value = sample(table, texelPosition(table.domain, factor.argument, geometry));
+        if (isLog(table.storage))
+            logSum += value;
+        else
+            product *= value;
+    }
+    const Vec3<T> scale(material.scales[index]);
+    for (int c = 0; c < 3; ++c) product[c] *= scale[c] * std::exp2(logSum[c]);
+    return product;
+}
+
+}  // namespace
+
+size_t materialBytes(const Material& material)
+{
+    size_t bytes = 0;
+    for (const Table& table : material.tables) bytes += table.bytes();
+    return bytes;
+}
+
+void validate(const Material& material, const std::string& where)
+{
+    validate(material.form, where);
+    const auto fail = [&where](const std::string& what) {
+        throw Error(ErrorKind::input, where, what);
+    };
+    if (material.tables.size() != material.form.tables.size())
+        fail(std::to_string(material.tables.size()) + " tables, expected the form's " +
+             std::to_string(material.form.tables.size()));
+    if (material.scales.size() != material.form.terms.size())
+        fail(std::to_string(material.scales.size()) + " scales, expected one for each of " +
+             std::to_string(material.form.terms.size()) + " terms");
+    for (const Vec3f& scale : material.scales)
+        for (int c = 0; c < 3; ++c)
+            if (!std::isfinite(scale[c]) || scale[c] < 0.0f)
+                fail("a scale that is not finite and >= 0");
+    for (const Table& table : material.tables) {
+        if (table.channels != 1 && table.channels != 3)
+            fail("table '" + table.name + "' of " + std::to_string(table.channels) +
+                 " channels, expected 1 or 3");
+        if (table.texels.size() !=
+            static_cast<size_t>(texelCount(table.domain)) * static_cast<size_t>(table.channels))
+            fail("table '" + table.name + "' of " + std::to_string(table.texels.size()) +
+                 " numbers, expected " + std::to_string(texelCount(table.domain) * table.channels));
+        for (const float texel : table.texels)
+            if (!std::isfinite(texel))
+                fail("table '" + table.name + "' holds a number that is not finite");
+    }
+}
+
+template <class T>
+Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi)
+{
+    Vec3<T> sum(T(0));
+    if (!(wo.z > T(0)) || !(wi.z > T(0))) return sum;
+    const PairGeometry<T> geometry(DirectionPair<T>{wo, wi});
+    for (size_t t = 0; t < material.form.terms.size(); ++t)
+        sum += evaluateTerm(material, t, geometry);
+    return sum;
+}
+
+template Vec3<float> evaluate(const Material&, const Vec3<float>&, const Vec3<float>&);
+template Vec3<double> evaluate(const Material&, const Vec3<double>&, const Vec3<double>&);
+
+}  // namespace fbrdf

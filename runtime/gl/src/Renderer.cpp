@@ -1,0 +1,1 @@
+#include <fbrdf/gl/Renderer.h>

@@ -1,0 +1,1 @@
+#include <fbrdf/io/MaterialFile.h>

@@ -1,0 +1,1 @@
+#include <fbrdf/plan/Plan.h>

@@ -1,0 +1,42 @@
+// Context.h - an OpenGL context without a display: EGL surfaceless (llvmpipe or a GPU) or OSMesa.
+// Used by fbrdf-viewer, fbrdf-bench and the tests; the runtime itself never makes a context.
+#pragma once
+#include <memory>
+#include <string>
+
+namespace fbrdf {
+
+enum class Backend { egl, osmesa };
+const char* backendName(Backend backend);          ///< "egl", "osmesa"
+Backend backendFromName(const std::string& name);  ///< throws Error(usage)
+
+struct HeadlessOptions {
+    Backend backend = Backend::egl;
+    enum class Profile { core, compatibility, es } profile = Profile::core;
+    int major = 3, minor = 3;  ///< requested version
+    bool debug = true;         ///< ask for a debug context (EGL)
+};
+
+/// Current on the creating thread once made; makes itself current again with makeCurrent().
+class HeadlessContext {
+public:
+    /// Throws Error(gl) saying which step failed and with which error.
+    explicit HeadlessContext(const HeadlessOptions& options);
+    ~HeadlessContext();
+    HeadlessContext(HeadlessContext&&) noexcept;
+    HeadlessContext& operator=(HeadlessContext&&) noexcept;
+
+    void makeCurrent();
+    /// GL function by name; user is ignored. Fits gl::LoadFunction.
+    static void* loadEgl(void* user, const char* name);
+    static void* loadOsMesa(void* user, const char* name);
+    using Load = void* (*)(void*, const char*);
+    Load loader() const;
+    const HeadlessOptions& options() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fbrdf
