@@ -1,0 +1,51 @@
+#include "Native.h"
+
+#include <fbrdf/brdf/Error.h>
+
+namespace fbrdf {
+
+const char* backendName(Backend backend)
+{
+    return backend == Backend::egl ? "egl" : "osmesa";
+}
+
+Backend backendFromName(const std::string& name)
+{
+    for (const Backend backend : {Backend::egl, Backend::osmesa})
+        if (name == backendName(backend)) return backend;
+    throw Error(ErrorKind::usage, "backend", "found '" + name + "', expected egl or osmesa");
+}
+
+struct HeadlessContext::State {
+    HeadlessOptions options;
+    std::unique_ptr<NativeContext> native;
+};
+
+HeadlessContext::HeadlessContext(const HeadlessOptions& options)
+    : state_(std::make_unique<State>(State{options, options.backend == Backend::egl
+                                                        ? createEglContext(options)
+                                                        : createOsMesaContext(options)}))
+{
+    makeCurrent();
+}
+
+HeadlessContext::~HeadlessContext() = default;
+HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
+HeadlessContext& HeadlessContext::operator=(HeadlessContext&&) noexcept = default;
+
+void HeadlessContext::makeCurrent()
+{
+    state_->native->makeCurrent();
+}
+
+HeadlessContext::Load HeadlessContext::loader() const
+{
+    return state_->options.backend == Backend::egl ? &loadEgl : &loadOsMesa;
+}
+
+const HeadlessOptions& HeadlessContext::options() const
+{
+    return state_->options;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,105 @@
+// EGL without a window system: platform "surfaceless", no config, no surface. The default
+// framebuffer of such a context is undefined, so whoever draws brings a framebuffer object.
+// Reference: EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context, EGL_KHR_no_config_context.
+#include "Native.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <cstdio>
+#include <vector>
+
+namespace fbrdf {
+namespace {
+
+[[noreturn]] void fail(const std::string& step)
+{
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04x", static_cast<unsigned>(eglGetError()));
+    throw Error(ErrorKind::gl, "EGL", step + " failed with " + code);
+}
+
+// The display stays initialised: it is one for the process, and eglTerminate would end the contexts
+// of everybody else who uses it (EGL_KHR_display_reference is not in Mesa 22).
+EGLDisplay initialisedDisplay()
+{
+    const auto getPlatformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+        eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    if (!getPlatformDisplay) fail("eglGetProcAddress(eglGetPlatformDisplayEXT)");
+    const EGLDisplay display =
+        getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT(surfaceless)");
+    if (!eglInitialize(display, nullptr, nullptr)) fail("eglInitialize");
+    return display;
+}
+
+std::vector<EGLint> attributesOf(const HeadlessOptions& options)
+{
+    using Profile = HeadlessOptions::Profile;
+    std::vector<EGLint> list{EGL_CONTEXT_MAJOR_VERSION, options.major, EGL_CONTEXT_MINOR_VERSION,
+                             options.minor};
+    const bool hasProfiles = options.major > 3 || (options.major == 3 && options.minor >= 2);
+    if (options.profile != Profile::es && hasProfiles)
+        list.insert(list.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 options.profile == Profile::core
+                                     ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                     : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT});
+    if (options.debug) list.insert(list.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    list.push_back(EGL_NONE);
+    return list;
+}
+
+class EglContext : public NativeContext {
+public:
+    explicit EglContext(const HeadlessOptions& options)
+        : display_(initialisedDisplay()),
+          api_(options.profile == HeadlessOptions::Profile::es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)
+    {
+        if (!eglBindAPI(api_)) fail("eglBindAPI");
+        context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                                    attributesOf(options).data());
+        if (context_ == EGL_NO_CONTEXT)
+            fail("eglCreateContext of version " + std::to_string(options.major) + "." +
+                 std::to_string(options.minor));
+    }
+
+    ~EglContext() override
+    {
+        eglBindAPI(api_);
+        if (eglGetCurrentContext() == context_) release();
+        eglDestroyContext(display_, context_);
+    }
+
+    void makeCurrent() override
+    {
+        if (!eglBindAPI(api_)) fail("eglBindAPI");
+        // OSMesa may have taken the thread's context slot without EGL noticing; a bind of what EGL
+        // believes to be bound already would then do nothing.
+        if (eglGetCurrentContext() == context_) release();
+        if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+            fail("eglMakeCurrent");
+    }
+
+private:
+    void release() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+    EGLDisplay display_;
+    EGLenum api_;
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+}  // namespace
+
+std::unique_ptr<NativeContext> createEglContext(const HeadlessOptions& options)
+{
+    return std::make_unique<EglContext>(options);
+}
+
+void* HeadlessContext::loadEgl(void*, const char* name)
+{
+    return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,122 @@
+// OSMesa: a context that draws into memory. The library is opened at run time and stays open:
+// linking it would put its gl* symbols before those of libGL, and a program with a window needs the
+// latter.
+#include "Native.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <dlfcn.h>
+#include <GL/osmesa.h>
+
+#include <array>
+#include <vector>
+
+namespace fbrdf {
+namespace {
+
+struct Library {
+    decltype(&OSMesaCreateContextAttribs) createContext = nullptr;
+    decltype(&OSMesaDestroyContext) destroyContext = nullptr;
+    decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
+    decltype(&OSMesaGetCurrentContext) currentContext = nullptr;
+    decltype(&OSMesaGetProcAddress) procAddress = nullptr;
+    std::string problem;
+};
+
+template <class Function>
+void find(void* handle, const char* name, Function& function, std::string& problem)
+{
+    function = reinterpret_cast<Function>(dlsym(handle, name));
+    if (!function) problem = std::string("no ") + name + " in libOSMesa.so.8";
+}
+
+Library openLibrary()
+{
+    Library library;
+    void* const handle = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    if (!handle) {
+        library.problem = dlerror();
+        return library;
+    }
+    find(handle, "OSMesaCreateContextAttribs", library.createContext, library.problem);
+    find(handle, "OSMesaDestroyContext", library.destroyContext, library.problem);
+    find(handle, "OSMesaMakeCurrent", library.makeCurrent, library.problem);
+    find(handle, "OSMesaGetCurrentContext", library.currentContext, library.problem);
+    find(handle, "OSMesaGetProcAddress", library.procAddress, library.problem);
+    return library;
+}
+
+[[noreturn]] void fail(const std::string& what)
+{
+    throw Error(ErrorKind::gl, "OSMesa", what);
+}
+
+// Immutable once made; throws where the library or one of its functions is missing.
+const Library& library()
+{
+    static const Library opened = openLibrary();
+    if (!opened.problem.empty()) fail(opened.problem);
+    return opened;
+}
+
+std::vector<int> attributesOf(const HeadlessOptions& options)
+{
+    const bool core = options.profile == HeadlessOptions::Profile::core;
+    return {OSMESA_FORMAT,
+            OSMESA_RGBA,
+            OSMESA_DEPTH_BITS,
+            24,
+            OSMESA_PROFILE,
+            core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
+            OSMESA_CONTEXT_MAJOR_VERSION,
+            options.major,
+            OSMESA_CONTEXT_MINOR_VERSION,
+            options.minor,
+            0};
+}
+
+class OsMesaContext : public NativeContext {
+public:
+    explicit OsMesaContext(const HeadlessOptions& options)
+    {
+        if (options.profile == HeadlessOptions::Profile::es)
+            fail("found a request for OpenGL ES, expected OpenGL");
+        context_ = library().createContext(attributesOf(options).data(), nullptr);
+        if (!context_)
+            fail("OSMesaCreateContextAttribs of version " + std::to_string(options.major) + "." +
+                 std::to_string(options.minor) + " failed");
+    }
+
+    ~OsMesaContext() override
+    {
+        if (library().currentContext() == context_)
+            library().makeCurrent(nullptr, nullptr, 0, 0, 0);
+        library().destroyContext(context_);
+    }
+
+    void makeCurrent() override
+    {
+        if (!library().makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
+            fail("OSMesaMakeCurrent failed");
+    }
+
+private:
+    // A buffer is required even where everything is drawn to framebuffer objects.
+    static constexpr int kSide = 4;
+    std::array<unsigned char, kSide * kSide * 4> buffer_{};
+    OSMesaContext context_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<NativeContext> createOsMesaContext(const HeadlessOptions& options)
+{
+    return std::make_unique<OsMesaContext>(options);
+}
+
+void* HeadlessContext::loadOsMesa(void*, const char* name)
+{
+    return reinterpret_cast<void*>(library().procAddress(name));
+}
+
+}  // namespace fbrdf
