@@ -1,1 +1,133 @@
 #include <fbrdf/sources/Source.h>
+
+#include "Formats.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/io/MaterialFile.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace fbrdf {
+
+Source makeModelSource(const std::string& spec);
+
+namespace {
+
+bool pathExists(const std::string& path)
+{
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+/// Path and choice of "FILE@choice" or "FILE#choice"; the choice is empty where FILE is the whole.
+struct FileSpec {
+    std::string path, choice;
+};
+
+FileSpec fileSpecOf(const std::string& spec)
+{
+    if (pathExists(spec)) return {spec, ""};
+    const size_t mark = spec.find_last_of("@#");
+    if (mark != std::string::npos && mark + 1 < spec.size() && pathExists(spec.substr(0, mark)))
+        return {spec.substr(0, mark), spec.substr(mark + 1)};
+    return {};
+}
+
+/// True for a specification that can only be meant as a file: model names have no dot and no slash.
+bool mustBeFile(const std::string& spec)
+{
+    return spec.substr(0, spec.find(':')).find_first_of("./\\") != std::string::npos;
+}
+
+Source sourceOfMaterial(const std::string& path)
+{
+    const auto material = std::make_shared<const Material>(readMaterial(path));
+    Source source;
+    source.name = material->name;
+    source.format = "material";
+    source.description = describe(material->form);
+    source.isotropic = isIsotropic(material->form);
+    source.evaluate = [material](const Vec3d& wo, const Vec3d& wi) {
+        return evaluate<double>(*material, wo, wi);
+    };
+    return source;
+}
+
+Source openFile(const FileSpec& spec, const SourceOptions& options)
+{
+    if (spec.choice.empty() && isMaterialFile(spec.path)) return sourceOfMaterial(spec.path);
+    const auto file = std::make_shared<const InputFile>(spec.path);
+    const Format& format = formatOf(*file);
+    if (!spec.choice.empty() && !format.takesChoice)
+        throw Error(ErrorKind::usage, spec.path,
+                    "found the choice '" + spec.choice + "', but a " + format.name +
+                        " file holds one data set");
+    Source source = format.read({file, spec.choice, options});
+    source.format = format.name;
+    if (source.name.empty()) source.name = file->stem();
+    return source;
+}
+
+}  // namespace
+
+Source openSource(const std::string& spec, const SourceOptions& options)
+{
+    const FileSpec file = fileSpecOf(spec);
+    if (!file.path.empty()) return openFile(file, options);
+    if (mustBeFile(spec))
+        throw Error(ErrorKind::input, spec, "found no such file, expected a file or a model");
+    return makeModelSource(spec);
+}
+
+SampleReport& SampleReport::operator+=(const SampleReport& other)
+{
+    given += other.given;
+    nonFinite += other.nonFinite;
+    belowHorizon += other.belowHorizon;
+    invalid += other.invalid;
+    negative += other.negative;
+    zero += other.zero;
+    outOfGamut += other.outOfGamut;
+    return *this;
+}
+
+bool hasSamples(const Source& source)
+{
+    return !source.samples.empty() || source.stream;
+}
+
+void SampleStream::operator()(const SampleVisitor& visit) const
+{
+    std::vector<Sample> block;
+    SampleReport ignored;
+    for (uint64_t first = 0; first < rows; first += kSampleBlock) {
+        block.clear();
+        read(first, static_cast<size_t>(std::min<uint64_t>(kSampleBlock, rows - first)), block,
+             ignored);
+        if (!block.empty()) visit(block.data(), block.size());
+    }
+}
+
+void forEachBlock(const Source& source, const SampleVisitor& visit)
+{
+    const std::vector<Sample>& held = source.samples;
+    for (size_t first = 0; first < held.size(); first += kSampleBlock)
+        visit(held.data() + first, std::min(kSampleBlock, held.size() - first));
+    if (source.stream) source.stream(visit);
+}
+
+SampleReport reportOf(const Source& source)
+{
+    SampleReport report = source.report;
+    if (!source.stream) return report;
+    std::vector<Sample> block;
+    for (uint64_t first = 0; first < source.stream.rows; first += kSampleBlock) {
+        block.clear();
+        const uint64_t count = std::min<uint64_t>(kSampleBlock, source.stream.rows - first);
+        source.stream.read(first, static_cast<size_t>(count), block, report);
+    }
+    return report;
+}
+
+}  // namespace fbrdf

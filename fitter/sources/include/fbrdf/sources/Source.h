@@ -1,4 +1,5 @@
 // Source.h - reflectance from anywhere: scattered samples, a function, or both.
+// Samples are either held (`samples`) or made when asked for (`stream`); forEachBlock serves both.
 // Conventions: runtime/brdf/include/fbrdf/brdf/Conventions.h. Every reader turns its file's own
 // into these.
 #pragma once
@@ -17,16 +18,40 @@ struct Sample {
     float weight = 1.0f;
 };
 
-/// What a reader found. Nothing is dropped silently: given = samples.size() + nonFinite +
-/// belowHorizon.
+/// What a reader found. Nothing is dropped silently: given = usable samples + nonFinite +
+/// belowHorizon + invalid.
 struct SampleReport {
     uint64_t given = 0;         ///< rows in the file
     uint64_t nonFinite = 0;     ///< dropped: a value or angle that is not a finite number
     uint64_t belowHorizon = 0;  ///< dropped: wo or wi at or below the horizon
+    uint64_t invalid = 0;       ///< dropped: marked by the file as not measured (MERL's negatives)
     uint64_t negative = 0;      ///< kept, for the fitter to censor: a channel below 0
     uint64_t zero = 0;          ///< kept, for the fitter to censor: a channel that is exactly 0
     uint64_t outOfGamut =
         0;  ///< spectra whose linear sRGB has a negative channel (also counted in `negative`)
+
+    SampleReport& operator+=(const SampleReport& other);
+};
+
+/// Takes `count` samples that are valid during the call only.
+using SampleVisitor = std::function<void(const Sample* samples, size_t count)>;
+
+/// Samples that are made when asked for: rows of a file too large for memory, or the native grid of
+/// a table. Empty (false) when there are none.
+struct SampleStream {
+    uint64_t rows = 0;  ///< rows in all, usable or not
+    /// Equal for two sources whose row k is the same pair of directions for every k; empty where
+    /// that is not known. What a fitter may key a cache of geometry by.
+    std::string geometry;
+    /// Appends the usable samples among rows [first, first + count), count <= rows - first, to
+    /// `out` and adds what it found to `report`. Safe to call from threads.
+    std::function<void(uint64_t first, size_t count, std::vector<Sample>& out,
+                       SampleReport& report)>
+        read;
+
+    explicit operator bool() const { return static_cast<bool>(read); }
+    /// All usable samples, in order, in blocks.
+    void operator()(const SampleVisitor& visit) const;
 };
 
 struct Source {
@@ -34,21 +59,33 @@ struct Source {
     std::string format;           ///< "csv", "cornell", "model", "material", ...
     std::string description;      ///< one line for people: units, wavelengths, paper
     bool isotropic = false;       ///< known to be unchanged by a rotation about the normal
-    std::vector<Sample> samples;  ///< empty when only a function
-    SampleReport report;
+    std::vector<Sample> samples;  ///< empty when streamed, or when only a function
+    SampleStream stream;          ///< empty when `samples` holds them, or when only a function
+    SampleReport report;          ///< of `samples`; of a stream see reportOf
     /// f(wo, wi) for any unit pair, 0 below the horizon; empty when only samples are known. Safe to
     /// call from threads.
     std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate;
 };
+
+/// True when the source has samples of its own, held or streamed.
+bool hasSamples(const Source& source);
+
+/// Visits every usable sample once, in order, in blocks of at most kSampleBlock.
+void forEachBlock(const Source& source, const SampleVisitor& visit);
+constexpr size_t kSampleBlock = 65536;
+
+/// The source's report: known at once for held samples, one pass over the rows for a stream.
+SampleReport reportOf(const Source& source);
 
 struct SourceOptions {
     bool cosine = false;  ///< CSV values include cos theta_o (--cosine)
 };
 
 /// Opens a file (recognised by content, then by extension) or an analytic model
-/// "name:key=value,...". Materials (.fbrdf, the 2001 layout) are sources with `evaluate`. Throws
-/// Error(usage) for an unknown model or a parameter out of range, Error(input) for a file that is
-/// missing or invalid.
+/// "name:key=value,...". A file that holds several data sets takes a choice after its path:
+/// FILE@0.532 (a wavelength in um), FILE#name or FILE#row (a material of a collection). Materials
+/// (.fbrdf, the 2001 layout) are sources with `evaluate`. Throws Error(usage) for an unknown model
+/// or a parameter out of range, Error(input) for a file that is missing or invalid.
 Source openSource(const std::string& spec, const SourceOptions& options = {});
 
 }  // namespace fbrdf

@@ -1,0 +1,55 @@
+#include "Formats.h"
+
+#include <cctype>
+#include <cstdio>
+
+namespace fbrdf {
+namespace {
+
+/// In the order in which they are tried: formats with an unmistakable beginning come first.
+constexpr Format kFormats[] = {
+    {"csv", " csv ", false, isCsv, readCsv},
+    {"cornell", " brdf ", false, isCornell, readCornell},
+};
+
+bool hasExtension(const Format& format, const std::string& extension)
+{
+    return !extension.empty() &&
+           std::string(format.extensions).find(" " + extension + " ") != std::string::npos;
+}
+
+std::string firstBytes(std::string_view bytes)
+{
+    std::string text;
+    for (const char c : bytes.substr(0, 8)) {
+        char hex[8];
+        std::snprintf(hex, sizeof hex, text.empty() ? "%02x" : " %02x",
+                      unsigned(static_cast<unsigned char>(c)));
+        text += hex;
+    }
+    return text;
+}
+
+std::string formatNames()
+{
+    std::string names;
+    for (const Format& format : kFormats)
+        names += std::string(names.empty() ? "" : ", ") + format.name;
+    return names;
+}
+
+}  // namespace
+
+const Format& formatOf(const InputFile& file)
+{
+    for (const Format& format : kFormats)
+        if (format.recognises(file)) return format;
+    const std::string extension = file.extension();
+    for (const Format& format : kFormats)
+        if (hasExtension(format, extension)) return format;
+    throw inputError(file, "found an unknown format (" + std::to_string(file.size()) +
+                               " bytes that start with " + firstBytes(file.bytes()) +
+                               "), expected one of " + formatNames() + ", or a material");
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,36 @@
+// Formats.h - every file format: how it is recognised and who reads it. A new format is a file
+// FormatName.cpp with these two functions, declared here, and a line in the table of Formats.cpp.
+#pragma once
+#include "InputFile.h"
+
+#include <fbrdf/sources/Source.h>
+
+#include <memory>
+#include <string>
+
+namespace fbrdf {
+
+/// What a reader is given. The file may outlive the call inside `evaluate` or `stream`.
+struct FileRequest {
+    std::shared_ptr<const InputFile> file;
+    std::string choice;  ///< what followed '@' or '#' in the specification; empty for the default
+    SourceOptions options;
+};
+
+struct Format {
+    const char* name;        ///< as in Source::format
+    const char* extensions;  ///< tried when no content is recognised: " csv txt "; "" for none
+    bool takesChoice;        ///< FILE@choice or FILE#choice means something
+    bool (*recognises)(const InputFile& file);  ///< by content alone
+    Source (*read)(const FileRequest& request);
+};
+
+/// The format of a file. Throws Error(input) when there is none.
+const Format& formatOf(const InputFile& file);
+
+bool isCsv(const InputFile& file);
+Source readCsv(const FileRequest& request);
+bool isCornell(const InputFile& file);
+Source readCornell(const FileRequest& request);
+
+}  // namespace fbrdf

@@ -1,0 +1,125 @@
+#include "InputFile.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace fbrdf {
+namespace {
+
+/// What a pipe may deliver before it is refused: no reader needs more without a mapping.
+constexpr size_t kPipeLimit = size_t(4) << 30;
+
+class Descriptor {
+public:
+    explicit Descriptor(int value) : value_(value) {}
+    ~Descriptor()
+    {
+        if (value_ >= 0) ::close(value_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return value_; }
+
+private:
+    int value_;
+};
+
+Error systemError(const std::string& path, const std::string& expected)
+{
+    return Error(ErrorKind::input, path, std::string(std::strerror(errno)) + ", " + expected);
+}
+
+}  // namespace
+
+InputFile::InputFile(const std::string& path) : path_(path)
+{
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
+        throw systemError(path, "expected a readable file");
+    if (S_ISDIR(status.st_mode))
+        throw Error(ErrorKind::input, path, "found a directory, expected a file");
+    if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
+        throw Error(ErrorKind::input, path, "found a device or socket, expected a file");
+    const size_t size = static_cast<size_t>(status.st_size);
+    if (S_ISREG(status.st_mode) && size >= kMapFrom)
+        mapAll(file.get(), size);
+    else
+        readAll(file.get(), size);
+    if (view_.empty())
+        throw Error(ErrorKind::input, path, "found an empty file, expected reflectance data");
+}
+
+InputFile::~InputFile()
+{
+    if (mapped_) ::munmap(mapped_, view_.size());
+}
+
+void InputFile::readAll(int descriptor, size_t expected)
+{
+    size_t used = 0;
+    held_.resize(expected + 1);  // one more, so that the end is seen without growing
+    for (;;) {
+        const ssize_t got = ::read(descriptor, held_.data() + used, held_.size() - used);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw systemError(path_, "expected a readable file");
+        if (got == 0) break;
+        used += static_cast<size_t>(got);
+        if (used > kPipeLimit)
+            throw Error(ErrorKind::input, path_, "found a pipe of more than 4 GiB, use a file");
+        if (used == held_.size()) held_.resize(std::max<size_t>(2 * used, 65536));
+    }
+    held_.resize(used);
+    view_ = held_;
+}
+
+void InputFile::mapAll(int descriptor, size_t size)
+{
+    void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+    if (address == MAP_FAILED) throw systemError(path_, "expected a file that can be mapped");
+    mapped_ = address;
+    view_ = std::string_view(static_cast<const char*>(address), size);
+}
+
+std::string InputFile::stem() const
+{
+    return std::filesystem::path(path_).stem().string();
+}
+
+std::string InputFile::extension() const
+{
+    std::string extension = std::filesystem::path(path_).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension.empty() ? extension : extension.substr(1);
+}
+
+std::string InputFile::folder() const
+{
+    const std::string parent = std::filesystem::path(path_).parent_path().string();
+    return parent.empty() ? "." : parent;
+}
+
+Error inputError(const InputFile& file, uint64_t byte, const std::string& what)
+{
+    return Error(ErrorKind::input, file.path() + " at byte " + std::to_string(byte), what);
+}
+
+Error inputError(const InputFile& file, const std::string& what)
+{
+    return Error(ErrorKind::input, file.path(), what);
+}
+
+Error lineError(const InputFile& file, size_t line, const std::string& what)
+{
+    return Error(ErrorKind::input, file.path() + ":" + std::to_string(line), what);
+}
+
+}  // namespace fbrdf

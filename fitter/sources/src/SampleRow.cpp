@@ -1,0 +1,88 @@
+#include "SampleRow.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/brdf/HalfDifference.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+bool isFinite(const Vec3d& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// False for a direction that cannot be normalised. Divides by the largest component first: squares
+/// of 1e200 are infinite.
+bool normalise(Vec3d& v)
+{
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0.0)) return false;
+    v /= largest;
+    v /= glm::length(v);
+    return true;
+}
+
+bool fitsFloat(const SampleRow& row)
+{
+    constexpr double kLargest = 3e38;
+    const Vec3d size = glm::abs(row.f);
+    return std::max({size.x, size.y, size.z}) < kLargest && row.weight < kLargest;
+}
+
+}  // namespace
+
+Vec3d directionFromDegrees(double theta, double phi)
+{
+    return directionFromAngles(theta * (kPi / 180.0), phi * (kPi / 180.0));
+}
+
+void addRow(const SampleRow& row, std::vector<Sample>& samples, SampleReport& report)
+{
+    ++report.given;
+    Vec3d wo = row.wo, wi = row.wi;
+    const bool finite = isFinite(wo) && isFinite(wi) && isFinite(row.f) && row.weight >= 0.0 &&
+                        fitsFloat(row) && normalise(wo) && normalise(wi);
+    if (!finite) {
+        ++report.nonFinite;
+        return;
+    }
+    if (wo.z < kHorizonCosine || wi.z < kHorizonCosine) {
+        ++report.belowHorizon;
+        return;
+    }
+    const Vec3f f(row.f);
+    report.negative += std::min({f.x, f.y, f.z}) < 0.0f;
+    report.zero += f.x == 0.0f || f.y == 0.0f || f.z == 0.0f;
+    samples.push_back({Vec3f(wo), Vec3f(wi), f, static_cast<float>(row.weight)});
+}
+
+void addInvalidRow(SampleReport& report)
+{
+    ++report.given;
+    ++report.invalid;
+}
+
+std::string briefReport(const SampleReport& report)
+{
+    std::string text = std::to_string(report.given) + " rows";
+    const auto add = [&](uint64_t count, const char* what) {
+        if (count) text += ", " + std::to_string(count) + " " + what;
+    };
+    add(report.nonFinite, "not finite");
+    add(report.belowHorizon, "below the horizon");
+    add(report.invalid, "marked invalid");
+    return text;
+}
+
+void requireSamples(const Source& source, const std::string& where)
+{
+    if (!source.samples.empty()) return;
+    throw Error(ErrorKind::input, where,
+                "found no usable sample (" + briefReport(source.report) +
+                    "), expected at least one that is finite and above the horizon");
+}
+
+}  // namespace fbrdf
