@@ -1,12 +1,14 @@
 // Renderer.h - draws materials in an OpenGL context that somebody else made.
 //
 // A Renderer belongs to one GL context; every call needs that context current on the calling
-// thread. It links no GL: functions come from the loader handed to it. It touches only the state
-// listed in README.md and puts it back. Colour is linear; the target receives radiance (seed Eq.
-// 2), alpha 1 where something was drawn. No GL header is included here, so this one can follow or
-// precede any.
+// thread, the destructors of renderer, materials and meshes included. It links no GL: functions
+// come from the loader handed to it. It touches only the state listed in README.md and puts it
+// back. Colour is linear; the target receives radiance (seed Eq. 2), alpha 1 where something was
+// drawn. There are no globals: any number of renderers, contexts and threads may live side by side.
+// No GL header is included here, so this one can follow or precede any.
 #pragma once
 #include <fbrdf/brdf/Material.h>
+#include <fbrdf/plan/Capabilities.h>
 #include <fbrdf/plan/Light.h>
 #include <fbrdf/plan/Plan.h>
 
@@ -15,12 +17,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace fbrdf::gl {
 
-/// Looks a GL function up by name: eglGetProcAddress, OSMesaGetProcAddress, glfwGetProcAddress, ...
+/// Looks a GL function up by name: HeadlessContext::loader(), or a wrapper of glfwGetProcAddress,
+/// eglGetProcAddress, ... May return null for what does not exist.
 using LoadFunction = void* (*)(void* user, const char* name);
 
 enum class Severity { note, warning, error };
@@ -30,14 +34,18 @@ struct RendererOptions {
     void* loadUser = nullptr;
     /// Called for every problem that a draw survives; may be empty. The library never prints.
     std::function<void(Severity, const std::string& text)> log;
-    bool debugLabels = true;  ///< KHR_debug names and groups, where the context has them
+    bool debugLabels = true;   ///< KHR_debug names and groups, where the context has them
+    int firstTextureUnit = 0;  ///< units from here on are used and put back; one a table, and two
+    /// Instead of what the context reports: for tests and for drivers that promise too much.
+    std::optional<Capabilities> capabilities;
 };
 
 /// Triangles of one object. Arrays are as long as positions, or empty where said. Object space.
 struct MeshData {
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;     ///< unit
-    std::vector<Vec3f> tangents;    ///< unit; may be empty for isotropic materials
+    std::vector<Vec3f> normals;     ///< need not be unit, must not be 0
+    std::vector<Vec3f> tangents;    ///< need not be unit or orthogonal; may be empty for isotropic
+                                    ///< materials (anisotropic ones then get an arbitrary frame)
     std::vector<uint32_t> indices;  ///< three a triangle, counter-clockwise seen from outside
 };
 
@@ -47,54 +55,74 @@ class GpuMesh;      ///< buffers of one MeshData
 struct Item {
     const GpuMaterial* material = nullptr;
     const GpuMesh* mesh = nullptr;
-    glm::mat4 model{1.0f};
+    glm::mat4 model{1.0f};  ///< invertible; may scale unevenly
 };
 
 struct View {
-    glm::mat4 view{1.0f}, projection{1.0f};  ///< OpenGL's: camera looks along -z, depth in [-1, 1]
+    /// OpenGL's: camera looks along -z, depth in [-1, 1]. Perspective or orthographic.
+    glm::mat4 view{1.0f}, projection{1.0f};
 };
 
-/// A colour buffer with depth that the host owns. Its internal format decides what accumulation can
-/// be done in place.
+/// A colour buffer with depth that the host owns: a framebuffer object, or 0 for the window's. Only
+/// its first colour buffer is written. Its format decides whether lights add up in it (RGBA32F) or
+/// in an RGBA32F surface of the renderer's own.
 struct Target {
     uint32_t framebuffer = 0;
-    int width = 0, height = 0;
+    int width = 0, height = 0;  ///< pixels, > 0; the viewport is all of it
 };
 
 struct DrawOptions {
     Technique technique = Technique::single;
+    int lightsPerPass = 8;  ///< Technique::batched only, >= 1
+    int maxLookups = 0;     ///< texture look-ups in any pass; 0: what the technique says
 };
 
 struct DrawStats {
-    int passes = 0;  ///< of the item that needed most
-    int drawCalls = 0;
-    int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
+    int passes = 0;  ///< of the item that needed most; every time that the object is drawn counts
+    int drawCalls = 0;    ///< of all items
+    int itemsFailed = 0;  ///< not drawn; why was logged
+    int lightsGiven = 0, lightsUsed = 0;
+    int lightsDropped = 0;  ///< not finite, or of negative radius
     int maxLookups = 0;  ///< texture look-ups executed by a fragment in any one pass, counted from
-                         ///< the linked programs
-    std::string accumulation;  ///< "RGBA32F", ...
+                         ///< the linked programs: fetches, those in the light loop times its lights
+    std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
 };
 
 class Renderer {
 public:
     /// Throws Error(gl) naming what is missing: a loader that yields nothing, a version below 2.1,
-    /// ...
+    /// a function, ...
     explicit Renderer(const RendererOptions& options);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    const std::string& glRenderer() const;
-    const std::string& glVersion() const;
+    const std::string& glRenderer() const;  ///< GL_RENDERER
+    const std::string& glVersion() const;   ///< GL_VERSION
+    const Capabilities& capabilities() const;
 
-    /// Throws Error(input) for an invalid material, Error(gl) where GL cannot hold it.
+    /// Uploads the tables and builds the program of Technique::single for one light, so that a
+    /// material that GL cannot draw is refused here. Throws Error(input) for an invalid material,
+    /// Error(gl) where GL cannot hold it.
     std::shared_ptr<GpuMaterial> createMaterial(const Material& material);
+    /// Throws Error(input) for arrays that do not agree, Error(gl) where GL cannot hold them.
     std::shared_ptr<GpuMesh> createMesh(const MeshData& mesh);
 
+    /// Builds the programs that a draw with these options and this number of lights will need, and
+    /// so keeps the first draw from stopping for a compiler. Throws Error(gl).
+    void prepare(const GpuMaterial& material, const DrawOptions& options, int lights);
+
     /// Adds the items to the target (depth test LESS against what is there). Throws Error(gl) on a
-    /// target that cannot be drawn to; nothing is drawn then. Dropped lights are counted, never
-    /// silent.
+    /// target that cannot be drawn to, Error(usage) on options out of range; nothing is drawn then.
+    /// Everything else is survived: an item that cannot be drawn is left out, logged and counted; a
+    /// technique that the form or the target rules out is replaced by `single` with a warning.
+    /// Lights left out are counted, never silent.
     DrawStats draw(const Target& target, const View& view, const std::vector<Item>& items,
                    const std::vector<Light>& lights, const DrawOptions& options = {});
+
+    /// The context is gone: forget every GL object without touching GL. Later calls throw
+    /// Error(gl); destructors are safe.
+    void abandonContext() noexcept;
 
     struct State;
 

@@ -1,11 +1,22 @@
 // Plan.h - from (form, number of lights, limits) to the list of passes that draws one object. Pure:
 // no GL.
 //
-// p(wo) does not depend on the light, so it leaves the sum: L = s p(wo) sum_j q(h_j) p(wi_j)
-// [n.wi_j] E_j, and `two-lookup` needs N + 1 passes for pqp, never 2 N + N.
+// A pass draws the object once. For each fragment it computes
+//     [ sum over its lights of E_j cos_j  x ]  sum over its parts of  scale x prod of the part's
+//     factors [ x the texel of another surface at the fragment ]
+// and combines it with what its surface holds. p(wo) does not depend on the light, so it leaves the
+// sum: L = s p(wo) sum_j q(h_j) p(wi_j) [n.wi_j] E_j, and `two-lookup` needs N + 1 passes for pqp,
+// never 2 N + N. There is no depth pre-pass: the first pass lays depth (LESS) and replaces, so that
+// the nearest fragment wins; every later pass matches it (EQUAL) and blends. Reference: McCool,
+// Ang, Ahmad 2001, section 5.
+//
+// Look-ups are texture fetches that one fragment executes in one pass: a fetch that depends on the
+// light counts once for each light of the pass; tables in uniforms cost none.
 #pragma once
 #include <fbrdf/brdf/Form.h>
+#include <fbrdf/plan/Capabilities.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,5 +28,57 @@ enum class Technique { single, batched, twoLookup };
 
 const char* techniqueName(Technique technique);        ///< "single", "batched", "two-lookup"
 Technique techniqueFromName(const std::string& name);  ///< throws Error(usage)
+
+/// Colour formats as far as adding up passes depends on them.
+enum class ColourFormat { rgba8, rgba16, rgba16f, rgba32f, other };
+const char* colourFormatName(ColourFormat format);  ///< "RGBA8", ..., "other"
+
+/// Surfaces that passes write and read. accumulation and scratch belong to the renderer, are as
+/// large as the target and share one depth buffer.
+enum class Surface { target, accumulation, scratch };
+/// target = value; target += value; target *= value. Alpha becomes 1 with replace and stays after.
+enum class Blend { replace, add, multiply };
+/// lay: LESS, written; match: EQUAL, not written.
+enum class Depth { lay, match };
+
+/// The factors of one term that a pass multiplies.
+struct Part {
+    int term = 0;
+    std::vector<int> factors;  ///< indices into form.terms[term].factors
+    bool scaled = false;       ///< times the scale of the term
+};
+
+struct Pass {
+    std::vector<Part> parts;             ///< empty: black (no light reaches the object)
+    int firstLight = 0, lightCount = 0;  ///< 0 lights: nothing in the pass depends on the light
+    bool lit = false;                    ///< times irradiance and cosine, summed over the lights
+    Surface writes = Surface::target;
+    std::optional<Surface> reads;
+    Blend blend = Blend::replace;
+    Depth depth = Depth::lay;
+    int lookups = 0;  ///< see above; the renderer checks it against the linked programs
+};
+
+struct PlanRequest {
+    Technique technique = Technique::single;
+    int lights = 0;         ///< >= 0
+    int lightsPerPass = 8;  ///< batched only, >= 1
+    int maxLookups = 0;     ///< in any pass; 0: what the technique says
+    ColourFormat target = ColourFormat::rgba32f;
+    bool offscreen = true;  ///< accumulation and scratch surfaces may be used (a multisampled
+                            ///< target cannot: edges would read texels that nothing was drawn to)
+};
+
+struct Plan {
+    std::vector<Pass> passes;
+    ColourFormat accumulation = ColourFormat::rgba32f;  ///< where the lights add up
+    int maxLookups = 0;                                 ///< of any pass
+    std::string reason;  ///< why there is no plan; empty where there is one
+    bool feasible() const { return reason.empty(); }
+};
+
+/// The plan with the fewest passes within the limits, or a reason. Throws Error(usage) for a
+/// request out of range.
+Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 
 }  // namespace fbrdf

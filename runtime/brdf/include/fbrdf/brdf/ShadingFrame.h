@@ -1,0 +1,42 @@
+// ShadingFrame.h - the local frame of a shaded point from an interpolated normal and tangent.
+// Conventions: Conventions.h. Twin: fbrdfFrame in frame.glsl, step by step.
+#pragma once
+#include <fbrdf/brdf/Conventions.h>
+
+#include <cmath>
+
+namespace fbrdf {
+
+/// Right-handed and orthonormal: s = n x t. Local coordinates of w are (t.w, s.w, n.w).
+template <class T>
+struct ShadingFrame {
+    Vec3<T> t, s, n;
+
+    Vec3<T> local(const Vec3<T>& w) const
+    {
+        return {glm::dot(t, w), glm::dot(s, w), glm::dot(n, w)};
+    }
+};
+
+/// The frame whose normal is `normal` and whose tangent is `tangent` made orthogonal to it; neither
+/// need be unit. A tangent that is zero or parallel to the normal gives a frame turned by some
+/// arbitrary but fixed angle.
+template <class T>
+ShadingFrame<T> shadingFrame(const Vec3<T>& normal, const Vec3<T>& tangent)
+{
+    // Relative to |tangent|^2: what rounding leaves of a parallel tangent, squared, in float.
+    constexpr T kParallel = T(1e-10);
+    ShadingFrame<T> frame;
+    frame.n = glm::normalize(normal);
+    Vec3<T> t = tangent - frame.n * glm::dot(frame.n, tangent);
+    if (!(glm::dot(t, t) > kParallel * glm::dot(tangent, tangent))) {
+        const Vec3<T> axis =
+            std::abs(frame.n.x) < T(0.5) ? Vec3<T>(T(1), T(0), T(0)) : Vec3<T>(T(0), T(1), T(0));
+        t = axis - frame.n * glm::dot(frame.n, axis);
+    }
+    frame.t = glm::normalize(t);
+    frame.s = glm::cross(frame.n, frame.t);
+    return frame;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,23 @@
+// Capabilities.h - what a GL context can do, as far as plans, shaders and textures depend on it. A
+// plain value: the renderer fills it from the context, and a test or a driver workaround may hand
+// in another.
+#pragma once
+
+namespace fbrdf {
+
+struct Capabilities {
+    int glMajor = 2, glMinor = 1;
+    int glsl = 120;              ///< version to write shaders in: 120, 140, 150 or 330
+    int maxTextureUnits = 8;     ///< samplers of one fragment shader
+    int maxTextureSize = 2048;   ///< texels on a side
+    int max3dTextureSize = 256;  ///< texels on a side
+    int maxLightsPerPass = 16;   ///< that a uniform array can hold beside everything else
+    bool coreProfile = false;    ///< fixed-function state does not exist
+    bool framebufferObjects = false;
+    bool floatTextures = false;  ///< half and float textures, linearly filtered
+    bool floatTargets = false;   ///< RGBA32F is renderable and blendable
+    bool vertexArrays = false;
+    bool debug = false;  ///< KHR_debug: labels and groups
+};
+
+}  // namespace fbrdf

@@ -1,0 +1,125 @@
+#define GLAD_GL_IMPLEMENTATION
+#include <glad/gl.h>
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/headless/Offscreen.h>
+
+#include <string>
+
+namespace fbrdf {
+namespace {
+
+GLenum internalFormatOf(OffscreenFormat format)
+{
+    switch (format) {
+        case OffscreenFormat::rgba8: return GL_RGBA8;
+        case OffscreenFormat::rgba16f: return GL_RGBA16F;
+        case OffscreenFormat::rgba32f: return GL_RGBA32F;
+    }
+    return GL_NONE;
+}
+
+[[noreturn]] void fail(const std::string& what)
+{
+    throw Error(ErrorKind::gl, "offscreen", what);
+}
+
+}  // namespace
+
+struct Offscreen::State {
+    GladGLContext gl{};
+    OffscreenOptions options;
+    GLuint framebuffer = 0, colour = 0, depth = 0;
+
+    ~State()
+    {
+        if (framebuffer) gl.DeleteFramebuffers(1, &framebuffer);
+        if (colour) gl.DeleteRenderbuffers(1, &colour);
+        if (depth) gl.DeleteRenderbuffers(1, &depth);
+    }
+
+    GLuint attached(GLenum attachment, GLenum format)
+    {
+        GLuint buffer = 0;
+        gl.GenRenderbuffers(1, &buffer);
+        gl.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+        gl.RenderbufferStorage(GL_RENDERBUFFER, format, options.width, options.height);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+        return buffer;
+    }
+
+    GLuint bound(GLenum binding) const
+    {
+        GLint name = 0;
+        gl.GetIntegerv(binding, &name);
+        return static_cast<GLuint>(name);
+    }
+};
+
+Offscreen::Offscreen(HeadlessContext::Load load, const OffscreenOptions& options)
+    : state_(std::make_unique<State>())
+{
+    State& s = *state_;
+    s.options = options;
+    const auto glLoad = [](void* user, const char* name) {
+        return reinterpret_cast<GLADapiproc>(
+            (*static_cast<HeadlessContext::Load*>(user))(nullptr, name));
+    };
+    if (!gladLoadGLContextUserPtr(&s.gl, glLoad, &load)) fail("no current context");
+    if (!s.gl.VERSION_3_0 && !s.gl.ARB_framebuffer_object) fail("no framebuffer objects");
+    const GLuint before = s.bound(GL_FRAMEBUFFER_BINDING);
+    s.gl.GenFramebuffers(1, &s.framebuffer);
+    s.gl.BindFramebuffer(GL_FRAMEBUFFER, s.framebuffer);
+    s.colour = s.attached(GL_COLOR_ATTACHMENT0, internalFormatOf(options.format));
+    if (options.depth) s.depth = s.attached(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24);
+    const GLenum status = s.gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    s.gl.BindFramebuffer(GL_FRAMEBUFFER, before);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        fail("a framebuffer of " + std::to_string(options.width) + "x" +
+             std::to_string(options.height) + " is not complete (status " + std::to_string(status) +
+             ")");
+}
+
+Offscreen::~Offscreen() = default;
+Offscreen::Offscreen(Offscreen&&) noexcept = default;
+Offscreen& Offscreen::operator=(Offscreen&&) noexcept = default;
+
+uint32_t Offscreen::framebuffer() const
+{
+    return state_->framebuffer;
+}
+
+int Offscreen::width() const
+{
+    return state_->options.width;
+}
+
+int Offscreen::height() const
+{
+    return state_->options.height;
+}
+
+void Offscreen::clear(float red, float green, float blue, float alpha)
+{
+    State& s = *state_;
+    const GLuint before = s.bound(GL_DRAW_FRAMEBUFFER_BINDING);
+    s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.framebuffer);
+    s.gl.ClearColor(red, green, blue, alpha);
+    s.gl.ClearDepth(1.0);
+    s.gl.Clear(GL_COLOR_BUFFER_BIT | (s.options.depth ? GL_DEPTH_BUFFER_BIT : 0u));
+    s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, before);
+}
+
+std::vector<float> Offscreen::readPixels() const
+{
+    const State& s = *state_;
+    std::vector<float> pixels(4 * static_cast<size_t>(s.options.width) *
+                              static_cast<size_t>(s.options.height));
+    const GLuint before = s.bound(GL_READ_FRAMEBUFFER_BINDING);
+    s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, s.framebuffer);
+    s.gl.ReadPixels(0, 0, s.options.width, s.options.height, GL_RGBA, GL_FLOAT, pixels.data());
+    s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, before);
+    return pixels;
+}
+
+}  // namespace fbrdf
