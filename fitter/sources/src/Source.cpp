@@ -40,6 +40,13 @@ bool mustBeFile(const std::string& spec)
     return spec.substr(0, spec.find(':')).find_first_of("./\\") != std::string::npos;
 }
 
+/// A pipe can be read only once, so it is not asked whether it is a material.
+bool isMaterial(const std::string& path)
+{
+    std::error_code ignored;
+    return !std::filesystem::is_fifo(path, ignored) && isMaterialFile(path);
+}
+
 Source sourceOfMaterial(const std::string& path)
 {
     const auto material = std::make_shared<const Material>(readMaterial(path));
@@ -56,7 +63,7 @@ Source sourceOfMaterial(const std::string& path)
 
 Source openFile(const FileSpec& spec, const SourceOptions& options)
 {
-    if (spec.choice.empty() && isMaterialFile(spec.path)) return sourceOfMaterial(spec.path);
+    if (spec.choice.empty() && isMaterial(spec.path)) return sourceOfMaterial(spec.path);
     const auto file = std::make_shared<const InputFile>(spec.path);
     const Format& format = formatOf(*file);
     if (!spec.choice.empty() && !format.takesChoice)

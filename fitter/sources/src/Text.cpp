@@ -54,6 +54,7 @@ bool WordReader::next(std::string_view& word)
     }
     rest_.remove_prefix(begin);
     if (rest_.empty()) return false;
+    wordLine_ = line_;
     size_t end = 0;
     while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '#' && !isSpace(rest_[end]))
         ++end;

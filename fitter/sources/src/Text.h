@@ -27,11 +27,12 @@ class WordReader {
 public:
     explicit WordReader(std::string_view text) : rest_(text) {}
     bool next(std::string_view& word);
-    size_t line() const { return line_; }
+    /// Line of the word that was read last, from 1.
+    size_t line() const { return wordLine_; }
 
 private:
     std::string_view rest_;
-    size_t line_ = 1;
+    size_t line_ = 1, wordLine_ = 1;
 };
 
 std::string_view trimmed(std::string_view text);
