@@ -11,7 +11,7 @@ struct Capabilities {
     int maxTextureUnits = 8;     ///< samplers of one fragment shader
     int maxTextureSize = 2048;   ///< texels on a side
     int max3dTextureSize = 256;  ///< texels on a side
-    int maxLightsPerPass = 16;   ///< that a uniform array can hold beside everything else
+    int maxUniformVectors = 64;  ///< vec4 uniforms of a fragment shader: lights, knots and the rest
     bool coreProfile = false;    ///< fixed-function state does not exist
     bool framebufferObjects = false;
     bool floatTextures = false;  ///< half and float textures, linearly filtered

@@ -77,6 +77,9 @@ struct Plan {
     bool feasible() const { return reason.empty(); }
 };
 
+/// Lights that the uniforms of one pass can hold beside the knots of the form.
+int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);
+
 /// The plan with the fewest passes within the limits, or a reason. Throws Error(usage) for a
 /// request out of range.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);

@@ -1,0 +1,36 @@
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/plan/Plan.h>
+
+namespace fbrdf {
+
+const char* techniqueName(Technique technique)
+{
+    switch (technique) {
+        case Technique::single: return "single";
+        case Technique::batched: return "batched";
+        case Technique::twoLookup: return "two-lookup";
+    }
+    return "?";
+}
+
+Technique techniqueFromName(const std::string& name)
+{
+    for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
+        if (name == techniqueName(t)) return t;
+    throw Error(ErrorKind::usage, "technique",
+                "found '" + name + "', expected single, batched or two-lookup");
+}
+
+const char* colourFormatName(ColourFormat format)
+{
+    switch (format) {
+        case ColourFormat::rgba8: return "RGBA8";
+        case ColourFormat::rgba16: return "RGBA16";
+        case ColourFormat::rgba16f: return "RGBA16F";
+        case ColourFormat::rgba32f: return "RGBA32F";
+        case ColourFormat::other: return "other";
+    }
+    return "?";
+}
+
+}  // namespace fbrdf

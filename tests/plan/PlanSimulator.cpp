@@ -1,0 +1,116 @@
+#include "PlanSimulator.h"
+
+#include <random>
+
+namespace fbrdf {
+namespace {
+
+// What an offscreen surface holds from some other object: nothing may depend on it.
+constexpr double kStale = 1e30;
+
+const std::vector<double>& valuesOf(const SimulatedFragment& fragment, int term, int factor)
+{
+    return fragment.factor[static_cast<size_t>(term)][static_cast<size_t>(factor)];
+}
+
+double valueOf(const SimulatedFragment& fragment, int term, int factor, int light)
+{
+    const auto& values = valuesOf(fragment, term, factor);
+    // .at: a pass that reads a light's factor without a light is a plan gone wrong
+    return values.size() == 1 ? values[0] : values.at(static_cast<size_t>(light));
+}
+
+double partsOf(const Pass& pass, const SimulatedFragment& fragment, int light)
+{
+    double sum = 0.0;
+    for (const Part& part : pass.parts) {
+        double product = part.scaled ? simulatedScale(part.term) : 1.0;
+        for (const int factor : part.factors)
+            product *= valueOf(fragment, part.term, factor, light);
+        sum += product;
+    }
+    return sum;
+}
+
+double valueOf(const Pass& pass, const SimulatedFragment& fragment)
+{
+    if (!pass.lit) return partsOf(pass, fragment, pass.lightCount > 0 ? pass.firstLight : -1);
+    double sum = 0.0;
+    for (int i = pass.firstLight; i < pass.firstLight + pass.lightCount; ++i)
+        sum += partsOf(pass, fragment, i) * fragment.irradiance[static_cast<size_t>(i)];
+    return sum;
+}
+
+double blended(Blend blend, double held, double value)
+{
+    switch (blend) {
+        case Blend::replace: return value;
+        case Blend::add: return held + value;
+        case Blend::multiply: return held * value;
+    }
+    return kStale;
+}
+
+}  // namespace
+
+double simulatedScale(int term)
+{
+    return 1.5 + term;
+}
+
+SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> value(0.5, 2.0);
+    SimulatedFragment fragment;
+    fragment.depth = depth;
+    for (const Term& term : form.terms) {
+        fragment.factor.emplace_back();
+        for (const Factor& factor : term.factors) {
+            auto& values = fragment.factor.back().emplace_back();
+            const int count = dependsOnLight(factor) ? lights : 1;
+            for (int i = 0; i < count; ++i) values.push_back(value(random));
+            // One light must not look like none: a second value makes the size differ from 1.
+            if (dependsOnLight(factor) && lights == 1) values.push_back(kStale);
+        }
+    }
+    for (int i = 0; i < lights; ++i) fragment.irradiance.push_back(value(random));
+    return fragment;
+}
+
+double expectedValue(const Form& form, const SimulatedFragment& fragment)
+{
+    double sum = 0.0;
+    for (size_t light = 0; light < fragment.irradiance.size(); ++light)
+        for (size_t t = 0; t < form.terms.size(); ++t) {
+            double product = simulatedScale(static_cast<int>(t)) * fragment.irradiance[light];
+            for (size_t k = 0; k < form.terms[t].factors.size(); ++k)
+                product *= valueOf(fragment, static_cast<int>(t), static_cast<int>(k),
+                                   static_cast<int>(light));
+            sum += product;
+        }
+    return sum;
+}
+
+SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
+                        SimulatedPixel target)
+{
+    double surface[3] = {target.value, kStale, kStale};
+    double targetDepth = target.depth, offscreenDepth = 1.0;
+    for (const Pass& pass : plan.passes) {
+        double& depth = pass.writes == Surface::target ? targetDepth : offscreenDepth;
+        for (const SimulatedFragment& fragment : fragments) {
+            const bool passes =
+                pass.depth == Depth::lay ? fragment.depth < depth : fragment.depth == depth;
+            if (!passes) continue;
+            if (pass.depth == Depth::lay) depth = fragment.depth;
+            double value = valueOf(pass, fragment);
+            if (pass.reads) value *= surface[static_cast<size_t>(*pass.reads)];
+            double& held = surface[static_cast<size_t>(pass.writes)];
+            held = blended(pass.blend, held, value);
+        }
+    }
+    return {surface[0], targetDepth};
+}
+
+}  // namespace fbrdf

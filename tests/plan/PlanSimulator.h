@@ -1,0 +1,35 @@
+// PlanSimulator.h - executes a plan on the fragments of one pixel, with numbers for factors, as a
+// GPU would: depth test, depth write, blend. What ends in the target is what the plan draws.
+#pragma once
+#include <fbrdf/plan/Plan.h>
+
+#include <vector>
+
+namespace fbrdf {
+
+/// One fragment of the object: its depth and the value of every factor.
+struct SimulatedFragment {
+    double depth = 0.5;
+    /// [term][factor][light]; a factor that does not depend on the light has one value.
+    std::vector<std::vector<std::vector<double>>> factor;
+    std::vector<double> irradiance;  ///< [light], cosine included
+};
+
+struct SimulatedPixel {
+    double value = 0.0, depth = 1.0;
+};
+
+/// A fragment with factors that no two terms, lights or seeds share; 0.5 to 2.
+SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed);
+
+/// Scale of a term, as the simulation takes it.
+double simulatedScale(int term);
+
+/// Sum over lights and terms, straight from the definition.
+double expectedValue(const Form& form, const SimulatedFragment& fragment);
+
+/// Draws the fragments in the order given, once a pass, over what the target holds.
+SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
+                        SimulatedPixel target);
+
+}  // namespace fbrdf

@@ -1,0 +1,398 @@
+#include "PlanSimulator.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace fbrdf {
+namespace {
+
+// Sums of at most 300 positive products, added up in another order.
+constexpr double kRounding = 1e-12;
+
+Capabilities modern()
+{
+    Capabilities c;
+    c.glsl = 330;
+    c.maxUniformVectors = 4096;
+    c.framebufferObjects = c.floatTextures = c.floatTargets = c.vertexArrays = true;
+    return c;
+}
+
+Form named(Form form, const std::string& name)
+{
+    form.name = name;
+    return form;
+}
+
+/// a + b with the tables of both.
+Form sum(Form a, const Form& b)
+{
+    const int offset = static_cast<int>(a.tables.size());
+    a.name += "+" + b.name;
+    a.tables.insert(a.tables.end(), b.tables.begin(), b.tables.end());
+    for (Term term : b.terms) {
+        for (Factor& factor : term.factors) factor.table += offset;
+        a.terms.push_back(term);
+    }
+    return a;
+}
+
+Axis axis(int size)
+{
+    return {size, {}};
+}
+
+/// A single table over (theta_i, theta_o): what a diffuse term is.
+Form formIo()
+{
+    Form form{"io", {{"D", GridDomain{{axis(4), axis(4)}, true}}}, {}};
+    form.terms = {{{{0, std::vector<Angle>{Angle::theta_i, Angle::theta_o}}}}};
+    return form;
+}
+
+/// Four look-ups that depend on the light and two that do not.
+Form formWide()
+{
+    Form form = formPqp(4, 1.0);
+    form.name = "wide";
+    form.tables.push_back({"g", GridDomain{{axis(4)}}});
+    for (const Angle angle : {Angle::theta_h, Angle::theta_d, Angle::theta_o})
+        form.terms[0].factors.push_back({2, std::vector<Angle>{angle}});
+    return form;
+}
+
+/// Nothing but a table in uniforms.
+Form formUniform()
+{
+    Form form{"uniform", {{"u", GridDomain{{axis(8)}}, true}}, {}};
+    form.terms = {
+        {{{0, std::vector<Angle>{Angle::theta_o}}, {0, std::vector<Angle>{Angle::theta_i}}}}};
+    return form;
+}
+
+std::vector<Form> allForms()
+{
+    const Form pqp = formPqp(8, 1.0), pqpr = formPqpr(8, 0.5, 16), hdio = formHdio(8, 8, 8);
+    return {pqp,
+            pqpr,
+            hdio,
+            formIo(),
+            formWide(),
+            formUniform(),
+            sum(formIo(), pqp),
+            sum(pqp, formIo()),
+            sum(pqp, pqpr),
+            sum(sum(pqp, pqpr), hdio),
+            sum(formUniform(), pqp),
+            sum(formWide(), formWide()),
+            sum(formUniform(), formIo())};
+}
+
+struct Case {
+    Form form;
+    PlanRequest request;
+};
+
+std::string describeCase(const Case& c)
+{
+    return c.form.name + ", " + techniqueName(c.request.technique) + ", " +
+           std::to_string(c.request.lights) + " lights, " +
+           std::to_string(c.request.lightsPerPass) + " a pass, at most " +
+           std::to_string(c.request.maxLookups) + " look-ups, " +
+           colourFormatName(c.request.target) + (c.request.offscreen ? "" : ", no offscreen");
+}
+
+/// Every form, technique, number of lights, limit, target, with and without offscreen surfaces.
+template <class Check>
+void forEachCase(Check check)
+{
+    for (const Form& form : allForms())
+        for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
+            for (const int lights : {0, 1, 2, 3, 8, 9, 64})
+                for (const int lightsPerPass : {1, 3, 8})
+                    for (const int lookups : {0, 1, 2, 3, 4, 5, 20})
+                        for (const ColourFormat target :
+                             {ColourFormat::rgba32f, ColourFormat::rgba8, ColourFormat::rgba16f})
+                            for (const bool offscreen : {true, false})
+                                check(Case{form,
+                                           {t, lights, lightsPerPass, lookups, target, offscreen}});
+}
+
+int limitOf(const PlanRequest& request)
+{
+    if (request.technique == Technique::twoLookup)
+        return request.maxLookups > 0 ? std::min(2, request.maxLookups) : 2;
+    return request.maxLookups > 0 ? request.maxLookups : 1 << 30;
+}
+
+int lightLimitOf(const PlanRequest& request)
+{
+    switch (request.technique) {
+        case Technique::single: return request.lights;
+        case Technique::batched: return request.lightsPerPass;
+        case Technique::twoLookup: return 1;
+    }
+    return 0;
+}
+
+PlanRequest twoLookup(int lights)
+{
+    PlanRequest request;
+    request.technique = Technique::twoLookup;
+    request.lights = lights;
+    return request;
+}
+
+TEST(Plan, DrawsTheDefinitionInEveryCase)
+{
+    int feasible = 0;
+    forEachCase([&feasible](const Case& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        if (!plan.feasible()) return;
+        ++feasible;
+        const auto fragment = simulatedFragment(c.form, c.request.lights, 0.5, 7);
+        const double expected = expectedValue(c.form, fragment);
+        const SimulatedPixel pixel = simulate(plan, {fragment}, {123.0, 1.0});
+        ASSERT_NEAR(pixel.value, expected, kRounding * expected) << describeCase(c);
+        ASSERT_EQ(pixel.depth, 0.5) << describeCase(c);
+    });
+    EXPECT_GT(feasible, 1000);
+}
+
+TEST(Plan, ShowsTheNearestFragmentWhateverTheOrder)
+{
+    forEachCase([](const Case& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        if (!plan.feasible()) return;
+        const auto nearer = simulatedFragment(c.form, c.request.lights, 0.3, 1);
+        const auto farther = simulatedFragment(c.form, c.request.lights, 0.6, 2);
+        const double expected = expectedValue(c.form, nearer);
+        for (const auto& order : {std::vector<SimulatedFragment>{nearer, farther},
+                                  std::vector<SimulatedFragment>{farther, nearer}}) {
+            const SimulatedPixel pixel = simulate(plan, order, {123.0, 1.0});
+            ASSERT_NEAR(pixel.value, expected, kRounding * expected) << describeCase(c);
+            ASSERT_EQ(pixel.depth, 0.3) << describeCase(c);
+        }
+    });
+}
+
+TEST(Plan, LeavesWhatIsInFrontAlone)
+{
+    forEachCase([](const Case& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        if (!plan.feasible()) return;
+        const auto fragment = simulatedFragment(c.form, c.request.lights, 0.5, 3);
+        const SimulatedPixel pixel = simulate(plan, {fragment}, {123.0, 0.2});
+        ASSERT_EQ(pixel.value, 123.0) << describeCase(c);
+        ASSERT_EQ(pixel.depth, 0.2) << describeCase(c);
+    });
+}
+
+TEST(Plan, StaysWithinItsLimits)
+{
+    forEachCase([](const Case& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        int most = 0;
+        for (const Pass& pass : plan.passes) {
+            ASSERT_LE(pass.lookups, limitOf(c.request)) << describeCase(c);
+            most = std::max(most, pass.lookups);
+            ASSERT_LE(pass.lightCount, lightLimitOf(c.request)) << describeCase(c);
+            ASSERT_TRUE(c.request.offscreen || pass.writes == Surface::target) << describeCase(c);
+        }
+        ASSERT_EQ(plan.maxLookups, most) << describeCase(c);
+    });
+}
+
+TEST(Plan, ExistsWheneverOffscreenSurfacesDo)
+{
+    forEachCase([](const Case& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        ASSERT_TRUE(plan.feasible() || !c.request.offscreen) << describeCase(c) << plan.reason;
+        ASSERT_EQ(plan.feasible(), !plan.passes.empty()) << describeCase(c);
+    });
+}
+
+TEST(Plan, NeedsOnePassPerLightAndOneMoreForPqp)
+{
+    for (const int n : {1, 2, 8, 9, 64, 256}) {
+        const Plan pqp = planPasses(formPqp(8, 1.0), twoLookup(n), modern());
+        EXPECT_EQ(pqp.passes.size(), static_cast<size_t>(n + 1));
+        EXPECT_EQ(pqp.maxLookups, 2);
+        EXPECT_EQ(pqp.passes.back().blend, Blend::multiply);
+        EXPECT_EQ(pqp.passes.back().lookups, 1);
+        const Plan pqpr = planPasses(formPqpr(8, 0.5, 16), twoLookup(n), modern());
+        EXPECT_EQ(pqpr.passes.size(), static_cast<size_t>(n + 1));
+        EXPECT_EQ(pqpr.maxLookups, 2);
+        const Plan hdio = planPasses(formHdio(8, 8, 8), twoLookup(n), modern());
+        EXPECT_EQ(hdio.passes.size(), static_cast<size_t>(n));
+        EXPECT_EQ(hdio.maxLookups, 2);
+    }
+}
+
+TEST(Plan, DrawsAllLightsInOnePassWhenSingle)
+{
+    for (const Form& form : allForms()) {
+        PlanRequest request;
+        request.lights = 256;
+        const Plan plan = planPasses(form, request, modern());
+        ASSERT_EQ(plan.passes.size(), 1u) << form.name;
+        EXPECT_EQ(plan.passes[0].lightCount, 256) << form.name;
+    }
+    PlanRequest request;
+    request.lights = 256;
+    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).maxLookups, 2 * 256 + 1);
+    EXPECT_EQ(planPasses(formHdio(8, 8, 8), request, modern()).maxLookups, 2 * 256);
+}
+
+TEST(Plan, SplitsASinglePassThatUniformsCannotHold)
+{
+    Capabilities small = modern();
+    small.maxUniformVectors = 256;
+    const Form form = formPqpr(8, 0.5, 16);
+    const int room = maxLightsInUniforms(form, small);
+    EXPECT_GT(room, 90);
+    EXPECT_LT(room, 128);
+    PlanRequest request;
+    request.lights = 256;
+    const Plan plan = planPasses(form, request, small);
+    EXPECT_EQ(plan.passes.size(), static_cast<size_t>((256 + room - 1) / room));
+    int lights = 0;
+    for (const Pass& pass : plan.passes) lights += pass.lightCount;
+    EXPECT_EQ(lights, 256);
+}
+
+TEST(Plan, HoldsOneLightEvenWithTheSmallestUniforms)
+{
+    Capabilities tiny;
+    tiny.maxUniformVectors = 16;
+    EXPECT_EQ(maxLightsInUniforms(formPqpr(8, 0.5, 64), tiny), 1);
+}
+
+TEST(Plan, BatchesLights)
+{
+    PlanRequest request;
+    request.technique = Technique::batched;
+    request.lights = 20;
+    request.lightsPerPass = 8;
+    const Plan plan = planPasses(formPqp(8, 1.0), request, modern());
+    ASSERT_EQ(plan.passes.size(), 3u);
+    EXPECT_EQ(plan.passes[2].lightCount, 4);
+    EXPECT_EQ(plan.maxLookups, 2 * 8 + 1);
+    request.maxLookups = 8;  // 3 lights with p(wo) in each pass: 7; 4 without: 5 + 1 < 7
+    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).passes.size(), 6u);
+}
+
+TEST(Plan, AddsUpInFloatWhereTheTargetIsCoarse)
+{
+    PlanRequest request = twoLookup(8);
+    request.target = ColourFormat::rgba8;
+    const Plan pqp = planPasses(formPqp(8, 1.0), request, modern());
+    EXPECT_EQ(pqp.accumulation, ColourFormat::rgba32f);
+    EXPECT_EQ(pqp.passes.size(), 9u);  // the composite is the multiplication
+    EXPECT_EQ(pqp.passes.back().lookups, 2);
+    const Plan hdio = planPasses(formHdio(8, 8, 8), request, modern());
+    EXPECT_EQ(hdio.passes.size(), 9u);
+    request.technique = Technique::single;
+    const Plan single = planPasses(formPqp(8, 1.0), request, modern());
+    EXPECT_EQ(single.accumulation, ColourFormat::rgba8);
+    EXPECT_EQ(single.passes.size(), 1u);
+}
+
+TEST(Plan, SaysWhyThereIsNone)
+{
+    PlanRequest request = twoLookup(2);
+    request.offscreen = false;
+    EXPECT_NE(planPasses(formWide(), request, modern()).reason.find("4 look-ups a light"),
+              std::string::npos);
+    const Form two = sum(formPqp(8, 1.0), formPqp(8, 1.0));
+    EXPECT_NE(planPasses(two, request, modern()).reason.find("term 1"), std::string::npos);
+    request.target = ColourFormat::rgba8;
+    EXPECT_NE(planPasses(formPqp(8, 1.0), request, modern()).reason.find("RGBA8"),
+              std::string::npos);
+    request.offscreen = true;
+    Capabilities old = modern();
+    old.floatTargets = false;
+    EXPECT_FALSE(planPasses(formPqp(8, 1.0), request, old).feasible());
+}
+
+TEST(Plan, DrawsBlackWithoutLights)
+{
+    for (const Form& form : allForms()) {
+        const Plan plan = planPasses(form, twoLookup(0), modern());
+        ASSERT_EQ(plan.passes.size(), 1u);
+        EXPECT_TRUE(plan.passes[0].parts.empty());
+        EXPECT_EQ(plan.maxLookups, 0);
+    }
+}
+
+TEST(Plan, RefusesRequestsOutOfRange)
+{
+    const Form form = named(formPqp(8, 1.0), "pqp");
+    const auto expectUsage = [&form](const PlanRequest& request) {
+        try {
+            planPasses(form, request, modern());
+            FAIL() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::usage);
+        }
+    };
+    PlanRequest request;
+    request.lights = -1;
+    expectUsage(request);
+    request = {};
+    request.lightsPerPass = 0;
+    expectUsage(request);
+    request = {};
+    request.maxLookups = -2;
+    expectUsage(request);
+}
+
+// The tester: a plan that is wrong in one of the ways that matter must not pass the simulation.
+class WrongPlan : public ::testing::Test {
+protected:
+    bool passes(const Plan& plan) const
+    {
+        const auto nearer = simulatedFragment(form_, 3, 0.3, 1);
+        const auto farther = simulatedFragment(form_, 3, 0.6, 2);
+        const double expected = expectedValue(form_, nearer);
+        const SimulatedPixel pixel = simulate(plan, {farther, nearer}, {123.0, 1.0});
+        return std::abs(pixel.value - expected) < kRounding * expected;
+    }
+    Form form_ = formPqp(8, 1.0);
+    Plan plan_ = planPasses(form_, twoLookup(3), modern());
+};
+
+TEST_F(WrongPlan, RightOnePasses)
+{
+    EXPECT_TRUE(passes(plan_));
+}
+
+TEST_F(WrongPlan, AddingToTheBackgroundFails)
+{
+    plan_.passes[0].blend = Blend::add;
+    EXPECT_FALSE(passes(plan_));
+}
+
+TEST_F(WrongPlan, BlendingWithoutMatchingDepthFails)
+{
+    plan_.passes[1].depth = Depth::lay;
+    EXPECT_FALSE(passes(plan_));
+}
+
+TEST_F(WrongPlan, ForgettingTheLastFactorFails)
+{
+    plan_.passes.pop_back();
+    EXPECT_FALSE(passes(plan_));
+}
+
+TEST_F(WrongPlan, LosingALightFails)
+{
+    plan_.passes.erase(plan_.passes.begin() + 1);
+    EXPECT_FALSE(passes(plan_));
+}
+
+}  // namespace
+}  // namespace fbrdf
