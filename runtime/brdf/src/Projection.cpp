@@ -39,6 +39,23 @@ int dimensionCount(const Domain& domain)
     return isDisc(domain) ? 2 : static_cast<int>(std::get<GridDomain>(domain).axes.size());
 }
 
+bool sameDomain(const Domain& a, const Domain& b)
+{
+    if (isDisc(a) != isDisc(b)) return false;
+    if (const auto* disc = std::get_if<DiscDomain>(&a)) {
+        const auto& other = std::get<DiscDomain>(b);
+        return disc->size == other.size && disc->gamma == other.gamma &&
+               disc->radius == other.radius;
+    }
+    const auto &grid = std::get<GridDomain>(a), &other = std::get<GridDomain>(b);
+    const auto sameAxis = [](const Axis& x, const Axis& y) {
+        return x.size == y.size && x.map.from == y.map.from && x.map.exponent == y.map.exponent;
+    };
+    return grid.symmetric == other.symmetric &&
+           std::equal(grid.axes.begin(), grid.axes.end(), other.axes.begin(), other.axes.end(),
+                      sameAxis);
+}
+
 bool argumentFits(const Domain& domain, const Argument& argument)
 {
     if (isDisc(domain)) return std::holds_alternative<Direction>(argument);

@@ -8,39 +8,74 @@
 namespace fbrdf {
 namespace {
 
-constexpr float kCodes = 255.0f;
+constexpr int kLastCode = 255, kLastUnorm16 = 65535;
 // Linear maps may hold 0, whose log2 does not exist: the smallest normal float stands for it.
 constexpr float kSmallestLinear = 1.17549435e-38f;
+// Range of log8 as a share of the largest magnitude in it, at least: 1/32 makes the 65535 steps of
+// the range four times as wide as those of float, so that every step is a number of its own.
+constexpr float kLeastRange = 1.0f / 32.0f;
 
-// Components of x, y, z beyond the third channel do not exist; one channel uses x.
-float& component(Vec3f& v, int channel)
+float& texelOf(Table& table, int index, int channel)
 {
-    return v[channel];
+    return table.texels[static_cast<size_t>(index) * static_cast<size_t>(table.channels) +
+                        static_cast<size_t>(channel)];
 }
 
-float decoded(float lower, float upper, int code)
+// v of the texel before `index`: to the left, above in the first column, `start` for the first.
+int previousUnorm16(const Table& table, int index, int channel)
 {
-    return lower + (upper - lower) * (static_cast<float>(code) / kCodes);
+    if (index == 0) return table.log8.start[static_cast<size_t>(channel)];
+    const int width = domainSize(table.domain)[0];
+    return unorm16Of(table, index % width != 0 ? index - 1 : index - width, channel);
 }
 
-int encoded(float lower, float upper, float value)
+void setRange(Table& table, int channel)
 {
-    if (upper <= lower) return 0;
-    return static_cast<int>(
-        std::lround(std::clamp((value - lower) / (upper - lower), 0.0f, 1.0f) * kCodes));
+    float low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < texelCount(table.domain); ++i) {
+        low = std::min(low, table.texel(i, channel));
+        high = std::max(high, table.texel(i, channel));
+    }
+    table.lower[channel] = low;
+    const float least = kLeastRange * std::max(std::abs(low), std::abs(high));
+    table.upper[channel] = low + std::max(high - low, least > 0.0f ? least : 1.0f);
 }
 
-void setRange(Table& table)
+// The smallest stride at which every difference fits 8 bits. Two codes are kept free: what is coded
+// is the difference to a rounded neighbour, which lies half a stride off at most.
+void setStride(Table& table, int channel)
 {
-    const auto channels = static_cast<size_t>(table.channels);
-    for (size_t c = 0; c < channels; ++c) {
-        float low = INFINITY, high = -INFINITY;
-        for (size_t i = c; i < table.texels.size(); i += channels) {
-            low = std::min(low, table.texels[i]);
-            high = std::max(high, table.texels[i]);
+    const auto c = static_cast<size_t>(channel);
+    table.log8.start[c] = unorm16Of(table, 0, channel);
+    int least = 0, most = 0;
+    for (int i = 0; i < texelCount(table.domain); ++i) {
+        const int difference = unorm16Of(table, i, channel) - previousUnorm16(table, i, channel);
+        least = std::min(least, difference);
+        most = std::max(most, difference);
+    }
+    const int stride = std::max(1, (most - least + kLastCode - 3) / (kLastCode - 2));
+    table.log8.stride[c] = stride;
+    table.log8.offset[c] = static_cast<int>(std::floor(static_cast<double>(least) / stride)) - 1;
+}
+
+// Closed loop: each code corrects the rounding of the texels before it, so errors do not add up.
+void roundToLog8(Table& table)
+{
+    for (int channel = 0; channel < table.channels; ++channel) {
+        setRange(table, channel);
+        setStride(table, channel);
+        const auto c = static_cast<size_t>(channel);
+        const int stride = table.log8.stride[c], offset = table.log8.offset[c];
+        for (int i = 0; i < texelCount(table.domain); ++i) {
+            const int wanted = unorm16Of(table, i, channel),
+                      previous = previousUnorm16(table, i, channel);
+            int steps =
+                static_cast<int>(std::lround(static_cast<double>(wanted - previous) / stride));
+            if (previous + stride * steps > kLastUnorm16) --steps;
+            if (previous + stride * steps < 0) ++steps;
+            const int code = std::clamp(steps - offset, 0, kLastCode);
+            texelOf(table, i, channel) = texelFromCode(table, i, channel, code);
         }
-        component(table.lower, static_cast<int>(c)) = low;
-        component(table.upper, static_cast<int>(c)) = high;
     }
 }
 
@@ -76,6 +111,7 @@ int bytesPerChannel(Storage storage)
 
 Table quantized(const Table& table, Storage storage)
 {
+    if (table.storage == storage && storage != Storage::float32) return table;
     Table result = table;
     if (isLog(table.storage) != isLog(storage))
         for (float& texel : result.texels)
@@ -83,23 +119,52 @@ Table quantized(const Table& table, Storage storage)
     result.storage = storage;
     result.lower = Vec3f(0.0f);
     result.upper = Vec3f(1.0f);
-    if (storage == Storage::half)
-        for (float& texel : result.texels) texel = floatFromHalf(halfFromFloat(texel));
-    if (storage == Storage::log8) setRange(result);
-    if (storage == Storage::log8 || storage == Storage::linear8) {
-        const auto channels = static_cast<size_t>(result.channels);
-        for (size_t i = 0; i < result.texels.size(); ++i) {
-            const int c = static_cast<int>(i % channels);
-            result.texels[i] = decoded(result.lower[c], result.upper[c],
-                                       encoded(result.lower[c], result.upper[c], result.texels[i]));
-        }
+    result.log8 = {};
+    for (float& texel : result.texels) {
+        if (storage == Storage::half) texel = floatFromHalf(halfFromFloat(texel));
+        if (storage == Storage::linear8)
+            texel = std::round(std::clamp(texel, 0.0f, 1.0f) * static_cast<float>(kLastCode)) /
+                    static_cast<float>(kLastCode);
     }
+    if (storage == Storage::log8) roundToLog8(result);
     return result;
+}
+
+int unorm16Of(const Table& table, int index, int channel)
+{
+    const float lower = table.lower[channel], upper = table.upper[channel];
+    if (!(upper > lower)) return 0;
+    const float unit =
+        std::clamp((table.texel(index, channel) - lower) / (upper - lower), 0.0f, 1.0f);
+    return static_cast<int>(std::lround(unit * static_cast<float>(kLastUnorm16)));
+}
+
+float texelFromUnorm16(const Table& table, int channel, int value)
+{
+    return table.lower[channel] +
+           (table.upper[channel] - table.lower[channel]) *
+               (static_cast<float>(value) / static_cast<float>(kLastUnorm16));
 }
 
 int codeOf(const Table& table, int index, int channel)
 {
-    return encoded(table.lower[channel], table.upper[channel], table.texel(index, channel));
+    if (table.storage == Storage::linear8)
+        return static_cast<int>(
+            std::lround(table.texel(index, channel) * static_cast<float>(kLastCode)));
+    const auto c = static_cast<size_t>(channel);
+    return (unorm16Of(table, index, channel) - previousUnorm16(table, index, channel)) /
+               table.log8.stride[c] -
+           table.log8.offset[c];
+}
+
+float texelFromCode(const Table& table, int index, int channel, int code)
+{
+    if (table.storage == Storage::linear8)
+        return static_cast<float>(code) / static_cast<float>(kLastCode);
+    const auto c = static_cast<size_t>(channel);
+    return texelFromUnorm16(table, channel,
+                            previousUnorm16(table, index, channel) +
+                                table.log8.stride[c] * (table.log8.offset[c] + code));
 }
 
 template <class T>

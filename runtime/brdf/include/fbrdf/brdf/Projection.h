@@ -63,6 +63,8 @@ int texelCount(const Domain& domain);
 /// Number of coordinates: 2 for a disc, the number of axes for a grid.
 int dimensionCount(const Domain& domain);
 bool isDisc(const Domain& domain);
+/// Equal in every field.
+bool sameDomain(const Domain& a, const Domain& b);
 /// True when the argument suits the domain.
 bool argumentFits(const Domain& domain, const Argument& argument);
 

@@ -1,0 +1,76 @@
+// Fit.h - from reflectance to a material.
+//
+// log f is a sum of log texels, so one term is a sparse linear least-squares problem (seed Eq. 5);
+// sums of terms and other metrics are solved by Gauss-Newton on the same rows. Minimised, per
+// channel:
+//   sum_n w_n (log2 f_n - log2 g(x)_n)^2 + smoothness |L x|^2
+#pragma once
+#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/sources/Source.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fbrdf {
+
+/// In which space residuals are measured.
+enum class Metric { log, cubeRoot, log1p };
+const char* metricName(Metric metric);           ///< "log", "cuberoot", "log1p"
+Metric metricFromName(const std::string& name);  ///< throws Error(usage)
+
+struct FitOptions {
+    std::string form = "auto";  ///< a name of formNames(), or "auto"
+    int resolution = 0;   ///< texels along the main axis of the form; 0: the form's own default
+    size_t maxBytes = 0;  ///< > 0: no material larger than this
+    int lookups = 2;      ///< texture look-ups allowed in a pass, >= 1
+    Storage storage = Storage::log8;
+    Metric metric = Metric::log;
+    bool robust = true;  ///< Tukey biweight reweighting of scattered samples
+    std::optional<double>
+        smoothness;     ///< strength relative to the data, > 0; unset: by held-out error
+    uint64_t seed = 1;  ///< of the held-out folds and of the samples taken from functions
+    int threads = 0;    ///< 0: one a core
+};
+
+/// One form that was tried.
+struct Trial {
+    std::string form;         ///< name
+    std::string description;  ///< describe(form)
+    size_t bytes = 0;
+    int lookups = 0;  ///< per light
+    double seconds = 0;
+    double score = 0;  ///< held-out error that decides, smaller is better
+    bool chosen = false;
+};
+
+struct FitSummary {
+    double seconds = 0;     ///< fitting alone: no reading, no reporting
+    size_t used = 0;        ///< samples with at least one channel above the floor
+    size_t belowFloor = 0;  ///< channel values censored
+    Vec3f noiseFloor{0.0f};
+    double smoothness = 0;  ///< the strength used
+    int folds = 0;          ///< of the held-out errors; 0: a fresh set from the function
+    SampleErrors heldOut, all;
+    std::vector<Trial> trials;
+};
+
+struct FitResult {
+    Material material;
+    FitSummary summary;
+};
+
+/// Throws Error(usage) for an unknown form or an impossible option, Error(fit) for data from which
+/// nothing can be fitted. Deterministic for a seed, whatever the number of threads.
+FitResult fitMaterial(const Source& source, const FitOptions& options = {});
+
+/// The forms that have names: pqp, pqpr, hdio, ...
+struct NamedForm {
+    std::string name, product, note;
+    int defaultResolution;
+};
+const std::vector<NamedForm>& namedForms();
+/// Throws Error(usage) for an unknown name. `resolution` 0: the default.
+Form makeForm(const std::string& name, int resolution = 0);
+
+}  // namespace fbrdf

@@ -1,0 +1,39 @@
+// StandardSphere.h - the fixed scene in which materials are compared as pictures.
+//
+// A sphere filling a square image, orthographic along -z, tangent along increasing azimuth about
+// +y, lit by 6 directional lights and a sky of 122; pairs with an elevation below half a degree add
+// nothing. The exposure is such that a Lambertian of albedo 1/2 averages 0.4. Only numbers from
+// this scene compare with each other.
+#pragma once
+#include <fbrdf/brdf/Conventions.h>
+
+#include <functional>
+#include <vector>
+
+namespace fbrdf {
+
+using BrdfFunction = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
+
+struct SphereImage {
+    int size = 0;  ///< pixels on a side; row 0 is the top (y = +1)
+    std::vector<Vec3f>
+        radiance;  ///< size x size, exposed, linear, clamped to [0, 1]; 0 outside the disc
+    std::vector<bool> covered;  ///< size x size
+};
+
+SphereImage renderStandardSphere(const BrdfFunction& brdf, int size = 256, int threads = 0);
+
+/// Differences of two pictures of the standard sphere, over its covered pixels.
+struct ImageErrors {
+    double psnrLinear = 0;  ///< dB, peak 1
+    double psnrSrgb = 0;    ///< dB, peak 1, of sRGB-encoded values
+    double ssim =
+        0;  ///< Wang et al. 2004 on sRGB luma, 11 x 11 Gaussian of 1.5, mean over covered pixels
+    double deltaEItp =
+        0;  ///< ITU-R BT.2124: 720 sqrt(dI^2 + (dT/2)^2 + dP^2), mean; white at 203 cd/m2 (BT.2408)
+    double flip = 0;  ///< Andersson et al. 2020 (LDR), 67 pixels a degree, mean
+};
+
+ImageErrors imageErrors(const SphereImage& image, const SphereImage& reference);
+
+}  // namespace fbrdf

@@ -1,0 +1,80 @@
+#include "Bake.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+// A texel of a disc takes part in filtering only when it lies less than one texel outside the
+// horizon.
+bool isReachable(const Domain& domain, int texel)
+{
+    const auto* disc = std::get_if<DiscDomain>(&domain);
+    if (!disc) return true;
+    const double centre = 0.5 * (disc->size - 1);
+    const double x = texel % disc->size - centre, y = texel / disc->size - centre;
+    return std::hypot(x, y) <= disc->radius + std::sqrt(2.0);
+}
+
+struct Range {
+    double lower = INFINITY, upper = -INFINITY, sum = 0.0;
+    int count = 0;
+};
+
+// Subtracts the mean of the reachable texels and returns it.
+Vec3d centred(Table& table)
+{
+    Vec3d means(0.0);
+    const int texels = texelCount(table.domain);
+    for (int c = 0; c < 3; ++c) {
+        Range range;
+        const auto at = [&](int t) -> float& {
+            return table.texels[static_cast<size_t>(t) * 3 + static_cast<size_t>(c)];
+        };
+        for (int t = 0; t < texels; ++t) {
+            if (!isReachable(table.domain, t)) continue;
+            const double value = static_cast<double>(at(t));
+            range.lower = std::min(range.lower, value);
+            range.upper = std::max(range.upper, value);
+            range.sum += value;
+            ++range.count;
+        }
+        means[c] = range.sum / range.count;
+        for (int t = 0; t < texels; ++t)
+            at(t) = static_cast<float>(
+                std::clamp(static_cast<double>(at(t)), range.lower, range.upper) - means[c]);
+    }
+    return means;
+}
+
+}  // namespace
+
+Material bake(const Form& form, const Layout& layout, const State& x, Storage storage)
+{
+    Material material;
+    material.form = form;
+    const auto n = static_cast<size_t>(layout.unknowns());
+    std::vector<Vec3d> means;
+    for (size_t t = 0; t < form.tables.size(); ++t) {
+        Table table;
+        table.name = form.tables[t].name;
+        table.domain = form.tables[t].domain;
+        for (int i = 0; i < texelCount(table.domain); ++i)
+            for (size_t c = 0; c < 3; ++c)
+                table.texels.push_back(
+                    static_cast<float>(x[c * n + static_cast<size_t>(layout.unknownOf(t, i))]));
+        means.push_back(centred(table));
+        material.tables.push_back(quantized(table, storage));
+    }
+    for (const Term& term : form.terms) {
+        Vec3d logScale(0.0);
+        for (const Factor& factor : term.factors)
+            logScale += means[static_cast<size_t>(factor.table)];
+        material.scales.push_back(
+            Vec3f(Vec3d(std::exp2(logScale.x), std::exp2(logScale.y), std::exp2(logScale.z))));
+    }
+    return material;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,11 @@
+// Bake.h - from solved log texels to the material as it will be stored.
+#pragma once
+#include "LeastSquares.h"
+
+namespace fbrdf {
+
+/// Fixes the gauge (each table's mean log is 0, the constants go to the scale of each term), clamps
+/// texels that no position can reach into the range of the others, and rounds to `storage`.
+Material bake(const Form& form, const Layout& layout, const State& x, Storage storage);
+
+}  // namespace fbrdf
