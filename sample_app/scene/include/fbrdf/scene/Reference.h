@@ -1,0 +1,40 @@
+// Reference.h - the scene drawn on the CPU in double: what the runtime's pictures are judged by.
+//
+// Both pictures hold linear radiance and coverage (0 or 1, no anti-aliasing) and cover the same
+// pixels as OpenGL's (Raster.h). Deterministic, whatever the number of threads.
+#pragma once
+#include <fbrdf/plan/Light.h>
+#include <fbrdf/scene/Image.h>
+#include <fbrdf/scene/Raster.h>
+
+#include <functional>
+#include <vector>
+
+namespace fbrdf::scene {
+
+/// f(wo, wi) in 1/sr of unit directions in the local frame, both above the horizon; called from
+/// several threads at once.
+using Brdf = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
+
+/// What is drawn: instances[i] is made of brdfs[instances[i].material].
+struct Scene {
+    std::vector<Instance> instances;
+    std::vector<Brdf> brdfs;
+    std::vector<Light> lights;
+    gl::View view;
+};
+
+struct PictureOptions {
+    int width = 512, height = 512;  ///< pixels, > 0
+    int threads = 0;                ///< 0: one a core
+};
+
+/// Seed Eq. 2 at every pixel: sum_j f(wo, wi_j) max(0, n.wi_j) E_j, with the interpolated position,
+/// normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h).
+Image renderReference(const Scene& scene, const PictureOptions& options);
+
+/// The seed's figure 1a: seed Eq. 2 at every vertex of the mesh, its radiance interpolated over the
+/// triangles (Gouraud shading with the true BRDF). Highlights smaller than a triangle are lost.
+Image renderVertex(const Scene& scene, const PictureOptions& options);
+
+}  // namespace fbrdf::scene

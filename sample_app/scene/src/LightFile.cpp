@@ -1,0 +1,144 @@
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/scene/Lights.h>
+#include <fbrdf/scene/TextFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace fbrdf::scene {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void fail(const std::string& where, const std::string& found,
+                       const std::string& expected)
+{
+    throw Error(ErrorKind::input, where, "found " + found + ", expected " + expected);
+}
+
+/// A JSON value as an error shows it: short, whatever it is.
+std::string quoted(const Json& value)
+{
+    constexpr size_t kLongest = 60;
+    std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+    return text;
+}
+
+/// The named member of a light, or null.
+const Json* member(const Json& light, const char* name)
+{
+    const auto entry = light.find(name);
+    return entry == light.end() ? nullptr : &*entry;
+}
+
+const Json& required(const Json& light, const char* name, const std::string& where)
+{
+    const Json* value = member(light, name);
+    if (!value) fail(where, std::string("no '") + name + "'", "a light that has one");
+    return *value;
+}
+
+float finiteFloat(const Json& value, const std::string& where, const char* expected)
+{
+    if (!value.is_number()) fail(where, quoted(value), expected);
+    const float number = static_cast<float>(value.get<double>());
+    if (!std::isfinite(number)) fail(where, quoted(value), expected);
+    return number;
+}
+
+Vec3f vectorOf(const Json& light, const char* name, const std::string& where)
+{
+    const Json& value = required(light, name, where);
+    const std::string field = where + "." + name;
+    if (!value.is_array() || value.size() != 3)
+        fail(field, quoted(value), "an array of three numbers");
+    Vec3f vector;
+    for (int k = 0; k < 3; ++k)
+        vector[k] = finiteFloat(value[static_cast<size_t>(k)], field, "three finite numbers");
+    return vector;
+}
+
+Vec3f directionOf(const Json& light, const std::string& where)
+{
+    const Vec3d direction(vectorOf(light, "direction", where));
+    const double length = glm::length(direction);
+    if (!(length > 0.0)) fail(where + ".direction", "a vector of length 0", "a direction");
+    return Vec3f(direction / length);
+}
+
+Vec3f intensityOf(const Json& light, const std::string& where)
+{
+    const Vec3f intensity = vectorOf(light, "intensity", where);
+    for (int k = 0; k < 3; ++k)
+        if (intensity[k] < 0.0f)
+            fail(where + ".intensity", quoted(light["intensity"]), "three numbers >= 0");
+    return intensity;
+}
+
+Light lightFromJson(const Json& json, const std::string& where)
+{
+    if (!json.is_object()) fail(where, quoted(json), "an object");
+    const Json& type = required(json, "type", where);
+    Light light;
+    if (type == "point") {
+        light.position = vectorOf(json, "position", where);
+        if (const Json* radius = member(json, "radius"))
+            light.radius = finiteFloat(*radius, where + ".radius", "a finite number >= 0");
+        if (light.radius < 0.0f)
+            fail(where + ".radius", quoted(json["radius"]), "a finite number >= 0");
+    } else if (type == "directional") {
+        light.type = Light::Type::directional;
+        light.position = directionOf(json, where);
+    } else {
+        fail(where + ".type", quoted(type), "\"point\" or \"directional\"");
+    }
+    light.intensity = intensityOf(json, where);
+    return light;
+}
+
+Json jsonFromVector(const Vec3f& vector)
+{
+    return Json::array({vector.x, vector.y, vector.z});
+}
+
+}  // namespace
+
+std::vector<Light> lightsFromJson(std::string_view text, const std::string& where)
+{
+    Json document;
+    try {
+        document = Json::parse(text);
+    } catch (const Json::exception& error) {
+        fail(where, error.what(), "JSON {\"lights\": [...]}");
+    }
+    if (!document.is_object() || !document.contains("lights") || !document["lights"].is_array())
+        fail(where, quoted(document), "an object with an array 'lights'");
+    std::vector<Light> lights;
+    for (const Json& light : document["lights"])
+        lights.push_back(
+            lightFromJson(light, where + ": lights[" + std::to_string(lights.size()) + "]"));
+    return lights;
+}
+
+std::vector<Light> readLights(const std::string& path)
+{
+    return lightsFromJson(readText(path, "a JSON file of lights"), path);
+}
+
+std::string lightsToJson(const std::vector<Light>& lights)
+{
+    Json list = Json::array();
+    for (const Light& light : lights) {
+        const bool isPoint = light.type == Light::Type::point;
+        Json entry{{"type", isPoint ? "point" : "directional"},
+                   {isPoint ? "position" : "direction", jsonFromVector(light.position)},
+                   {"intensity", jsonFromVector(light.intensity)}};
+        if (light.radius > 0.0f) entry["radius"] = light.radius;
+        list.push_back(entry);
+    }
+    return Json{{"lights", list}}.dump(2) + "\n";
+}
+
+}  // namespace fbrdf::scene

@@ -1,0 +1,166 @@
+#include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/scene/Parallel.h>
+#include <fbrdf/scene/Reference.h>
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf::scene {
+namespace {
+
+constexpr int kVerticesPerTask = 256;
+
+/// A point to shade, world space; directions need not be unit.
+struct Point {
+    Vec3d position, normal, tangent;
+};
+
+/// Takes points of one instance from object to world space.
+class ToWorld {
+public:
+    explicit ToWorld(const glm::mat4& model)
+        : model_(model), normals_(glm::transpose(glm::inverse(glm::dmat3(model_))))
+    {
+    }
+    Point operator()(const Point& object) const
+    {
+        return {Vec3d(model_ * glm::dvec4(object.position, 1.0)), normals_ * object.normal,
+                glm::dmat3(model_) * object.tangent};
+    }
+
+private:
+    glm::dmat4 model_;
+    glm::dmat3 normals_;
+};
+
+/// The eye, or the direction towards it of a projection without one.
+class Eye {
+public:
+    explicit Eye(const gl::View& view)
+        : toWorld_(glm::inverse(glm::dmat4(view.view))),
+          // The last row of a perspective is (0, 0, -1, 0), of a parallel projection (0, 0, 0, 1).
+          parallel_(view.projection[3][3] != 0.0f)
+    {
+    }
+    Vec3d directionFrom(const Vec3d& position) const
+    {
+        return glm::normalize(parallel_ ? Vec3d(toWorld_[2]) : Vec3d(toWorld_[3]) - position);
+    }
+
+private:
+    glm::dmat4 toWorld_;
+    bool parallel_;
+};
+
+/// Direction to a light, unit, and the irradiance on a surface that faces it.
+struct Incident {
+    Vec3d direction, irradiance;
+};
+
+Incident incidentFrom(const Light& light, const Vec3d& position)
+{
+    const Vec3d where(light.position), intensity(light.intensity);
+    if (light.type == Light::Type::directional) return {glm::normalize(where), intensity};
+    const Vec3d toLight = where - position;
+    const double distance2 = glm::dot(toLight, toLight);
+    return {toLight / std::sqrt(distance2),
+            intensity * falloff<double>(distance2, double(light.radius))};
+}
+
+/// Seed Eq. 2.
+Vec3d radiance(const Brdf& brdf, const std::vector<Light>& lights, const Point& point,
+               const Vec3d& toEye)
+{
+    const ShadingFrame<double> frame = shadingFrame(point.normal, point.tangent);
+    const Vec3d wo = frame.local(toEye);
+    Vec3d sum(0.0);
+    if (!(wo.z > 0.0)) return sum;
+    for (const Light& light : lights) {
+        const Incident incident = incidentFrom(light, point.position);
+        const Vec3d wi = frame.local(incident.direction);
+        if (wi.z > 0.0) sum += brdf(wo, wi) * wi.z * incident.irradiance;
+    }
+    return sum;
+}
+
+Vec3d tangentAt(const Mesh& mesh, const Fragment& fragment)
+{
+    return mesh.tangents.empty() ? Vec3d(0.0) : interpolate<Vec3d>(mesh.tangents, mesh, fragment);
+}
+
+void setPixel(float* pixel, const Vec3d& color)
+{
+    for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(color[c]);
+    pixel[3] = 1.0f;
+}
+
+/// Sets every covered pixel to color(fragment), rows in parallel.
+template <class Color>
+Image pictureOf(const Scene& scene, const PictureOptions& options, const Color& color)
+{
+    const Fragments fragments =
+        rasterise(scene.instances, scene.view, options.width, options.height);
+    Image image(options.width, options.height);
+    parallelFor(options.height, options.threads, [&](int y) {
+        for (int x = 0; x < options.width; ++x)
+            if (const Fragment& fragment = fragments.at(x, y); fragment.covered())
+                setPixel(image.pixel(x, y), color(fragment));
+    });
+    return image;
+}
+
+/// Radiance of every vertex of an instance towards the eye.
+std::vector<Vec3d> vertexRadiance(const Scene& scene, const Instance& instance, int threads)
+{
+    const Mesh& mesh = *instance.mesh;
+    const Brdf& brdf = scene.brdfs[static_cast<size_t>(instance.material)];
+    const Eye eye(scene.view);
+    const ToWorld toWorld(instance.model);
+    const int count = static_cast<int>(mesh.positions.size());
+    std::vector<Vec3d> result(mesh.positions.size());
+    parallelFor((count + kVerticesPerTask - 1) / kVerticesPerTask, threads, [&](int task) {
+        const int end = std::min(count, (task + 1) * kVerticesPerTask);
+        for (int v = task * kVerticesPerTask; v < end; ++v) {
+            const size_t i = static_cast<size_t>(v);
+            const Vec3d tangent = mesh.tangents.empty() ? Vec3d(0.0) : Vec3d(mesh.tangents[i]);
+            const Point point =
+                toWorld({Vec3d(mesh.positions[i]), Vec3d(mesh.normals[i]), tangent});
+            result[i] = radiance(brdf, scene.lights, point, eye.directionFrom(point.position));
+        }
+    });
+    return result;
+}
+
+}  // namespace
+
+Image renderReference(const Scene& scene, const PictureOptions& options)
+{
+    const Eye eye(scene.view);
+    std::vector<ToWorld> toWorld;
+    for (const Instance& instance : scene.instances) toWorld.emplace_back(instance.model);
+    return pictureOf(scene, options, [&](const Fragment& fragment) {
+        const size_t index = static_cast<size_t>(fragment.instance);
+        const Instance& instance = scene.instances[index];
+        const Mesh& mesh = *instance.mesh;
+        const Point point = toWorld[index]({interpolate<Vec3d>(mesh.positions, mesh, fragment),
+                                            interpolate<Vec3d>(mesh.normals, mesh, fragment),
+                                            tangentAt(mesh, fragment)});
+        return radiance(scene.brdfs[static_cast<size_t>(instance.material)], scene.lights, point,
+                        eye.directionFrom(point.position));
+    });
+}
+
+Image renderVertex(const Scene& scene, const PictureOptions& options)
+{
+    std::vector<std::vector<Vec3d>> colors;
+    for (const Instance& instance : scene.instances)
+        colors.push_back(vertexRadiance(scene, instance, options.threads));
+    return pictureOf(scene, options, [&](const Fragment& fragment) {
+        const size_t index = static_cast<size_t>(fragment.instance);
+        return interpolate<Vec3d>(colors[index], *scene.instances[index].mesh, fragment);
+    });
+}
+
+}  // namespace fbrdf::scene

@@ -1,0 +1,77 @@
+#include <fbrdf/scene/Triangulate.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace fbrdf::scene {
+namespace {
+
+using Point = Vec2<double>;
+
+/// Newell's normal: twice the vector area, robust against collinear corners (Sutherland et al.
+/// 1974).
+Vec3d newellNormal(const std::vector<Vec3d>& corners)
+{
+    Vec3d sum(0.0);
+    for (size_t i = 0; i < corners.size(); ++i)
+        sum += glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+    return sum;
+}
+
+/// Drops the coordinate along which the polygon is flattest, keeping its orientation.
+std::vector<Point> flattened(const std::vector<Vec3d>& corners)
+{
+    const Vec3d normal = newellNormal(corners);
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
+    const int first = (axis + 1) % 3, second = (axis + 2) % 3;
+    std::vector<Point> points;
+    for (const Vec3d& corner : corners)
+        points.push_back(normal[axis] < 0.0 ? Point(corner[second], corner[first])
+                                            : Point(corner[first], corner[second]));
+    return points;
+}
+
+double doubleArea(const Point& a, const Point& b, const Point& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool isEar(const std::vector<Point>& points, const std::vector<int>& left, size_t i)
+{
+    const size_t count = left.size();
+    const auto at = [&](size_t k) { return points[static_cast<size_t>(left[k % count])]; };
+    const Point a = at(i + count - 1), b = at(i), c = at(i + 1);
+    if (!(doubleArea(a, b, c) > 0.0)) return false;
+    for (size_t k = i + 2; k < i + count - 1; ++k) {
+        const Point p = at(k);
+        if (p == a || p == b || p == c) continue;
+        if (doubleArea(a, b, p) >= 0.0 && doubleArea(b, c, p) >= 0.0 && doubleArea(c, a, p) >= 0.0)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3d>& corners)
+{
+    const std::vector<Point> points = flattened(corners);
+    std::vector<int> left(corners.size());
+    std::iota(left.begin(), left.end(), 0);
+    std::vector<std::array<int, 3>> triangles;
+    while (left.size() > 3) {
+        size_t ear = 0;
+        while (ear < left.size() && !isEar(points, left, ear)) ++ear;
+        // Without an ear the corner after the first goes, which cuts the rest as a fan.
+        if (ear == left.size()) ear = 1;
+        const size_t count = left.size();
+        triangles.push_back({left[(ear + count - 1) % count], left[ear], left[(ear + 1) % count]});
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    triangles.push_back({left[0], left[1], left[2]});
+    return triangles;
+}
+
+}  // namespace fbrdf::scene
