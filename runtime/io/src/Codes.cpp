@@ -1,0 +1,107 @@
+#include "Codes.h"
+
+#include <fbrdf/brdf/Half.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace fbrdf {
+namespace {
+
+constexpr int kLastCode = 255, kLastUnorm16 = 65535;
+// Differences of UNORM16 lie within +-65535; rounding and the two spare codes add less than again.
+constexpr int64_t kMaxOffset = 2 * kLastUnorm16;
+
+[[noreturn]] void failInput(const std::string& where, const std::string& what)
+{
+    throw Error(ErrorKind::input, where, what);
+}
+
+bool holdsTexel(const Table& table, size_t position)
+{
+    const auto channels = static_cast<size_t>(table.channels);
+    const int index = static_cast<int>(position / channels),
+              channel = static_cast<int>(position % channels);
+    const float texel = table.texels[position];
+    switch (table.storage) {
+        case Storage::float32: return true;
+        case Storage::half: return floatFromHalf(halfFromFloat(texel)) == texel;
+        case Storage::log8:
+        case Storage::linear8: break;
+    }
+    const int code = codeOf(table, index, channel);
+    return code >= 0 && code <= kLastCode && texelFromCode(table, index, channel, code) == texel;
+}
+
+}  // namespace
+
+bool knownStorage(const std::string& name, Storage& storage)
+{
+    for (const Storage s : {Storage::log8, Storage::half, Storage::float32, Storage::linear8}) {
+        if (name != storageName(s)) continue;
+        storage = s;
+        return true;
+    }
+    return false;
+}
+
+std::vector<uint16_t> codesOfTable(const Table& table)
+{
+    std::vector<uint16_t> codes;
+    codes.reserve(table.texels.size());
+    for (int i = 0; i < texelCount(table.domain); ++i)
+        for (int c = 0; c < table.channels; ++c)
+            codes.push_back(static_cast<uint16_t>(codeOf(table, i, c)));
+    return codes;
+}
+
+void checkCoding(const Table& table, const std::string& where)
+{
+    for (int c = 0; c < 3; ++c)
+        if (!std::isfinite(table.lower[c]) || !std::isfinite(table.upper[c]) ||
+            !std::isfinite(table.upper[c] - table.lower[c]))
+            failInput(where, "found a range that is not finite");
+    if (table.storage == Storage::linear8 &&
+        (table.lower != Vec3f(0.0f) || table.upper != Vec3f(1.0f)))
+        failInput(where, "found a range of linear8, expected 0 to 1");
+    if (table.storage != Storage::log8) return;
+    for (size_t c = 0; c < static_cast<size_t>(table.channels); ++c) {
+        const int64_t stride = table.log8.stride[c], offset = table.log8.offset[c],
+                      start = table.log8.start[c];
+        if (stride < 1 || stride > kLastUnorm16)
+            failInput(where, "found stride " + std::to_string(stride) + ", expected 1 to 65535");
+        if (start < 0 || start > kLastUnorm16)
+            failInput(where, "found start " + std::to_string(start) + ", expected 0 to 65535");
+        if (std::abs(offset) * stride > kMaxOffset)
+            failInput(where, "found offset " + std::to_string(offset) + " and stride " +
+                                 std::to_string(stride) + ", expected a product within 131070");
+    }
+}
+
+void decodeTexels(Table& table, const std::string& where)
+{
+    const auto channels = static_cast<size_t>(table.channels);
+    for (size_t i = 0; i < table.texels.size(); ++i) {
+        const float code = table.texels[i];
+        const int index = static_cast<int>(i / channels), channel = static_cast<int>(i % channels);
+        if (!(code >= 0.0f) || !(code <= float(kLastCode)) || code != std::floor(code))
+            failInput(where + ": texel " + std::to_string(index),
+                      "found code " + std::to_string(code) + ", expected an integer of 0 to 255");
+        table.texels[i] = texelFromCode(table, index, channel, static_cast<int>(code));
+        if (codeOf(table, index, channel) != static_cast<int>(code))
+            failInput(where + ": texel " + std::to_string(index),
+                      "found a code that leads out of the range of the table");
+    }
+}
+
+void checkStorable(const Table& table, ErrorKind kind, const std::string& where)
+{
+    for (size_t i = 0; i < table.texels.size(); ++i)
+        if (!holdsTexel(table, i))
+            throw Error(kind, where,
+                        "table '" + table.name + "': found " + std::to_string(table.texels[i]) +
+                            ", expected numbers that " + storageName(table.storage) +
+                            " holds: quantize the table first");
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,275 @@
+#include "ExrHeader.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace fbrdf {
+namespace {
+
+constexpr char kMagic[] = {'\x76', '\x2f', '\x31', '\x01'};
+constexpr uint32_t kVersion = 2, kLongNames = 0x400, kMultiPart = 0x1000;
+constexpr size_t kMaxName = 255, kMaxAttributes = 4096, kMaxParts = 64;
+constexpr int kMaxLines = 1 << 24;  // Form.cpp: no table has more texels
+// Deflate cannot shrink by more than 1032:1 (zlib's "Technical Details"); run lengths less.
+constexpr size_t kMaxRatio = 1032;
+
+enum Compression { none = 0, runLength = 1, zipOneLine = 2, zip = 3 };
+
+/// Little-endian values at a position that never passes the end.
+class Cursor {
+public:
+    Cursor(const std::string& bytes, const std::string& where) : bytes_(bytes), where_(where) {}
+
+    [[noreturn]] void fail(size_t at, const std::string& what) const
+    {
+        throw Error(ErrorKind::input, where_ + ": byte " + std::to_string(at), what);
+    }
+    [[noreturn]] void fail(const std::string& what) const { fail(position, what); }
+
+    void need(uint64_t count) const
+    {
+        if (position > bytes_.size() || count > bytes_.size() - position)
+            fail("found the end of the file, expected " + std::to_string(count) + " more bytes");
+    }
+    uint64_t integer(size_t width)
+    {
+        need(width);
+        uint64_t value = 0;
+        for (size_t i = 0; i < width; ++i)
+            value |= uint64_t(static_cast<unsigned char>(bytes_[position + i])) << (8 * i);
+        position += width;
+        return value;
+    }
+    uint32_t u32() { return static_cast<uint32_t>(integer(4)); }
+    int32_t i32() { return static_cast<int32_t>(u32()); }
+    int u8() { return static_cast<int>(integer(1)); }
+
+    /// A name that ends with a zero byte; empty ends a list.
+    std::string name()
+    {
+        const size_t end = bytes_.find('\0', position);
+        if (end == std::string::npos || end - position > kMaxName)
+            fail("found no end of a name, expected one within 255 bytes");
+        const std::string text = bytes_.substr(position, end - position);
+        position = end + 1;
+        return text;
+    }
+
+    std::string text(const ExrAttribute& attribute) const
+    {
+        return bytes_.substr(attribute.offset, attribute.size);
+    }
+
+    size_t position = 0;
+
+private:
+    const std::string& bytes_;
+    const std::string& where_;
+};
+
+const ExrAttribute& required(const ExrPart& part, const char* name, const char* type, size_t size,
+                             const Cursor& cursor)
+{
+    const ExrAttribute* attribute = part.find(name);
+    if (!attribute) cursor.fail(std::string("found no '") + name + "', expected it in the header");
+    if (attribute->type != type || (size && attribute->size != size))
+        cursor.fail(attribute->offset,
+                    std::string("found '") + name + "' of type " + attribute->type + " and " +
+                        std::to_string(attribute->size) + " bytes, expected type " + type);
+    return *attribute;
+}
+
+struct Window {
+    int64_t x0, y0, x1, y1;
+};
+
+Window readWindow(const ExrPart& part, const char* name, Cursor cursor)
+{
+    cursor.position = required(part, name, "box2i", 16, cursor).offset;
+    const int64_t x0 = cursor.i32(), y0 = cursor.i32(), x1 = cursor.i32(), y1 = cursor.i32();
+    const int64_t limit = int64_t(1) << 30;
+    for (const int64_t v : {x0, y0, x1, y1})
+        if (v < -limit || v > limit) cursor.fail("found a window beyond 2^30");
+    return {x0, y0, x1, y1};
+}
+
+void readDataWindow(ExrPart& part, const Cursor& cursor)
+{
+    const Window w = readWindow(part, "dataWindow", cursor);
+    readWindow(part, "displayWindow", cursor);
+    const int64_t width = w.x1 - w.x0 + 1, height = w.y1 - w.y0 + 1;
+    if (width < 1 || height < 1 || width > kMaxLines || height > kMaxLines ||
+        width * height > kMaxLines)
+        cursor.fail(part.find("dataWindow")->offset, "found " + std::to_string(width) + " x " +
+                                                         std::to_string(height) +
+                                                         " texels, expected 1 to 2^24");
+    part.width = static_cast<int>(width);
+    part.height = static_cast<int>(height);
+    part.firstLine = static_cast<int>(w.y0);
+}
+
+void readChannels(ExrPart& part, Cursor cursor)
+{
+    const ExrAttribute& list = required(part, "channels", "chlist", 0, cursor);
+    cursor.position = list.offset;
+    std::string names;
+    uint32_t type = 0;
+    while (true) {
+        const std::string name = cursor.name();
+        if (name.empty()) break;
+        const uint32_t channelType = cursor.u32();
+        if (channelType != 1 && channelType != 2)
+            cursor.fail("found pixel type " + std::to_string(channelType) +
+                        ", expected 1 (half) or 2 (float)");
+        if (!names.empty() && channelType != type)
+            cursor.fail("found channels of half and float, expected one type");
+        type = channelType;
+        cursor.u32();  // pLinear and padding
+        const int32_t xSampling = cursor.i32(), ySampling = cursor.i32();
+        if (xSampling != 1 || ySampling != 1)
+            cursor.fail("found a subsampled channel, expected none");
+        names += name + " ";
+    }
+    if (names != "Y " && names != "B G R ")
+        cursor.fail(list.offset,
+                    "found channels '" + printable(names) + "', expected Y, or R, G, B");
+    if (cursor.position != list.offset + list.size)
+        cursor.fail("found a channel list that does not end where its size says");
+    part.channels = names == "Y " ? 1 : 3;
+    part.half = type == 1;
+}
+
+void readEncoding(ExrPart& part, bool multiPart, Cursor cursor)
+{
+    cursor.position = required(part, "compression", "compression", 1, cursor).offset;
+    part.compression = cursor.u8();
+    if (part.compression > zip)
+        cursor.fail("found compression " + std::to_string(part.compression) +
+                    ", expected 0 to 3 (none, rle, zips, zip)");
+    cursor.position = required(part, "lineOrder", "lineOrder", 1, cursor).offset;
+    if (cursor.u8() > 1) cursor.fail("found an unknown line order, expected 0 or 1");
+    if (!multiPart) return;
+    const std::string type = cursor.text(required(part, "type", "string", 0, cursor));
+    if (type != "scanlineimage")
+        cursor.fail("found a part of type '" + printable(type) + "', expected 'scanlineimage'");
+}
+
+ExrPart readHeader(Cursor& cursor, bool multiPart)
+{
+    ExrPart part;
+    while (true) {
+        ExrAttribute attribute;
+        attribute.name = cursor.name();
+        if (attribute.name.empty()) break;
+        attribute.type = cursor.name();
+        attribute.size = cursor.u32();
+        cursor.need(attribute.size);
+        attribute.offset = cursor.position;
+        cursor.position += attribute.size;
+        if (part.find(attribute.name))
+            cursor.fail(attribute.offset, "found '" + printable(attribute.name) + "' twice");
+        part.attributes.push_back(attribute);
+        if (part.attributes.size() > kMaxAttributes) cursor.fail("found more than 4096 attributes");
+    }
+    readDataWindow(part, cursor);
+    readChannels(part, cursor);
+    readEncoding(part, multiPart, cursor);
+    return part;
+}
+
+int linesPerChunk(const ExrPart& part)
+{
+    return part.compression == zip ? 16 : 1;
+}
+
+void checkChunk(const ExrPart& part, size_t partIndex, int chunk, bool multiPart, Cursor cursor)
+{
+    const size_t start = cursor.position;
+    if (multiPart && cursor.u32() != partIndex)
+        cursor.fail(start,
+                    "found a chunk of another part, expected part " + std::to_string(partIndex));
+    const int line = chunk * linesPerChunk(part);
+    if (cursor.i32() != part.firstLine + line)
+        cursor.fail(start, "found a chunk of other lines, expected line " + std::to_string(line));
+    const size_t size = cursor.u32();
+    cursor.need(size);
+    const auto lines = static_cast<size_t>(std::min(linesPerChunk(part), part.height - line));
+    const size_t whole = static_cast<size_t>(part.width) * lines *
+                         static_cast<size_t>(part.channels) * (part.half ? 2u : 4u);
+    const bool fits =
+        part.compression == none ? size == whole : size <= whole && size >= whole / kMaxRatio;
+    if (size == 0 || !fits)
+        cursor.fail(start, "found a chunk of " + std::to_string(size) + " bytes for " +
+                               std::to_string(whole) + " bytes of texels");
+}
+
+void checkChunks(const std::vector<ExrPart>& parts, bool multiPart, Cursor cursor)
+{
+    for (size_t p = 0; p < parts.size(); ++p) {
+        const ExrPart& part = parts[p];
+        const int chunks = (part.height + linesPerChunk(part) - 1) / linesPerChunk(part);
+        if (const ExrAttribute* count = part.find("chunkCount")) {
+            Cursor at = cursor;
+            at.position = count->offset;
+            if (count->type != "int" || count->size != 4 || at.i32() != chunks)
+                cursor.fail(count->offset,
+                            "found a wrong chunkCount, expected " + std::to_string(chunks));
+        }
+        cursor.need(uint64_t(chunks) * 8);
+        for (int c = 0; c < chunks; ++c) {
+            Cursor at = cursor;
+            const uint64_t offset = cursor.integer(8);
+            at.position = static_cast<size_t>(offset);
+            at.need(8);
+            checkChunk(part, p, c, multiPart, at);
+        }
+    }
+}
+
+}  // namespace
+
+const ExrAttribute* ExrPart::find(const std::string& name) const
+{
+    const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                    [&](const ExrAttribute& a) { return a.name == name; });
+    return found == attributes.end() ? nullptr : &*found;
+}
+
+std::string printable(const std::string& text)
+{
+    std::string line = text.substr(0, 60);
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    return line;
+}
+
+bool looksLikeExr(const std::string& bytes)
+{
+    return bytes.size() >= sizeof kMagic && std::memcmp(bytes.data(), kMagic, sizeof kMagic) == 0;
+}
+
+std::vector<ExrPart> scanExr(const std::string& bytes, const std::string& where)
+{
+    Cursor cursor(bytes, where);
+    if (!looksLikeExr(bytes)) cursor.fail("found other first bytes, expected an OpenEXR file");
+    cursor.position = sizeof kMagic;
+    const uint32_t version = cursor.u32();
+    const bool multiPart = version & kMultiPart;
+    if ((version & ~(kLongNames | kMultiPart)) != kVersion)
+        cursor.fail(sizeof kMagic, "found OpenEXR version and flags " + std::to_string(version) +
+                                       ", expected version 2 with scan lines");
+    std::vector<ExrPart> parts;
+    do {
+        parts.push_back(readHeader(cursor, multiPart));
+        if (parts.size() > kMaxParts) cursor.fail("found more than 64 parts");
+        cursor.need(1);
+    } while (multiPart && bytes[cursor.position] != '\0');
+    if (multiPart) ++cursor.position;
+    checkChunks(parts, multiPart, cursor);
+    return parts;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,37 @@
+// ExrHeader.h - the structure of an OpenEXR file, checked before any decoder sees it.
+// Sizes, counts and offsets are compared with the bytes that are there, so a hostile header can
+// neither make a decoder allocate more than its file could hold nor read past the end.
+// Reference: "OpenEXR File Layout", openexr.com (version 2, scan lines, one or more parts).
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fbrdf {
+
+struct ExrAttribute {
+    std::string name, type;
+    size_t offset = 0, size = 0;  ///< of its value, bytes from the start of the file
+};
+
+struct ExrPart {
+    std::vector<ExrAttribute> attributes;
+    int width = 0, height = 0;
+    int firstLine = 0;  ///< y of the data window's first line
+    int channels = 0;   ///< 1 ("Y") or 3 ("R", "G", "B")
+    bool half = false;  ///< all channels half; otherwise all float
+    int compression = 0;
+
+    const ExrAttribute* find(const std::string& name) const;
+};
+
+/// The text with '?' for every control character, and at most 60 bytes: for one-line messages.
+std::string printable(const std::string& text);
+
+/// First bytes of every OpenEXR file.
+bool looksLikeExr(const std::string& bytes);
+
+/// Headers of all parts, at most 64. Accepts what a material needs: scan lines, half or float,
+/// lossless. Throws Error(input) with `where` and the byte offset.
+std::vector<ExrPart> scanExr(const std::string& bytes, const std::string& where);
+
+}  // namespace fbrdf

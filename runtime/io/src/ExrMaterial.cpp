@@ -1,0 +1,340 @@
+#include "ExrMaterial.h"
+
+#include "Codes.h"
+#include "Files.h"
+#include "FormJson.h"
+#include "ImageCodec.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <cstring>
+#include <set>
+
+namespace fbrdf {
+namespace {
+
+constexpr int kFormatVersion = 1;
+constexpr char kVersion[] = "fbrdf:version", kForm[] = "fbrdf:form", kScales[] = "fbrdf:scales",
+               kUnits[] = "fbrdf:units", kColorSpace[] = "fbrdf:colorspace", kName[] = "fbrdf:name",
+               kNote[] = "fbrdf:note:", kError[] = "fbrdf:error:", kStorage[] = "fbrdf:storage",
+               kLower[] = "fbrdf:lower", kUpper[] = "fbrdf:upper", kStride[] = "fbrdf:stride",
+               kOffset[] = "fbrdf:offset", kStart[] = "fbrdf:start";
+constexpr char kUnitsValue[] = "1/sr", kColorSpaceValue[] = "lin_rec709";
+// OpenEXR allows names of 255 bytes.
+constexpr size_t kMaxKey = 200;
+
+ExrValue textValue(const std::string& name, const std::string& text)
+{
+    ExrValue value;
+    value.name = name;
+    value.text = text;
+    return value;
+}
+
+ExrValue integerValue(const std::string& name, int integer)
+{
+    ExrValue value;
+    value.kind = ExrValue::Kind::integer;
+    value.name = name;
+    value.integer = integer;
+    return value;
+}
+
+ExrValue tripleValue(const std::string& name, const std::array<int, 3>& integers)
+{
+    ExrValue value;
+    value.kind = ExrValue::Kind::integers;
+    value.name = name;
+    value.integers.assign(integers.begin(), integers.end());
+    return value;
+}
+
+ExrValue realValue(const std::string& name, double real)
+{
+    ExrValue value;
+    value.kind = ExrValue::Kind::real;
+    value.name = name;
+    value.real = real;
+    return value;
+}
+
+ExrValue floatsValue(const std::string& name, const std::vector<Vec3f>& triples)
+{
+    ExrValue value;
+    value.kind = ExrValue::Kind::floats;
+    value.name = name;
+    for (const Vec3f& v : triples) value.floats.insert(value.floats.end(), {v.x, v.y, v.z});
+    return value;
+}
+
+std::string keyedName(const char* prefix, const std::string& key, const std::string& where)
+{
+    if (key.size() > kMaxKey || key.find('\0') != std::string::npos)
+        throw Error(ErrorKind::usage, where,
+                    "found a note or error named '" + key.substr(0, kMaxKey) +
+                        "', expected at most 200 bytes and no zero byte");
+    return prefix + key;
+}
+
+std::vector<ExrValue> materialValues(const Material& material, const std::string& where)
+{
+    const std::string form =
+        jsonFromForm(material.form).dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::vector<ExrValue> values = {
+        integerValue(kVersion, kFormatVersion),   textValue(kForm, form),
+        floatsValue(kScales, material.scales),    textValue(kUnits, kUnitsValue),
+        textValue(kColorSpace, kColorSpaceValue), textValue(kName, material.name)};
+    for (const auto& [key, text] : material.notes)
+        values.push_back(textValue(keyedName(kNote, key, where), text));
+    for (const auto& [key, number] : material.errors)
+        values.push_back(realValue(keyedName(kError, key, where), number));
+    return values;
+}
+
+// Part names must be unique and not empty; those of tables need not be.
+std::string partName(const Form& form, size_t index, std::set<std::string>& taken)
+{
+    const std::string& table = form.tables[index].name;
+    std::string name = table.empty() ? "table" : table.substr(0, table.find('\0'));
+    if (taken.count(name)) name += "#" + std::to_string(index);
+    while (!taken.insert(name).second) name += "'";
+    return name;
+}
+
+ExrImage imageFromTable(const Table& table, const std::string& name)
+{
+    const auto size = domainSize(table.domain);
+    ExrImage image;
+    image.name = name;
+    image.width = size[0];
+    image.height = size[1] * size[2];
+    image.channels = table.channels;
+    image.half = table.storage != Storage::float32;
+    image.values = {textValue(kStorage, storageName(table.storage)),
+                    floatsValue(kLower, {table.lower}), floatsValue(kUpper, {table.upper})};
+    if (table.storage == Storage::log8)
+        image.values.insert(image.values.end(), {tripleValue(kStride, table.log8.stride),
+                                                 tripleValue(kOffset, table.log8.offset),
+                                                 tripleValue(kStart, table.log8.start)});
+    image.pixels = table.texels;
+    if (bytesPerChannel(table.storage) == 1) {
+        const std::vector<uint16_t> codes = codesOfTable(table);
+        image.pixels.assign(codes.begin(), codes.end());
+    }
+    return image;
+}
+
+/// Typed access to the attributes of one part.
+class PartReader {
+public:
+    PartReader(const std::string& bytes, const ExrPart& part, std::string where)
+        : bytes_(bytes), part_(part), where_(std::move(where))
+    {
+    }
+
+    std::string text(const char* name) const
+    {
+        const ExrAttribute& a = attribute(name, {"string"}, 1);
+        return bytes_.substr(a.offset, a.size);
+    }
+    int integer(const char* name) const
+    {
+        const ExrAttribute& a = attribute(name, {"int"}, 4);
+        if (a.size != 4) fail(a, std::to_string(a.size) + " bytes, expected 4");
+        return value<int>(a.offset);
+    }
+    /// OpenImageIO writes three floats as a vector, nine as a matrix, other counts as an array.
+    std::vector<float> floats(const char* name, size_t count) const
+    {
+        const ExrAttribute& a = attribute(name, {"v3f", "m33f", "floatvector"}, 4);
+        if (a.size != 4 * count)
+            fail(a, std::to_string(a.size / 4) + " numbers, expected " + std::to_string(count));
+        std::vector<float> numbers;
+        for (size_t i = 0; i < count; ++i) numbers.push_back(value<float>(a.offset + 4 * i));
+        return numbers;
+    }
+    Vec3f triple(const char* name) const
+    {
+        const std::vector<float> v = floats(name, 3);
+        return {v[0], v[1], v[2]};
+    }
+    std::array<int, 3> integerTriple(const char* name) const
+    {
+        const ExrAttribute& a = attribute(name, {"v3i"}, 12);
+        if (a.size != 12) fail(a, std::to_string(a.size) + " bytes, expected 12");
+        return {value<int>(a.offset), value<int>(a.offset + 4), value<int>(a.offset + 8)};
+    }
+    void expectText(const char* name, const char* expected) const
+    {
+        if (text(name) != expected)
+            fail(attribute(name, {"string"}, 1),
+                 "'" + text(name) + "', expected '" + expected + "'");
+    }
+    template <class T>
+    T value(size_t offset) const
+    {
+        T result;
+        std::memcpy(&result, bytes_.data() + offset, sizeof result);
+        return result;
+    }
+    const std::string& where() const { return where_; }
+    const ExrPart& part() const { return part_; }
+    [[noreturn]] void fail(const ExrAttribute& at, const std::string& what) const
+    {
+        throw Error(ErrorKind::input, where_ + ": byte " + std::to_string(at.offset),
+                    at.name + ": found " + what);
+    }
+    const ExrAttribute& attribute(const char* name, std::initializer_list<const char*> types,
+                                  size_t unit) const
+    {
+        const ExrAttribute* a = part_.find(name);
+        if (!a) throw Error(ErrorKind::input, where_, std::string("found no ") + name);
+        for (const char* type : types)
+            if (a->type == type && a->size % unit == 0) return *a;
+        fail(*a, "type " + printable(a->type) + ", expected " + *types.begin());
+    }
+
+private:
+    const std::string& bytes_;
+    const ExrPart& part_;
+    std::string where_;
+};
+
+void checkVersion(const PartReader& reader)
+{
+    const int version = reader.integer(kVersion);
+    if (version < 1 || version > kFormatVersion)
+        throw Error(ErrorKind::input, reader.where(),
+                    "found format version " + std::to_string(version) + ", expected at most " +
+                        std::to_string(kFormatVersion) +
+                        (version > 1 ? ": written by a newer fbrdf" : ""));
+    reader.expectText(kUnits, kUnitsValue);
+    reader.expectText(kColorSpace, kColorSpaceValue);
+}
+
+void readDescription(const std::string& bytes, const PartReader& reader, Material& material)
+{
+    const std::string where = reader.where() + ": " + kForm;
+    const Json json = parseJson(reader.text(kForm), where);
+    material.form = formFromJson(JsonField(json, where));
+    const std::vector<float> scales = reader.floats(kScales, 3 * material.form.terms.size());
+    for (size_t t = 0; t < material.form.terms.size(); ++t)
+        material.scales.emplace_back(scales[3 * t], scales[3 * t + 1], scales[3 * t + 2]);
+    material.name = reader.text(kName);
+    for (const ExrAttribute& a : reader.part().attributes) {
+        if (a.name.rfind(kNote, 0) == 0 && a.type == "string")
+            material.notes[a.name.substr(std::strlen(kNote))] = bytes.substr(a.offset, a.size);
+        if (a.name.rfind(kError, 0) == 0 && a.type == "double" && a.size == sizeof(double))
+            material.errors[a.name.substr(std::strlen(kError))] = reader.value<double>(a.offset);
+    }
+}
+
+Table readTable(const std::string& bytes, size_t index, const TableSpec& spec,
+                const PartReader& reader)
+{
+    const auto size = domainSize(spec.domain);
+    const ExrPart& part = reader.part();
+    if (part.width != size[0] || part.height != size[1] * size[2])
+        throw Error(ErrorKind::input, reader.where(),
+                    "found " + std::to_string(part.width) + " x " + std::to_string(part.height) +
+                        " texels, expected " + std::to_string(size[0]) + " x " +
+                        std::to_string(size[1] * size[2]));
+    Table table;
+    table.name = spec.name;
+    table.domain = spec.domain;
+    table.channels = part.channels;
+    const std::string storage = reader.text(kStorage);
+    if (!knownStorage(storage, table.storage))
+        reader.fail(*part.find(kStorage),
+                    "'" + storage + "', expected log8, half, float or linear8");
+    if (part.half != (table.storage != Storage::float32))
+        reader.fail(*part.find(kStorage),
+                    storage + (part.half ? " in half" : " in float") + " channels");
+    table.lower = reader.triple(kLower);
+    table.upper = reader.triple(kUpper);
+    if (table.storage == Storage::log8)
+        table.log8 = {reader.integerTriple(kStride), reader.integerTriple(kOffset),
+                      reader.integerTriple(kStart)};
+    checkCoding(table, reader.where());
+    table.texels = readExrPixels(bytes, index, part, reader.where());
+    if (bytesPerChannel(table.storage) == 1) decodeTexels(table, reader.where());
+    return table;
+}
+
+// The file holds part names only for people. They may hold anything, but errors are one line.
+std::string partWhere(const std::string& where, const ExrPart& part, size_t index,
+                      const std::string& bytes)
+{
+    std::string text = where + ": part " + std::to_string(index);
+    if (const ExrAttribute* name = part.find("name"))
+        text += " '" + printable(bytes.substr(name->offset, name->size)) + "'";
+    return text;
+}
+
+bool sameTable(const Table& a, const Table& b)
+{
+    return a.storage == b.storage && a.channels == b.channels && a.lower == b.lower &&
+           a.upper == b.upper && a.texels == b.texels && a.log8.stride == b.log8.stride &&
+           a.log8.offset == b.log8.offset && a.log8.start == b.log8.start;
+}
+
+// OpenEXR's own stream does not report a disk that is full on closing, so the file is read again.
+void verify(const Material& material, const std::string& temporary, const std::string& path)
+{
+    Material stored;
+    try {
+        stored = readExrMaterial(readFile(temporary), temporary);
+    } catch (const Error& error) {
+        throw Error(ErrorKind::output, path,
+                    std::string("cannot be read back after writing: ") + error.what());
+    }
+    bool same = stored.scales == material.scales && stored.tables.size() == material.tables.size();
+    for (size_t k = 0; same && k < stored.tables.size(); ++k)
+        same = sameTable(stored.tables[k], material.tables[k]);
+    if (!same) throw Error(ErrorKind::output, path, "reads back different after writing");
+}
+
+}  // namespace
+
+bool looksLikeExrMaterial(const std::string& beginning)
+{
+    return looksLikeExr(beginning) && beginning.find(kColorSpace) != std::string::npos;
+}
+
+Material readExrMaterial(const std::string& bytes, const std::string& where)
+{
+    const std::vector<ExrPart> parts = scanExr(bytes, where);
+    const PartReader first(bytes, parts[0], partWhere(where, parts[0], 0, bytes));
+    checkVersion(first);
+    Material material;
+    readDescription(bytes, first, material);
+    if (parts.size() != material.form.tables.size())
+        throw Error(ErrorKind::input, where,
+                    "found " + std::to_string(parts.size()) + " parts, expected one for each of " +
+                        std::to_string(material.form.tables.size()) + " tables");
+    for (size_t k = 0; k < parts.size(); ++k)
+        material.tables.push_back(
+            readTable(bytes, k, material.form.tables[k],
+                      PartReader(bytes, parts[k], partWhere(where, parts[k], k, bytes))));
+    validate(material, where);
+    return material;
+}
+
+void writeExrMaterial(const Material& material, const std::string& path)
+{
+    std::vector<ExrImage> images;
+    std::set<std::string> taken;
+    for (size_t k = 0; k < material.tables.size(); ++k) {
+        checkStorable(material.tables[k], ErrorKind::usage, path);
+        images.push_back(imageFromTable(material.tables[k], partName(material.form, k, taken)));
+    }
+    const std::vector<ExrValue> values = materialValues(material, path);
+    images[0].values.insert(images[0].values.end(), values.begin(), values.end());
+    PendingFiles files;
+    const std::string temporary = files.add(path);
+    writeExr(temporary, images, path);
+    verify(material, temporary, path);
+    files.commit();
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,27 @@
+// ExrMaterial.h - the .fbrdf file: one OpenEXR part a table.
+// Part k holds form.tables[k]: x along the width, y then z down the lines; channels R, G, B or Y.
+// half and float storages hold their numbers; log8 and linear8 hold their codes 0..255 as half.
+// The header of part 0 describes the material:
+//   fbrdf:version int, fbrdf:form string (FormJson.h), fbrdf:scales float[3 x terms],
+//   fbrdf:units "1/sr", fbrdf:colorspace "lin_rec709", fbrdf:name string,
+//   fbrdf:note:KEY string, fbrdf:error:METRIC double;
+// that of every part describes its table:
+//   fbrdf:storage string, fbrdf:lower and fbrdf:upper float[3] (range of log8 and linear8), and for
+//   log8 fbrdf:stride, fbrdf:offset, fbrdf:start int[3] (Table.h: Log8).
+#pragma once
+#include <fbrdf/brdf/Material.h>
+
+#include <string>
+
+namespace fbrdf {
+
+/// True for the first bytes (4 KB are enough) of a .fbrdf file.
+bool looksLikeExrMaterial(const std::string& beginning);
+
+/// `bytes`: the whole file. Throws Error(input) naming `where`, the part and the field or byte.
+Material readExrMaterial(const std::string& bytes, const std::string& where);
+
+/// Throws Error(output), or Error(usage) for texels that their storage cannot hold.
+void writeExrMaterial(const Material& material, const std::string& path);
+
+}  // namespace fbrdf

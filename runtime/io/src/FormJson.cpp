@@ -1,0 +1,210 @@
+#include "FormJson.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <climits>
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+constexpr char kOneMinusCosine[] = "1-cos", kCosine[] = "cos";
+
+Json jsonFromDomain(const Domain& domain)
+{
+    if (const auto* disc = std::get_if<DiscDomain>(&domain))
+        return {{"disc", {{"size", disc->size}, {"gamma", disc->gamma}, {"radius", disc->radius}}}};
+    const auto& grid = std::get<GridDomain>(domain);
+    Json axes = Json::array();
+    for (const Axis& axis : grid.axes)
+        axes.push_back(
+            {{"size", axis.size},
+             {"from", axis.map.from == AxisMap::From::cosine ? kCosine : kOneMinusCosine},
+             {"exponent", axis.map.exponent}});
+    return {{"grid", {{"symmetric", grid.symmetric}, {"axes", axes}}}};
+}
+
+Json jsonFromArgument(const Argument& argument)
+{
+    if (const auto* direction = std::get_if<Direction>(&argument)) return directionName(*direction);
+    Json angles = Json::array();
+    for (const Angle angle : std::get<std::vector<Angle>>(argument))
+        angles.push_back(angleName(angle));
+    return angles;
+}
+
+Axis axisFromJson(const JsonField& json)
+{
+    Axis axis;
+    axis.size = json.at("size").integer();
+    const JsonField from = json.at("from");
+    if (from.text() != kCosine && from.text() != kOneMinusCosine) from.fail("'1-cos' or 'cos'");
+    axis.map.from = from.text() == kCosine ? AxisMap::From::cosine : AxisMap::From::oneMinusCosine;
+    axis.map.exponent = json.at("exponent").number();
+    return axis;
+}
+
+Domain domainFromJson(const JsonField& json)
+{
+    if (json.has("disc")) {
+        const JsonField disc = json.at("disc");
+        return DiscDomain{disc.at("size").integer(), disc.at("gamma").number(),
+                          disc.at("radius").number()};
+    }
+    const JsonField grid = json.at("grid"), axes = grid.at("axes");
+    GridDomain domain;
+    if (axes.size() > 3) axes.fail("1 to 3 axes");
+    for (size_t i = 0; i < axes.size(); ++i) domain.axes.push_back(axisFromJson(axes.at(i)));
+    domain.symmetric = grid.at("symmetric").boolean();
+    return domain;
+}
+
+Direction directionFromName(const JsonField& json)
+{
+    for (const Direction d : {Direction::wi, Direction::wo, Direction::h})
+        if (json.text() == directionName(d)) return d;
+    json.fail("'wi', 'wo' or 'h'");
+}
+
+Angle angleFromName(const JsonField& json)
+{
+    for (int i = 0; i < kAngleCount; ++i)
+        if (json.text() == angleName(static_cast<Angle>(i))) return static_cast<Angle>(i);
+    json.fail("'theta_h', 'theta_d', 'theta_i' or 'theta_o'");
+}
+
+Argument argumentFromJson(const JsonField& json, bool direction)
+{
+    if (direction) return directionFromName(json);
+    std::vector<Angle> angles;
+    for (size_t i = 0; i < json.size(); ++i) angles.push_back(angleFromName(json.at(i)));
+    return angles;
+}
+
+Factor factorFromJson(const JsonField& json, const Form& form)
+{
+    Factor factor;
+    const JsonField table = json.at("table");
+    factor.table = table.integer();
+    if (factor.table < 0 || factor.table >= static_cast<int>(form.tables.size()))
+        table.fail("an index below " + std::to_string(form.tables.size()));
+    const bool disc = isDisc(form.tables[static_cast<size_t>(factor.table)].domain);
+    factor.argument = argumentFromJson(json.at("argument"), disc);
+    return factor;
+}
+
+TableSpec tableFromJson(const JsonField& json)
+{
+    TableSpec spec;
+    spec.name = json.at("name").text();
+    spec.domain = domainFromJson(json.at("domain"));
+    spec.uniform = json.has("uniform") && json.at("uniform").boolean();
+    return spec;
+}
+
+}  // namespace
+
+void JsonField::fail(const std::string& expected) const
+{
+    std::string found = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (found.size() > 40) found = found.substr(0, 40) + "...";
+    throw Error(ErrorKind::input, where_, "found " + found + ", expected " + expected);
+}
+
+JsonField JsonField::at(const char* key) const
+{
+    if (!has(key)) fail(std::string("an object with '") + key + "'");
+    return {(*value_)[key], where_ + "/" + key};
+}
+
+JsonField JsonField::at(size_t index) const
+{
+    if (index >= size()) fail("more than " + std::to_string(index) + " elements");
+    return {(*value_)[index], where_ + "/" + std::to_string(index)};
+}
+
+size_t JsonField::size() const
+{
+    if (!value_->is_array()) fail("an array");
+    return value_->size();
+}
+
+int JsonField::integer() const
+{
+    // Comparing as double: any JSON integer, signed or not, is in range or plainly out of it.
+    if (!value_->is_number_integer() || std::abs(value_->get<double>()) > INT_MAX)
+        fail("an integer");
+    return value_->get<int>();
+}
+
+double JsonField::number() const
+{
+    if (!value_->is_number() || !std::isfinite(value_->get<double>())) fail("a finite number");
+    return value_->get<double>();
+}
+
+bool JsonField::boolean() const
+{
+    if (!value_->is_boolean()) fail("true or false");
+    return value_->get<bool>();
+}
+
+std::string JsonField::text() const
+{
+    if (!value_->is_string()) fail("a string");
+    return value_->get<std::string>();
+}
+
+const Json& JsonField::object() const
+{
+    if (!value_->is_object()) fail("an object");
+    return *value_;
+}
+
+Json parseJson(const std::string& text, const std::string& where)
+{
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw Error(ErrorKind::input, where + ": byte " + std::to_string(error.byte),
+                    "found text that is not JSON, expected JSON");
+    } catch (const Json::exception& error) {
+        throw Error(ErrorKind::input, where, std::string("found JSON with ") + error.what());
+    }
+}
+
+Json jsonFromForm(const Form& form)
+{
+    Json tables = Json::array(), terms = Json::array();
+    for (const TableSpec& spec : form.tables)
+        tables.push_back({{"name", spec.name},
+                          {"uniform", spec.uniform},
+                          {"domain", jsonFromDomain(spec.domain)}});
+    for (const Term& term : form.terms) {
+        Json factors = Json::array();
+        for (const Factor& factor : term.factors)
+            factors.push_back(
+                {{"table", factor.table}, {"argument", jsonFromArgument(factor.argument)}});
+        terms.push_back(factors);
+    }
+    return {{"name", form.name}, {"tables", tables}, {"terms", terms}};
+}
+
+Form formFromJson(const JsonField& json)
+{
+    Form form;
+    form.name = json.at("name").text();
+    const JsonField tables = json.at("tables"), terms = json.at("terms");
+    for (size_t i = 0; i < tables.size(); ++i) form.tables.push_back(tableFromJson(tables.at(i)));
+    for (size_t t = 0; t < terms.size(); ++t) {
+        const JsonField factors = terms.at(t);
+        Term term;
+        for (size_t k = 0; k < factors.size(); ++k)
+            term.factors.push_back(factorFromJson(factors.at(k), form));
+        form.terms.push_back(term);
+    }
+    validate(form, json.where());
+    return form;
+}
+
+}  // namespace fbrdf
