@@ -43,6 +43,31 @@ private:
     std::filesystem::path path_;
 };
 
+/// Pairs at which the data sets' own readers (parse.py, numpy) printed the reference values.
+struct ReferencePair {
+    Vec3d wo, wi;
+};
+constexpr size_t kReferencePairs = 3;
+inline ReferencePair referencePair(size_t index)
+{
+    const ReferencePair pairs[kReferencePairs] = {{{-0.36, 0.48, 0.8}, {0.6, 0.0, 0.8}},
+                                                  {{0.6, 0.0, 0.8}, {0.0, 0.6, 0.8}},
+                                                  {{0.48, -0.36, 0.8}, {-0.48, 0.36, 0.8}}};
+    return pairs[index];
+}
+
+inline void expectReference(const Source& source, const Vec3d (&expected)[kReferencePairs],
+                            double relative)
+{
+    for (size_t i = 0; i < kReferencePairs; ++i) {
+        const ReferencePair pair = referencePair(i);
+        const Vec3d f = source.evaluate(pair.wo, pair.wi);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(f[c], expected[i][c], relative * std::abs(expected[i][c]))
+                << source.name << " pair " << i << " channel " << c;
+    }
+}
+
 /// Native bytes of a number, as little-endian formats hold it.
 template <class T>
 void append(std::string& bytes, T value)

@@ -8,6 +8,9 @@ namespace {
 
 /// In the order in which they are tried: formats with an unmistakable beginning come first.
 constexpr Format kFormats[] = {
+    {"npf", "  ", true, isNpf, readNpf},
+    {"nbrdf", " f32 ", true, isNbrdf, readNbrdf},
+    {"merl", " binary ", false, isMerl, readMerl},
     {"csv", " csv ", false, isCsv, readCsv},
     {"cornell", " brdf ", false, isCornell, readCornell},
 };

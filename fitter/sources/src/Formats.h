@@ -32,5 +32,11 @@ bool isCsv(const InputFile& file);
 Source readCsv(const FileRequest& request);
 bool isCornell(const InputFile& file);
 Source readCornell(const FileRequest& request);
+bool isMerl(const InputFile& file);
+Source readMerl(const FileRequest& request);
+bool isNbrdf(const InputFile& file);
+Source readNbrdf(const FileRequest& request);
+bool isNpf(const InputFile& file);
+Source readNpf(const FileRequest& request);
 
 }  // namespace fbrdf

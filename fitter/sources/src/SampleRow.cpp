@@ -25,11 +25,13 @@ bool normalise(Vec3d& v)
     return true;
 }
 
+/// NaN fails every comparison, so this is "finite, and small enough for float".
 bool fitsFloat(const SampleRow& row)
 {
     constexpr double kLargest = 3e38;
     const Vec3d size = glm::abs(row.f);
-    return std::max({size.x, size.y, size.z}) < kLargest && row.weight < kLargest;
+    return size.x < kLargest && size.y < kLargest && size.z < kLargest && row.weight >= 0.0 &&
+           row.weight < kLargest;
 }
 
 }  // namespace
@@ -41,22 +43,30 @@ Vec3d directionFromDegrees(double theta, double phi)
 
 void addRow(const SampleRow& row, std::vector<Sample>& samples, SampleReport& report)
 {
+    SampleRow unit = row;
+    if (isFinite(row.wo) && isFinite(row.wi) && normalise(unit.wo) && normalise(unit.wi)) {
+        addUnitRow(unit, samples, report);
+        return;
+    }
     ++report.given;
-    Vec3d wo = row.wo, wi = row.wi;
-    const bool finite = isFinite(wo) && isFinite(wi) && isFinite(row.f) && row.weight >= 0.0 &&
-                        fitsFloat(row) && normalise(wo) && normalise(wi);
-    if (!finite) {
+    ++report.nonFinite;
+}
+
+void addUnitRow(const SampleRow& row, std::vector<Sample>& samples, SampleReport& report)
+{
+    ++report.given;
+    if (!fitsFloat(row)) {
         ++report.nonFinite;
         return;
     }
-    if (wo.z < kHorizonCosine || wi.z < kHorizonCosine) {
+    if (row.wo.z < kHorizonCosine || row.wi.z < kHorizonCosine) {
         ++report.belowHorizon;
         return;
     }
     const Vec3f f(row.f);
     report.negative += std::min({f.x, f.y, f.z}) < 0.0f;
     report.zero += f.x == 0.0f || f.y == 0.0f || f.z == 0.0f;
-    samples.push_back({Vec3f(wo), Vec3f(wi), f, static_cast<float>(row.weight)});
+    samples.push_back({Vec3f(row.wo), Vec3f(row.wi), f, static_cast<float>(row.weight)});
 }
 
 void addInvalidRow(SampleReport& report)

@@ -1,0 +1,18 @@
+// Collection.h - one material out of a file that holds many, by row or by name.
+#pragma once
+#include "Formats.h"
+
+namespace fbrdf {
+
+struct Chosen {
+    size_t row = 0;
+    std::string name;  ///< as materials.txt says, else "FILE#row"
+};
+
+/// Finds the row that the request asks for. Names are the lines of materials.txt beside the file,
+/// "name" or "set name"; a choice is a row from 0, a name, or set/name where a name is in several
+/// sets. Throws Error(usage) when nothing, or nothing that exists, was chosen; a file of one row
+/// needs no choice.
+Chosen chosenMaterial(const FileRequest& request, size_t rows);
+
+}  // namespace fbrdf
