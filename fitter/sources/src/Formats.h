@@ -38,5 +38,7 @@ bool isNbrdf(const InputFile& file);
 Source readNbrdf(const FileRequest& request);
 bool isNpf(const InputFile& file);
 Source readNpf(const FileRequest& request);
+bool isRgl(const InputFile& file);
+Source readRgl(const FileRequest& request);
 
 }  // namespace fbrdf
