@@ -307,21 +307,6 @@ private:
     std::string reason_;
 };
 
-void check(const PlanRequest& request)
-{
-    const auto refuse = [](const std::string& what) {
-        throw Error(ErrorKind::usage, "plan", what);
-    };
-    if (request.lights < 0)
-        refuse("found " + std::to_string(request.lights) + " lights, expected 0 or more");
-    if (request.lightsPerPass < 1)
-        refuse("found " + std::to_string(request.lightsPerPass) +
-               " lights a pass, expected 1 or more");
-    if (request.maxLookups < 0)
-        refuse("found a limit of " + std::to_string(request.maxLookups) +
-               " look-ups, expected 0 (none) or more");
-}
-
 Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     Limits limits;
@@ -352,6 +337,21 @@ Plan finished(std::vector<Pass> passes, const PlanRequest& request)
 
 }  // namespace
 
+void validate(const PlanRequest& request)
+{
+    const auto refuse = [](const std::string& what) {
+        throw Error(ErrorKind::usage, "plan", what);
+    };
+    if (request.lights < 0)
+        refuse("found " + std::to_string(request.lights) + " lights, expected 0 or more");
+    if (request.lightsPerPass < 1)
+        refuse("found " + std::to_string(request.lightsPerPass) +
+               " lights a pass, expected 1 or more");
+    if (request.maxLookups < 0)
+        refuse("found a limit of " + std::to_string(request.maxLookups) +
+               " look-ups, expected 0 (none) or more");
+}
+
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 {
     int vectors = capabilities.maxUniformVectors - kReservedUniformVectors;
@@ -364,7 +364,7 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
-    check(request);
+    validate(request);
     if (request.lights == 0) {
         PassList black(form);
         black.append({});

@@ -35,7 +35,7 @@ struct RendererOptions {
     /// Called for every problem that a draw survives; may be empty. The library never prints.
     std::function<void(Severity, const std::string& text)> log;
     bool debugLabels = true;   ///< KHR_debug names and groups, where the context has them
-    int firstTextureUnit = 0;  ///< units from here on are used and put back; one a table, and two
+    int firstTextureUnit = 0;  ///< units from here on are used and put back; one a map, and one
     /// Instead of what the context reports: for tests and for drivers that promise too much.
     std::optional<Capabilities> capabilities;
 };
@@ -59,7 +59,8 @@ struct Item {
 };
 
 struct View {
-    /// OpenGL's: camera looks along -z, depth in [-1, 1]. Perspective or orthographic.
+    /// OpenGL's: camera looks along -z, depth in [-1, 1]. The view is rigid; the projection is
+    /// perspective or orthographic.
     glm::mat4 view{1.0f}, projection{1.0f};
 };
 
@@ -82,7 +83,7 @@ struct DrawStats {
     int drawCalls = 0;    ///< of all items
     int itemsFailed = 0;  ///< not drawn; why was logged
     int lightsGiven = 0, lightsUsed = 0;
-    int lightsDropped = 0;  ///< not finite, or of negative radius
+    int lightsDropped = 0;  ///< not valid (Light.h)
     int maxLookups = 0;  ///< texture look-ups executed by a fragment in any one pass, counted from
                          ///< the linked programs: fetches, those in the light loop times its lights
     std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...

@@ -10,21 +10,22 @@ namespace fbrdf {
 
 struct Light {
     enum class Type { point, directional } type = Type::point;
-    Vec3f position{0.0f};   ///< world; a directional light: unit vector towards the light
+    Vec3f position{0.0f};   ///< world; a directional light: vector towards the light
     Vec3f intensity{1.0f};  ///< point: W/sr, falls off as 1 / r^2; directional: irradiance on a
                             ///< surface that faces it
     float radius = 0.0f;    ///< influence of a point light, windowed to 0 there; 0: unlimited
 };
 
-/// True when every number is finite and the radius is not negative; others light nothing and are
-/// reported as dropped.
+/// True when every number is finite, the radius is not negative and a direction is not 0; others
+/// light nothing and are reported as dropped.
 inline bool isValid(const Light& light)
 {
     const auto finite = [](const Vec3f& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     };
-    return finite(light.position) && finite(light.intensity) && std::isfinite(light.radius) &&
-           light.radius >= 0.0f;
+    const bool located = light.type == Light::Type::point || light.position != Vec3f(0.0f);
+    return finite(light.position) && located && finite(light.intensity) &&
+           std::isfinite(light.radius) && light.radius >= 0.0f;
 }
 
 /// Irradiance factor at squared distance d2: 1 / d2, times the window (1 - (d2 / radius^2)^2)^2

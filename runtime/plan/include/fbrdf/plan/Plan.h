@@ -69,6 +69,9 @@ struct PlanRequest {
                             ///< target cannot: edges would read texels that nothing was drawn to)
 };
 
+/// Throws Error(usage) for a request out of range.
+void validate(const PlanRequest& request);
+
 struct Plan {
     std::vector<Pass> passes;
     ColourFormat accumulation = ColourFormat::rgba32f;  ///< where the lights add up
@@ -80,8 +83,7 @@ struct Plan {
 /// Lights that the uniforms of one pass can hold beside the knots of the form.
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);
 
-/// The plan with the fewest passes within the limits, or a reason. Throws Error(usage) for a
-/// request out of range.
+/// The plan with the fewest passes within the limits, or a reason. Throws what validate throws.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 
 }  // namespace fbrdf

@@ -1,0 +1,144 @@
+#include "Device.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+namespace fbrdf::gl {
+namespace {
+
+// glGetError of a lost context never ends.
+constexpr int kMostErrors = 16;
+
+bool hasExtension(const Functions& gl, const char* name)
+{
+    if (gl.version < 30) {
+        const auto* all = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
+        return all && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") !=
+                          std::string::npos;
+    }
+    const GLint count = integer(gl, GL_NUM_EXTENSIONS);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* one =
+            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        if (one && std::strcmp(one, name) == 0) return true;
+    }
+    return false;
+}
+
+bool isCoreProfile(const Functions& gl)
+{
+    if (gl.version >= 32)
+        return (integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+    return gl.version == 31 && !hasExtension(gl, "GL_ARB_compatibility");
+}
+
+int glslVersion(const Functions& gl)
+{
+    int major = 1, minor = 20;
+    const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_SHADING_LANGUAGE_VERSION));
+    if (text) std::sscanf(text, "%d.%d", &major, &minor);
+    const int version = 100 * major + minor;
+    for (const int supported : {330, 150, 140})
+        if (version >= supported) return supported;
+    return 120;
+}
+
+Capabilities detected(const Functions& gl)
+{
+    Capabilities c;
+    c.glMajor = gl.version / 10;
+    c.glMinor = gl.version % 10;
+    c.glsl = glslVersion(gl);
+    c.maxTextureUnits = integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
+    c.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
+    c.max3dTextureSize = integer(gl, GL_MAX_3D_TEXTURE_SIZE);
+    c.maxUniformVectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) / 4;
+    c.coreProfile = isCoreProfile(gl);
+    const bool gl3 = gl.version >= 30;
+    c.framebufferObjects = (gl3 || gl.ARB_framebuffer_object) && gl.GenFramebuffers;
+    c.floatTextures = gl3 || gl.ARB_texture_float;
+    c.floatTargets = gl3 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
+    c.vertexArrays = (gl3 || gl.ARB_vertex_array_object) && gl.GenVertexArrays;
+    c.debug = (gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup && gl.ObjectLabel;
+    return c;
+}
+
+/// Nobody can promise what is not there.
+Capabilities granted(Capabilities wanted, const Capabilities& found)
+{
+    wanted.framebufferObjects = wanted.framebufferObjects && found.framebufferObjects;
+    wanted.vertexArrays = wanted.vertexArrays && found.vertexArrays;
+    wanted.debug = wanted.debug && found.debug;
+    wanted.coreProfile = found.coreProfile;
+    return wanted;
+}
+
+void check(const Capabilities& c)
+{
+    const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "OpenGL", what); };
+    if (10 * c.glMajor + c.glMinor < 21 || c.glsl < 120)
+        fail("found version " + std::to_string(c.glMajor) + "." + std::to_string(c.glMinor) +
+             " with GLSL " + std::to_string(c.glsl) + ", expected 2.1 with GLSL 120 or newer");
+    if (c.coreProfile && !c.vertexArrays)
+        fail("found a core profile without vertex arrays, expected them");
+}
+
+std::string text(const Functions& gl, GLenum name)
+{
+    const auto* value = reinterpret_cast<const char*>(gl.GetString(name));
+    return value ? value : "";
+}
+
+}  // namespace
+
+DevicePtr createDevice(const RendererOptions& options)
+{
+    auto device = std::make_shared<Device>();
+    device->gl = loadFunctions(options.load, options.loadUser);
+    const Capabilities found = detected(device->gl);
+    device->capabilities = granted(options.capabilities.value_or(found), found);
+    check(device->capabilities);
+    device->capabilities.debug = device->capabilities.debug && options.debugLabels;
+    device->logTo = options.log;
+    device->renderer = text(device->gl, GL_RENDERER);
+    device->version = text(device->gl, GL_VERSION);
+    device->firstTextureUnit = options.firstTextureUnit;
+    if (options.firstTextureUnit < 0 ||
+        options.firstTextureUnit >= device->capabilities.maxTextureUnits)
+        throw Error(ErrorKind::usage, "OpenGL",
+                    "found first texture unit " + std::to_string(options.firstTextureUnit) +
+                        ", expected one of " +
+                        std::to_string(device->capabilities.maxTextureUnits));
+    return device;
+}
+
+void checkErrors(const Device& device, const std::string& where)
+{
+    GLenum first = GL_NO_ERROR;
+    for (int i = 0; i < kMostErrors; ++i) {
+        const GLenum error = device.gl.GetError();
+        if (error == GL_NO_ERROR) break;
+        if (first == GL_NO_ERROR) first = error;
+    }
+    if (first == GL_NO_ERROR) return;
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04x", first);
+    throw Error(ErrorKind::gl, where,
+                std::string("found GL error ") + code +
+                    (first == GL_OUT_OF_MEMORY ? " (out of memory)" : "") + ", expected none");
+}
+
+void discardHostErrors(const Device& device)
+{
+    for (int i = 0; i < kMostErrors; ++i) {
+        const GLenum error = device.gl.GetError();
+        if (error == GL_NO_ERROR) return;
+        device.log(Severity::warning,
+                   "the host left GL error " + std::to_string(error) + " behind");
+    }
+}
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,138 @@
+#include "Executor.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+
+std::vector<glm::vec4> lightVectors(const std::vector<Light>& lights, const View& view)
+{
+    const glm::dmat4 toEye(view.view);
+    std::vector<glm::vec4> vectors;
+    vectors.reserve(2 * lights.size());
+    for (const Light& light : lights) {
+        const bool point = light.type == Light::Type::point;
+        glm::dvec4 position = toEye * glm::dvec4(glm::dvec3(light.position), point ? 1.0 : 0.0);
+        if (!point) position = glm::dvec4(glm::normalize(glm::dvec3(position)), 0.0);
+        vectors.emplace_back(position);
+        vectors.emplace_back(light.intensity, light.radius);
+    }
+    return vectors;
+}
+
+int Executor::draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs)
+{
+    program_ = nullptr;
+    int maxLookups = 0;
+    bool offscreenCleared = false;
+    const MeshBinding binding(*item.mesh);
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        const DebugGroup group(device_, "fbrdf pass " + std::to_string(i + 1) + " of " +
+                                            std::to_string(plan.passes.size()));
+        bindSurface(pass);
+        setBlend(pass.blend);
+        setDepth(pass.depth);
+        if (pass.writes != Surface::target && !offscreenCleared) {
+            gl_.Clear(GL_DEPTH_BUFFER_BIT);
+            offscreenCleared = true;
+        }
+        const Program& program = *programs[i];
+        if (program_ != &program) useProgram(item, program);
+        if (program.readUnit >= 0)
+            state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_.texture(*pass.reads));
+        setLights(pass, program);
+        item.mesh->draw();
+        maxLookups =
+            std::max(maxLookups, program.lookups.once + program.lookups.perLight * pass.lightCount);
+    }
+    return maxLookups;
+}
+
+void Executor::bindSurface(const Pass& pass)
+{
+    if (!device_.capabilities.framebufferObjects) return;
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass.writes == Surface::target
+                                                 ? frame_.target.framebuffer
+                                                 : surfaces_.framebuffer(pass.writes));
+}
+
+// Alpha: 1 where the first pass drew, then left alone.
+void Executor::setBlend(Blend blend)
+{
+    if (gl_.version >= 30)
+        blend == Blend::replace ? gl_.Disablei(GL_BLEND, 0) : gl_.Enablei(GL_BLEND, 0);
+    else
+        blend == Blend::replace ? gl_.Disable(GL_BLEND) : gl_.Enable(GL_BLEND);
+    if (blend == Blend::replace) return;
+    const GLenum source = blend == Blend::add ? GL_ONE : GL_DST_COLOR,
+                 target = blend == Blend::add ? GL_ONE : GL_ZERO;
+    if (gl_.version >= 40) {
+        gl_.BlendFuncSeparatei(0, source, target, GL_ZERO, GL_ONE);
+        gl_.BlendEquationSeparatei(0, GL_FUNC_ADD, GL_FUNC_ADD);
+    } else {
+        gl_.BlendFuncSeparate(source, target, GL_ZERO, GL_ONE);
+        gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+    }
+}
+
+void Executor::setDepth(Depth depth)
+{
+    gl_.DepthFunc(depth == Depth::lay ? GL_LESS : GL_EQUAL);
+    gl_.DepthMask(depth == Depth::lay ? GL_TRUE : GL_FALSE);
+}
+
+void Executor::useProgram(const Item& item, const Program& program)
+{
+    gl_.UseProgram(program.object.name());
+    program_ = &program;
+    setMatrices(item, program);
+    setTables(*item.material, program);
+    for (size_t t = 0; t < program.scales.size(); ++t)
+        if (program.scales[t] >= 0)
+            gl_.Uniform3fv(program.scales[t], 1, glm::value_ptr(item.material->scales()[t]));
+    if (program.readScale >= 0)
+        gl_.Uniform2f(program.readScale, 1.0f / static_cast<float>(frame_.target.width),
+                      1.0f / static_cast<float>(frame_.target.height));
+}
+
+void Executor::setMatrices(const Item& item, const Program& program)
+{
+    // Products in double: model and view may cancel large translations.
+    const glm::dmat4 modelView = glm::dmat4(frame_.view.view) * glm::dmat4(item.model);
+    const glm::mat4 rounded(modelView);
+    const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(modelView))));
+    gl_.UniformMatrix4fv(program.modelView, 1, GL_FALSE, glm::value_ptr(rounded));
+    gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(frame_.view.projection));
+    if (program.normalMatrix >= 0)
+        gl_.UniformMatrix3fv(program.normalMatrix, 1, GL_FALSE, glm::value_ptr(normal));
+    if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(frame_.eye));
+}
+
+void Executor::setTables(const GpuMaterial& material, const Program& program)
+{
+    for (size_t i = 0; i < program.tables.size(); ++i) {
+        const GpuTable& table = material.tables()[i];
+        const Program::TableUniforms& uniforms = program.tables[i];
+        if (uniforms.unit >= 0)
+            state_.bindTexture(uniforms.unit, table.target, table.texture.name());
+        if (uniforms.lower >= 0) gl_.Uniform3fv(uniforms.lower, 1, glm::value_ptr(table.lower));
+        if (uniforms.extent >= 0) gl_.Uniform3fv(uniforms.extent, 1, glm::value_ptr(table.extent));
+        if (uniforms.knots >= 0)
+            gl_.Uniform3fv(uniforms.knots, static_cast<GLsizei>(table.knots.size()),
+                           glm::value_ptr(table.knots.front()));
+    }
+}
+
+void Executor::setLights(const Pass& pass, const Program& program)
+{
+    if (program.lights >= 0 && pass.lightCount > 0)
+        gl_.Uniform4fv(program.lights, 2 * pass.lightCount,
+                       glm::value_ptr(frame_.lights[2 * static_cast<size_t>(pass.firstLight)]));
+    if (program.lightCount >= 0) gl_.Uniform1i(program.lightCount, pass.lightCount);
+}
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,51 @@
+// Executor.h - carries out a plan for one item.
+#pragma once
+#include "Mesh.h"
+#include "Program.h"
+#include "StateGuard.h"
+#include "Surfaces.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
+
+namespace fbrdf::gl {
+
+/// Lights in eye space as the shader takes them: two vectors each (lights.glsl).
+std::vector<glm::vec4> lightVectors(const std::vector<Light>& lights, const View& view);
+
+/// What all items of one draw share.
+struct Frame {
+    Target target;
+    View view;
+    glm::vec4 eye{0.0f};
+    std::vector<glm::vec4> lights;  ///< lightVectors
+};
+
+class Executor {
+public:
+    Executor(const Device& device, const Frame& frame, const Surfaces& surfaces, StateGuard& state)
+        : device_(device), gl_(device.gl), frame_(frame), surfaces_(surfaces), state_(state)
+    {
+    }
+
+    /// programs: one for each pass. Returns the look-ups of the most expensive pass.
+    int draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs);
+
+private:
+    void bindSurface(const Pass& pass);
+    void setBlend(Blend blend);
+    void setDepth(Depth depth);
+    void useProgram(const Item& item, const Program& program);
+    void setMatrices(const Item& item, const Program& program);
+    void setTables(const GpuMaterial& material, const Program& program);
+    void setLights(const Pass& pass, const Program& program);
+
+    const Device& device_;
+    const Functions& gl_;
+    const Frame& frame_;
+    const Surfaces& surfaces_;
+    StateGuard& state_;
+    const Program* program_ = nullptr;  ///< in use, with the item's uniforms set
+};
+
+}  // namespace fbrdf::gl

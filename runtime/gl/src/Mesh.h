@@ -1,0 +1,54 @@
+// Mesh.h - the buffers of a mesh, and drawing them.
+#pragma once
+#include "Objects.h"
+
+#include <vector>
+
+namespace fbrdf::gl {
+
+/// Locations that every program binds its attributes to.
+enum Attribute : GLuint { kPosition, kNormal, kTangent, kAttributeCount };
+
+class GpuMesh {
+public:
+    GpuMesh(DevicePtr device, const MeshData& mesh);
+
+    const Device* device() const { return device_.get(); }
+    bool hasTangents() const { return hasTangents_; }
+    /// Draws between bind and unbind of a MeshBinding.
+    void draw() const;
+
+private:
+    friend class MeshBinding;
+    void upload(const MeshData& mesh);
+    void setAttributes() const;
+
+    DevicePtr device_;
+    Object vertices_, indices_, vertexArray_;
+    GLsizei indexCount_ = 0;
+    size_t vertexCount_ = 0;
+    bool hasTangents_ = false;
+};
+
+/// Makes a mesh the vertex input for its lifetime. Vertex array and array buffer are the caller's
+/// to put back; without vertex arrays this puts back the attributes and the element buffer.
+class MeshBinding {
+public:
+    explicit MeshBinding(const GpuMesh& mesh);
+    ~MeshBinding();
+    MeshBinding(const MeshBinding&) = delete;
+    MeshBinding& operator=(const MeshBinding&) = delete;
+
+private:
+    struct SavedAttribute {
+        GLint enabled = 0, size = 4, type = 0, normalized = 0, stride = 0, buffer = 0;
+        void* pointer = nullptr;
+    };
+    void save();
+
+    const GpuMesh& mesh_;
+    SavedAttribute saved_[kAttributeCount];
+    GLint elementBuffer_ = 0;
+};
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,178 @@
+#include "Program.h"
+
+#include "Mesh.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+namespace {
+
+// The longest name of ours is fbrdfNormalMatrix; anything longer is cut and no name of ours.
+constexpr GLsizei kNameLength = 64;
+
+[[noreturn]] void fail(const std::string& what)
+{
+    throw Error(ErrorKind::gl, "shader", what);
+}
+
+template <class GetLog>
+std::string infoLog(GLint length, GetLog getLog)
+{
+    std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
+    GLsizei written = 0;
+    getLog(static_cast<GLsizei>(log.size()), &written, log.data());
+    log.resize(static_cast<size_t>(std::max(written, 0)));
+    while (!log.empty() && log.back() == '\n') log.pop_back();
+    return log;
+}
+
+Object compiled(const DevicePtr& device, GLenum stage, const std::string& source)
+{
+    const Functions& gl = device->gl;
+    Object shader(device, ObjectKind::shader, gl.CreateShader(stage));
+    if (!shader) fail("found no shader object, expected one");
+    const GLchar* text = source.c_str();
+    gl.ShaderSource(shader.name(), 1, &text, nullptr);
+    gl.CompileShader(shader.name());
+    GLint ok = GL_FALSE, length = 0;
+    gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &ok);
+    if (ok) return shader;
+    gl.GetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
+    fail("found one that does not compile: " +
+         infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+             gl.GetShaderInfoLog(shader.name(), size, written, log);
+         }));
+}
+
+bool isSampler(GLenum type)
+{
+    return type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_1D ||
+           type == GL_SAMPLER_CUBE;
+}
+
+std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
+{
+    GLint count = 0;
+    gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    std::vector<std::string> names;
+    for (GLint i = 0; i < count; ++i) {
+        GLchar name[kNameLength] = {};
+        GLsizei length = 0;
+        GLint size = 0;
+        GLenum type = GL_NONE;
+        gl.GetActiveUniform(program, static_cast<GLuint>(i), kNameLength, &length, &size, &type,
+                            name);
+        if (isSampler(type)) names.emplace_back(name);
+    }
+    return names;
+}
+
+std::string keyOf(const ProgramSpec& spec)
+{
+    std::string key = (spec.lit ? "l" : "u") + std::to_string(spec.lightSlots);
+    if (spec.reads) key += 'r';
+    for (const Part& part : spec.parts) {
+        key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
+        for (const int factor : part.factors) key += ',' + std::to_string(factor);
+    }
+    return key;
+}
+
+}  // namespace
+
+const Program& ProgramCache::find(const GpuMaterial& material, const ProgramSpec& spec)
+{
+    Entry& entry = entryOf(material, spec);
+    if (!entry.program)
+        throw Error(ErrorKind::gl, "material '" + material.name() + "'", entry.failure);
+    return *entry.program;
+}
+
+ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const ProgramSpec& spec)
+{
+    const auto [known, isUnknown] =
+        shortcut_.try_emplace(std::to_string(material.id()) + keyOf(spec), nullptr);
+    if (!isUnknown) return *known->second;
+    const auto [position, isNew] = entries_.try_emplace(
+        fragmentSource(material.form(), material.encodings(), spec, device_->capabilities.glsl));
+    Entry& entry = position->second;
+    known->second = &entry;
+    if (!isNew) return entry;
+    try {
+        entry.program = build(material, position->first);
+    } catch (const Error& error) {
+        entry.failure = error.what();
+    }
+    return entry;
+}
+
+Object ProgramCache::linked(const std::string& fragment, const std::string& name)
+{
+    const Functions& gl = device_->gl;
+    if (!vertexShader_)
+        vertexShader_ =
+            compiled(device_, GL_VERTEX_SHADER, vertexSource(device_->capabilities.glsl));
+    const Object fragmentShader = compiled(device_, GL_FRAGMENT_SHADER, fragment);
+    Object program = createObject(device_, ObjectKind::program);
+    gl.AttachShader(program.name(), vertexShader_.name());
+    gl.AttachShader(program.name(), fragmentShader.name());
+    gl.BindAttribLocation(program.name(), kPosition, "fbrdfVertex");
+    gl.BindAttribLocation(program.name(), kNormal, "fbrdfVertexNormal");
+    gl.BindAttribLocation(program.name(), kTangent, "fbrdfVertexTangent");
+    gl.LinkProgram(program.name());
+    label(*device_, ObjectKind::program, program, name);
+    GLint ok = GL_FALSE, length = 0;
+    gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
+    if (ok) return program;
+    gl.GetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
+    fail("found one that does not link: " +
+         infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+             gl.GetProgramInfoLog(program.name(), size, written, log);
+         }));
+}
+
+std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
+                                             const std::string& fragment)
+{
+    const Functions& gl = device_->gl;
+    auto result = std::make_unique<Program>();
+    result->object = linked(fragment, material.form().name);
+    const GLuint program = result->object.name();
+    const auto samplers = activeSamplers(gl, program);
+    const int room = device_->capabilities.maxTextureUnits - device_->firstTextureUnit;
+    if (static_cast<int>(samplers.size()) > room)
+        fail("found " + std::to_string(samplers.size()) +
+             " textures in one pass, expected at most " + std::to_string(room));
+    const auto location = [&](const std::string& name) {
+        return gl.GetUniformLocation(program, name.c_str());
+    };
+    // Samplers keep their units for good; the caller puts the current program back.
+    gl.UseProgram(program);
+    int nextUnit = 0;
+    const auto unitOf = [&](const std::string& name) {
+        if (std::find(samplers.begin(), samplers.end(), name) == samplers.end()) return -1;
+        gl.Uniform1i(location(name), device_->firstTextureUnit + nextUnit);
+        return nextUnit++;
+    };
+    result->modelView = location("fbrdfModelView");
+    result->projection = location("fbrdfProjection");
+    result->normalMatrix = location("fbrdfNormalMatrix");
+    result->eye = location("fbrdfEye");
+    result->lights = location("fbrdfLights");
+    result->lightCount = location("fbrdfLightCount");
+    result->readScale = location("fbrdfReadScale");
+    result->readUnit = unitOf("fbrdfRead");
+    for (size_t i = 0; i < material.tables().size(); ++i) {
+        const std::string k = std::to_string(i);
+        result->tables.push_back({location("fbrdfLower" + k), location("fbrdfExtent" + k),
+                                  location("fbrdfKnots" + k), unitOf("fbrdfTable" + k)});
+    }
+    for (size_t t = 0; t < material.scales().size(); ++t)
+        result->scales.push_back(location("fbrdfScale" + std::to_string(t)));
+    result->lookups = countLookups(fragment, samplers);
+    return result;
+}
+
+}  // namespace fbrdf::gl

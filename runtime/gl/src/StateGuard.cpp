@@ -1,0 +1,253 @@
+#include "StateGuard.h"
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+namespace {
+
+struct Switch {
+    GLenum name;
+    int since;               ///< version that knows it
+    bool fixedFunctionOnly;  ///< does not exist in a core profile
+};
+
+// Whatever could change or discard a fragment. Blend, depth and scissor are kept apart: they are
+// indexed in newer versions.
+constexpr Switch kSwitches[] = {
+    {GL_CULL_FACE, 21, false},
+    {GL_STENCIL_TEST, 21, false},
+    {GL_COLOR_LOGIC_OP, 21, false},
+    {GL_DITHER, 21, false},
+    {GL_POLYGON_OFFSET_FILL, 21, false},
+    {GL_POLYGON_SMOOTH, 21, false},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, 21, false},
+    {GL_SAMPLE_ALPHA_TO_ONE, 21, false},
+    {GL_SAMPLE_COVERAGE, 21, false},
+    {GL_CLIP_DISTANCE0, 21, false},
+    {GL_CLIP_DISTANCE1, 21, false},
+    {GL_CLIP_DISTANCE2, 21, false},
+    {GL_CLIP_DISTANCE3, 21, false},
+    {GL_CLIP_DISTANCE4, 21, false},
+    {GL_CLIP_DISTANCE5, 21, false},
+    {GL_CLIP_DISTANCE6, 30, false},
+    {GL_CLIP_DISTANCE7, 30, false},
+    {GL_RASTERIZER_DISCARD, 30, false},
+    {GL_FRAMEBUFFER_SRGB, 30, false},
+    {GL_PRIMITIVE_RESTART, 31, false},
+    {GL_DEPTH_CLAMP, 32, false},
+    {GL_SAMPLE_MASK, 32, false},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, false},
+    {GL_ALPHA_TEST, 21, true},
+    {GL_POLYGON_STIPPLE, 21, true},
+};
+
+GLuint unsignedOf(GLint value)
+{
+    return static_cast<GLuint>(value);
+}
+
+GLenum enumOf(GLint value)
+{
+    return static_cast<GLenum>(value);
+}
+
+bool isOn(const Functions& gl, GLenum name)
+{
+    return gl.IsEnabled(name) == GL_TRUE;
+}
+
+void set(const Functions& gl, GLenum name, bool on)
+{
+    on ? gl.Enable(name) : gl.Disable(name);
+}
+
+// Only draw buffer 0 is drawn to, and an unindexed call would change all of them.
+void setFirst(const Functions& gl, GLenum name, bool on, int indexedSince)
+{
+    if (gl.version < indexedSince) return set(gl, name, on);
+    on ? gl.Enablei(name, 0) : gl.Disablei(name, 0);
+}
+
+int drawBuffers(const Functions& gl)
+{
+    return gl.version < 30 ? 1 : integer(gl, GL_MAX_DRAW_BUFFERS);
+}
+
+}  // namespace
+
+StateGuard::StateGuard(const Device& device) : device_(device), gl_(device.gl)
+{
+    saveBindings();
+    saveFixed();
+    disableAll();
+    setFixed();
+}
+
+StateGuard::~StateGuard()
+{
+    restoreTextures();
+    for (const GLenum name : switches_) gl_.Enable(name);
+    restoreFixed();
+    // A program that was deleted while in use has no name to return to.
+    const GLuint program = unsignedOf(program_);
+    gl_.UseProgram(program != 0 && gl_.IsProgram(program) ? program : 0);
+    if (device_.capabilities.vertexArrays) gl_.BindVertexArray(unsignedOf(vertexArray_));
+    gl_.BindBuffer(GL_ARRAY_BUFFER, unsignedOf(arrayBuffer_));
+    if (device_.capabilities.framebufferObjects)
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, unsignedOf(framebuffer_));
+}
+
+void StateGuard::saveBindings()
+{
+    program_ = integer(gl_, GL_CURRENT_PROGRAM);
+    activeTexture_ = integer(gl_, GL_ACTIVE_TEXTURE);
+    arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
+    if (device_.capabilities.vertexArrays) vertexArray_ = integer(gl_, GL_VERTEX_ARRAY_BINDING);
+    if (device_.capabilities.framebufferObjects)
+        framebuffer_ = integer(gl_, GL_DRAW_FRAMEBUFFER_BINDING);
+}
+
+void StateGuard::saveFixed()
+{
+    const int buffers = drawBuffers(gl_);
+    colourMasks_.resize(4 * static_cast<size_t>(buffers));
+    if (gl_.version < 30)
+        gl_.GetBooleanv(GL_COLOR_WRITEMASK, colourMasks_.data());
+    else
+        for (int i = 0; i < buffers; ++i)
+            gl_.GetBooleani_v(GL_COLOR_WRITEMASK, static_cast<GLuint>(i),
+                              &colourMasks_[4 * static_cast<size_t>(i)]);
+    const GLenum functions[] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+                                GL_BLEND_DST_ALPHA};
+    for (int i = 0; i < 4; ++i) blendFunctions_[i] = integer(gl_, functions[i]);
+    blendEquations_[0] = integer(gl_, GL_BLEND_EQUATION_RGB);
+    blendEquations_[1] = integer(gl_, GL_BLEND_EQUATION_ALPHA);
+    blend_ = isOn(gl_, GL_BLEND);
+    depthTest_ = isOn(gl_, GL_DEPTH_TEST);
+    scissor_ = isOn(gl_, GL_SCISSOR_TEST);
+    depthFunction_ = integer(gl_, GL_DEPTH_FUNC);
+    gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
+    gl_.GetFloatv(GL_VIEWPORT, viewport_);
+    gl_.GetDoublev(GL_DEPTH_RANGE, depthRange_);
+    gl_.GetDoublev(GL_DEPTH_CLEAR_VALUE, &clearDepth_);
+    gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_);
+    if (gl_.version >= 30 && !device_.capabilities.coreProfile)
+        clampColour_ = integer(gl_, GL_CLAMP_FRAGMENT_COLOR);
+    if (gl_.version >= 45) {
+        clipOrigin_ = integer(gl_, GL_CLIP_ORIGIN);
+        clipDepth_ = integer(gl_, GL_CLIP_DEPTH_MODE);
+    }
+}
+
+void StateGuard::disableAll()
+{
+    for (const Switch& s : kSwitches) {
+        if (gl_.version < s.since || (s.fixedFunctionOnly && device_.capabilities.coreProfile))
+            continue;
+        if (!isOn(gl_, s.name)) continue;
+        switches_.push_back(s.name);
+        gl_.Disable(s.name);
+    }
+    setFirst(gl_, GL_SCISSOR_TEST, false, 41);
+    gl_.Enable(GL_DEPTH_TEST);
+}
+
+void StateGuard::setFixed()
+{
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    for (int i = 1; i < drawBuffers(gl_); ++i)
+        gl_.ColorMaski(static_cast<GLuint>(i), GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    if (gl_.version >= 41)
+        gl_.DepthRangeIndexed(0, 0.0, 1.0);
+    else
+        gl_.DepthRange(0.0, 1.0);
+    gl_.ClearDepth(1.0);
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (gl_.version >= 30 && !device_.capabilities.coreProfile)
+        gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FIXED_ONLY);
+    if (gl_.version >= 45) gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+void StateGuard::restoreFixed() const
+{
+    if (gl_.version < 30)
+        gl_.ColorMask(colourMasks_[0], colourMasks_[1], colourMasks_[2], colourMasks_[3]);
+    else
+        for (size_t i = 0; i < colourMasks_.size() / 4; ++i) {
+            const GLboolean* mask = &colourMasks_[4 * i];
+            gl_.ColorMaski(static_cast<GLuint>(i), mask[0], mask[1], mask[2], mask[3]);
+        }
+    const GLenum f[] = {enumOf(blendFunctions_[0]), enumOf(blendFunctions_[1]),
+                        enumOf(blendFunctions_[2]), enumOf(blendFunctions_[3])};
+    const GLenum rgb = enumOf(blendEquations_[0]), alpha = enumOf(blendEquations_[1]);
+    if (gl_.version >= 40) {
+        gl_.BlendFuncSeparatei(0, f[0], f[1], f[2], f[3]);
+        gl_.BlendEquationSeparatei(0, rgb, alpha);
+    } else {
+        gl_.BlendFuncSeparate(f[0], f[1], f[2], f[3]);
+        gl_.BlendEquationSeparate(rgb, alpha);
+    }
+    setFirst(gl_, GL_BLEND, blend_, 30);
+    set(gl_, GL_DEPTH_TEST, depthTest_);
+    setFirst(gl_, GL_SCISSOR_TEST, scissor_, 41);
+    gl_.DepthFunc(enumOf(depthFunction_));
+    gl_.DepthMask(depthMask_);
+    gl_.ClearDepth(clearDepth_);
+    if (gl_.version >= 41) {
+        gl_.ViewportIndexedf(0, viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+        gl_.DepthRangeIndexed(0, depthRange_[0], depthRange_[1]);
+    } else {
+        gl_.Viewport(static_cast<GLint>(viewport_[0]), static_cast<GLint>(viewport_[1]),
+                     static_cast<GLsizei>(viewport_[2]), static_cast<GLsizei>(viewport_[3]));
+        gl_.DepthRange(depthRange_[0], depthRange_[1]);
+    }
+    if (device_.capabilities.coreProfile) {
+        gl_.PolygonMode(GL_FRONT_AND_BACK, enumOf(polygonMode_[0]));
+    } else {
+        gl_.PolygonMode(GL_FRONT, enumOf(polygonMode_[0]));
+        gl_.PolygonMode(GL_BACK, enumOf(polygonMode_[1]));
+        if (gl_.version >= 30) gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, enumOf(clampColour_));
+    }
+    if (gl_.version >= 45) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
+}
+
+void StateGuard::setTarget(const Target& target)
+{
+    if (device_.capabilities.framebufferObjects)
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+    if (gl_.version >= 41)
+        gl_.ViewportIndexedf(0, 0.0f, 0.0f, static_cast<GLfloat>(target.width),
+                             static_cast<GLfloat>(target.height));
+    else
+        gl_.Viewport(0, 0, target.width, target.height);
+}
+
+void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
+{
+    const GLenum name = GL_TEXTURE0 + static_cast<GLenum>(device_.firstTextureUnit + unit);
+    gl_.ActiveTexture(name);
+    const auto isSaved = [name](const SavedUnit& u) { return u.unit == name; };
+    if (std::none_of(units_.begin(), units_.end(), isSaved)) {
+        SavedUnit saved{name, integer(gl_, GL_TEXTURE_BINDING_2D),
+                        integer(gl_, GL_TEXTURE_BINDING_3D), 0};
+        if (gl_.version >= 33) {
+            saved.sampler = integer(gl_, GL_SAMPLER_BINDING);
+            gl_.BindSampler(name - GL_TEXTURE0, 0);
+        }
+        units_.push_back(saved);
+    }
+    gl_.BindTexture(target, texture);
+}
+
+void StateGuard::restoreTextures() const
+{
+    for (const SavedUnit& saved : units_) {
+        gl_.ActiveTexture(saved.unit);
+        gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(saved.texture2d));
+        gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(saved.texture3d));
+        if (gl_.version >= 33) gl_.BindSampler(saved.unit - GL_TEXTURE0, unsignedOf(saved.sampler));
+    }
+    gl_.ActiveTexture(enumOf(activeTexture_));
+}
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,37 @@
+// Surfaces.h - the accumulation and scratch surfaces: RGBA32F, as large as the target, one depth
+// buffer for both.
+#pragma once
+#include "Objects.h"
+
+namespace fbrdf::gl {
+
+class Surfaces {
+public:
+    explicit Surfaces(DevicePtr device) : device_(std::move(device)) {}
+
+    /// Makes both as large as said; nothing where they are. False, and a warning, where the driver
+    /// cannot draw to RGBA32F; it is not asked again for this size.
+    bool prepare(int width, int height);
+
+    /// Framebuffer of accumulation or scratch.
+    GLuint framebuffer(Surface surface) const;
+    GLuint texture(Surface surface) const;
+
+private:
+    struct One {
+        Object texture, framebuffer;
+    };
+    bool create(One& one, const std::string& name);
+    const One& of(Surface surface) const
+    {
+        return surface == Surface::scratch ? scratch_ : accumulation_;
+    }
+
+    DevicePtr device_;
+    One accumulation_, scratch_;
+    Object depth_;
+    int width_ = 0, height_ = 0;
+    bool usable_ = false;
+};
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,79 @@
+#include "TargetInfo.h"
+
+#include <fbrdf/brdf/Error.h>
+
+namespace fbrdf::gl {
+namespace {
+
+[[noreturn]] void fail(GLuint framebuffer, const std::string& what)
+{
+    throw Error(ErrorKind::gl, "framebuffer " + std::to_string(framebuffer), what);
+}
+
+ColourFormat formatOf(bool isFloat, GLint redBits)
+{
+    if (isFloat) {
+        if (redBits == 32) return ColourFormat::rgba32f;
+        return redBits == 16 ? ColourFormat::rgba16f : ColourFormat::other;
+    }
+    if (redBits == 8) return ColourFormat::rgba8;
+    return redBits == 16 ? ColourFormat::rgba16 : ColourFormat::other;
+}
+
+GLint parameter(const Functions& gl, GLenum attachment, GLenum name)
+{
+    GLint value = 0;
+    gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+}
+
+/// The name under which the first draw buffer of a window is queried.
+GLenum queriedName(GLenum drawBuffer)
+{
+    switch (drawBuffer) {
+        case GL_FRONT: return GL_FRONT_LEFT;
+        case GL_BACK:
+        case GL_FRONT_AND_BACK: return GL_BACK_LEFT;
+        default: return drawBuffer;
+    }
+}
+
+ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
+{
+    const auto buffer = queriedName(static_cast<GLenum>(integer(gl, GL_DRAW_BUFFER0)));
+    if (buffer == GL_NONE) fail(framebuffer, "found no draw buffer, expected a colour buffer");
+    if (parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+        fail(framebuffer, "found nothing attached to its draw buffer, expected a colour buffer");
+    const GLenum depth = framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+    if (parameter(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+        fail(framebuffer, "found no depth buffer, expected one");
+    return formatOf(parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT,
+                    parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE));
+}
+
+ColourFormat formatBefore30(const Functions& gl, GLuint framebuffer)
+{
+    if (integer(gl, GL_DEPTH_BITS) == 0) fail(framebuffer, "found no depth buffer, expected one");
+    const bool isFloat = gl.ARB_color_buffer_float && integer(gl, GL_RGBA_FLOAT_MODE_ARB) != 0;
+    return formatOf(isFloat, integer(gl, GL_RED_BITS));
+}
+
+}  // namespace
+
+TargetInfo targetInfo(const Device& device, GLuint framebuffer)
+{
+    const Functions& gl = device.gl;
+    if (device.capabilities.framebufferObjects) {
+        const GLenum status = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+        if (status != GL_FRAMEBUFFER_COMPLETE)
+            fail(framebuffer,
+                 "found status " + std::to_string(status) + ", expected a complete framebuffer");
+    }
+    TargetInfo info;
+    info.format =
+        gl.version >= 30 ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
+    info.multisampled = integer(gl, GL_SAMPLES) > 1;
+    return info;
+}
+
+}  // namespace fbrdf::gl

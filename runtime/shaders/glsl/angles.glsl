@@ -1,0 +1,35 @@
+// Angles of a pair as (cosine, 1 - cosine), both in [0, 1]. Twin: PairGeometry, Projection.h.
+
+// 1 - cos = sin^2 / (1 + cos): the sine comes from where nothing cancels.
+vec2 fbrdfAngle(float cosine, float sineSquared)
+{
+    float c = clamp(cosine, 0.0, 1.0);
+    return vec2(c, clamp(sineSquared / (1.0 + c), 0.0, 1.0));
+}
+
+// Zenith angle of a unit direction in the local frame: theta_i, theta_o, theta_h.
+vec2 fbrdfZenith(vec3 w)
+{
+    return fbrdfAngle(w.z, dot(w.xy, w.xy));
+}
+
+// The same about a unit normal in any frame: isotropic forms need no tangent.
+vec2 fbrdfZenithAbout(vec3 n, vec3 w)
+{
+    vec3 sine = cross(n, w);
+    return fbrdfAngle(dot(n, w), dot(sine, sine));
+}
+
+// theta_d of a pair of unit directions, in any frame.
+vec2 fbrdfDifference(vec3 wo, vec3 wi)
+{
+    vec3 difference = wi - wo;
+    return fbrdfAngle(0.5 * length(wi + wo), 0.25 * dot(difference, difference));
+}
+
+vec3 fbrdfHalf(vec3 wo, vec3 wi)
+{
+    vec3 sum = wi + wo;
+    float size = length(sum);
+    return size > 0.0 ? sum / size : vec3(0.0, 0.0, 1.0);
+}

@@ -1,0 +1,22 @@
+// Positions in tables. Twins: axisCoordinate and discPosition, Projection.h. Exponents are constants where these are
+// called, so a compiler keeps one branch.
+
+// u in [0, 1] of an angle given as cosine and 1 - cosine.
+float fbrdfAxis(bool fromCosine, float exponent, float cosine, float complement)
+{
+    float base = fromCosine ? cosine : complement;
+    if (exponent == 1.0) return base;
+    if (exponent == 0.5) return sqrt(base);
+    if (exponent == 0.25) return sqrt(sqrt(base));
+    return pow(base, exponent);
+}
+
+// Texel position of a direction of the upper hemisphere.
+vec2 fbrdfDisc(float size, float gamma, float radius, vec3 direction)
+{
+    vec2 p = direction.xy / (1.0 + max(direction.z, 0.0));
+    float radiusSquared = max(dot(p, p), 1e-30);
+    if (gamma == 0.5) p /= sqrt(sqrt(radiusSquared));
+    else if (gamma != 1.0) p *= pow(radiusSquared, 0.5 * (gamma - 1.0));
+    return vec2(0.5 * (size - 1.0)) + radius * p;
+}

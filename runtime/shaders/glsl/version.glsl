@@ -1,0 +1,18 @@
+// What differs between GLSL 1.20 and 1.40 to 3.30. Textures have one level, so the explicit one of textureLod changes
+// nothing but spares the derivatives.
+#if __VERSION__ >= 130
+#define FBRDF_ATTRIBUTE in
+#define FBRDF_TO_FRAGMENT out
+#define FBRDF_FROM_VERTEX in
+#define FBRDF_COLOUR_OUTPUT out vec4 fbrdfColour;
+#define FBRDF_TEXTURE2(map, coordinate) textureLod(map, coordinate, 0.0)
+#define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
+#else
+#define FBRDF_ATTRIBUTE attribute
+#define FBRDF_TO_FRAGMENT varying
+#define FBRDF_FROM_VERTEX varying
+#define FBRDF_COLOUR_OUTPUT
+#define fbrdfColour gl_FragColor
+#define FBRDF_TEXTURE2(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
+#endif

@@ -1,0 +1,315 @@
+// A program for the parts 0, 1, ... of a pass reads
+//     exponent<p>, product<p>     from the factors that do not depend on the light
+//     sum<p> += weight product exp2(exponent<p> + ...)     for each light
+//     colour = sum over p of product<p> sum<p>
+// Logs are added, so a term costs one exp2 a light however many factors it has.
+#include "FragmentWriter.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+namespace fbrdf {
+namespace {
+
+[[noreturn]] void fail(const std::string& what)
+{
+    throw Error(ErrorKind::gl, "shader", what);
+}
+
+std::string number(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    std::string result = text;
+    if (result.find_first_of(".e") == std::string::npos) result += ".0";
+    return result;
+}
+
+const Factor& factorOf(const FragmentContext& c, const Part& part, int index)
+{
+    return c.form.terms[static_cast<size_t>(part.term)].factors[static_cast<size_t>(index)];
+}
+
+const TableSpec& tableOf(const FragmentContext& c, const Factor& factor)
+{
+    return c.form.tables[static_cast<size_t>(factor.table)];
+}
+
+const TableEncoding& encodingOf(const FragmentContext& c, const Factor& factor)
+{
+    return c.encodings[static_cast<size_t>(factor.table)];
+}
+
+template <class Visit>
+void forEachFactor(const FragmentContext& c, Visit visit)
+{
+    for (const Part& part : c.spec.parts)
+        for (const int index : part.factors) visit(factorOf(c, part, index));
+}
+
+bool needsLocalFrame(const FragmentContext& c)
+{
+    bool needed = false;
+    forEachFactor(c, [&needed](const Factor& factor) {
+        needed = needed || std::holds_alternative<Direction>(factor.argument);
+    });
+    return needed;
+}
+
+bool dependsOnLight(const FragmentContext& c)
+{
+    bool depends = c.spec.lit;
+    forEachFactor(c, [&depends](const Factor& factor) {
+        depends = depends || fbrdf::dependsOnLight(factor);
+    });
+    return depends;
+}
+
+/// Names of the variables that arguments use: "theta_h", "h", ...
+std::set<std::string> variablesUsed(const FragmentContext& c)
+{
+    std::set<std::string> names;
+    forEachFactor(c, [&names](const Factor& factor) {
+        if (const auto* direction = std::get_if<Direction>(&factor.argument))
+            names.insert(directionName(*direction));
+        else
+            for (const Angle angle : std::get<std::vector<Angle>>(factor.argument))
+                names.insert(angleName(angle));
+    });
+    if (names.count("theta_h")) names.insert("h");
+    return names;
+}
+
+std::string axisCall(const AxisMap& map, Angle angle)
+{
+    const std::string name = angleName(angle);
+    return std::string("fbrdfAxis(") + (map.from == AxisMap::From::cosine ? "true, " : "false, ") +
+           number(map.exponent) + ", " + name + ".x, " + name + ".y)";
+}
+
+/// Texture coordinate of a factor: (position + 1/2) / size.
+std::string coordinate(const FragmentContext& c, const Factor& factor)
+{
+    const TableSpec& table = tableOf(c, factor);
+    if (const auto* disc = std::get_if<DiscDomain>(&table.domain)) {
+        const double size = disc->size;
+        return "(fbrdfDisc(" + number(size) + ", " + number(disc->gamma) + ", " +
+               number(disc->radius) + ", " + directionName(std::get<Direction>(factor.argument)) +
+               ") + 0.5) * " + number(1.0 / size);
+    }
+    const auto& axes = std::get<GridDomain>(table.domain).axes;
+    const auto& angles = std::get<std::vector<Angle>>(factor.argument);
+    std::string text = axes.size() == 3 ? "vec3(" : "vec2(";
+    for (size_t i = 0; i < axes.size(); ++i)
+        text += (i ? ", " : "") + axisCall(axes[i].map, angles[i]) + " * " +
+                number((axes[i].size - 1.0) / axes[i].size) + " + " + number(0.5 / axes[i].size);
+    return text + (axes.size() == 1 ? ", 0.5)" : ")");
+}
+
+std::string textureFetch(const FragmentContext& c, const Factor& factor)
+{
+    const bool volume = domainSize(tableOf(c, factor).domain)[2] > 1;
+    const auto* grid = std::get_if<GridDomain>(&tableOf(c, factor).domain);
+    const bool three = volume || (grid && grid->axes.size() == 3);
+    return std::string(three ? "FBRDF_TEXTURE3" : "FBRDF_TEXTURE2") + "(fbrdfTable" +
+           std::to_string(factor.table) + ", " + coordinate(c, factor) + ").rgb";
+}
+
+/// Linear interpolation between knots of a uniform array.
+std::string knotsLines(const FragmentContext& c, const Factor& factor, const std::string& target,
+                       const std::string& operation)
+{
+    const Axis& axis = std::get<GridDomain>(tableOf(c, factor).domain).axes[0];
+    const std::string name = "fbrdfKnots" + std::to_string(factor.table);
+    if (axis.size == 1) return target + operation + name + "[0];\n";
+    const Angle angle = std::get<std::vector<Angle>>(factor.argument)[0];
+    return "{ float x = " + axisCall(axis.map, angle) + " * " + number(axis.size - 1.0) +
+           "; int k = int(min(x, " + number(axis.size - 2.0) + ")); " + target + operation +
+           "mix(" + name + "[k], " + name + "[k + 1], x - float(k)); }\n";
+}
+
+/// One statement: the factor's value into `exponent` or `product`, both with the suffix.
+std::string factorLines(const FragmentContext& c, const Factor& factor, const std::string& suffix,
+                        const std::string& indent)
+{
+    const TableEncoding& encoding = encodingOf(c, factor);
+    const std::string target = (encoding.logarithmic ? "exponent" : "product") + suffix,
+                      operation = encoding.logarithmic ? " += " : " *= ",
+                      k = std::to_string(factor.table);
+    if (tableOf(c, factor).uniform) return indent + knotsLines(c, factor, target, operation);
+    std::string value = textureFetch(c, factor);
+    if (encoding.ranged && encoding.logarithmic)
+        value = "fbrdfExtent" + k + " * " + value;  // the lower end is in `lowers`
+    else if (encoding.ranged)
+        value = "fbrdfLower" + k + " + fbrdfExtent" + k + " * " + value;
+    return indent + target + operation + value + ";\n";
+}
+
+/// Lower ends of all ranged logs of a part: they do not depend on the light even where the texel
+/// does.
+std::string lowers(const FragmentContext& c, const Part& part)
+{
+    std::string text;
+    for (const int index : part.factors) {
+        const Factor& factor = factorOf(c, part, index);
+        const TableEncoding& encoding = encodingOf(c, factor);
+        if (encoding.ranged && encoding.logarithmic && !tableOf(c, factor).uniform)
+            text += (text.empty() ? "" : " + ") + ("fbrdfLower" + std::to_string(factor.table));
+    }
+    return text.empty() ? "vec3(0.0)" : text;
+}
+
+std::string factorsOf(const FragmentContext& c, const Part& part, bool ofLight,
+                      const std::string& suffix, const std::string& indent)
+{
+    std::string text;
+    for (const int index : part.factors) {
+        const Factor& factor = factorOf(c, part, index);
+        if (fbrdf::dependsOnLight(factor) == ofLight)
+            text += factorLines(c, factor, suffix, indent);
+    }
+    return text;
+}
+
+std::string surfaceLines(const FragmentContext& c)
+{
+    const bool local = needsLocalFrame(c);
+    std::string text = local ? "    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);\n"
+                               "    vec3 wo = fbrdfLocal(frame, fbrdfToViewer());\n"
+                               "    float NoV = wo.z;\n"
+                             : "    vec3 n = normalize(fbrdfNormal);\n"
+                               "    vec3 wo = fbrdfToViewer();\n"
+                               "    float NoV = dot(n, wo);\n";
+    if (variablesUsed(c).count("theta_o"))
+        text += local ? "    vec2 theta_o = fbrdfZenith(wo);\n"
+                      : "    vec2 theta_o = fbrdfZenithAbout(n, wo);\n";
+    for (size_t p = 0; p < c.spec.parts.size(); ++p) {
+        const Part& part = c.spec.parts[p];
+        const std::string k = std::to_string(p);
+        text += "    vec3 exponent" + k + " = " + lowers(c, part) + ";\n    vec3 product" + k +
+                " = " + (part.scaled ? "fbrdfScale" + std::to_string(part.term) : "vec3(1.0)") +
+                ";\n" + factorsOf(c, part, false, k, "    ");
+    }
+    return text;
+}
+
+/// Direction and angles of the light whose first vector is `index`.
+std::string lightLines(const FragmentContext& c, const std::string& index,
+                       const std::string& indent)
+{
+    const bool local = needsLocalFrame(c);
+    const auto used = variablesUsed(c);
+    std::string text = indent + "vec3 wi;\n" + indent +
+                       "vec3 irradiance = fbrdfIrradiance(fbrdfLights[" + index +
+                       "], fbrdfLights[" + index + " + 1], fbrdfPosition, wi);\n";
+    if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
+    text += indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n");
+    if (used.count("h")) text += indent + "vec3 h = fbrdfHalf(wo, wi);\n";
+    const std::string zenith = local ? "fbrdfZenith(" : "fbrdfZenithAbout(n, ";
+    if (used.count("theta_h")) text += indent + "vec2 theta_h = " + zenith + "h);\n";
+    if (used.count("theta_i")) text += indent + "vec2 theta_i = " + zenith + "wi);\n";
+    if (used.count("theta_d")) text += indent + "vec2 theta_d = fbrdfDifference(wo, wi);\n";
+    return text;
+}
+
+/// sum<p> of one light, above the horizon only.
+std::string litLines(const FragmentContext& c, const std::string& indent)
+{
+    const std::string inner = indent + "    ";
+    std::string text = indent + "if (NoL > 0.0) {\n" + inner + "vec3 weight = irradiance * NoL;\n";
+    for (size_t p = 0; p < c.spec.parts.size(); ++p) {
+        const std::string k = std::to_string(p);
+        text += inner + "{\n" + inner + "    vec3 exponent = exponent" + k + ";\n" + inner +
+                "    vec3 product = weight;\n" +
+                factorsOf(c, c.spec.parts[p], true, "", inner + "    ") + inner + "    sum" + k +
+                " += product * exp2(exponent);\n" + inner + "}\n";
+    }
+    return text + indent + "}\n";
+}
+
+std::string litBody(const FragmentContext& c)
+{
+    std::string text, total;
+    for (size_t p = 0; p < c.spec.parts.size(); ++p) {
+        const std::string k = std::to_string(p);
+        text += "    vec3 sum" + k + " = vec3(0.0);\n";
+        total += (p ? " + product" : "product") + k + " * sum" + k;
+    }
+    if (c.spec.lightSlots == 1)
+        text += lightLines(c, "0", "    ") + litLines(c, "    ");
+    else
+        text += "    for (int i = 0; i < fbrdfLightCount; ++i) {\n" +
+                lightLines(c, "2 * i", "        ") + litLines(c, "        ") + "    }\n";
+    return text + "    vec3 total = NoV > 0.0 ? " + total + " : vec3(0.0);\n";
+}
+
+std::string unlitBody(const FragmentContext& c)
+{
+    std::string text, total;
+    if (dependsOnLight(c)) text += lightLines(c, "0", "    ");
+    for (size_t p = 0; p < c.spec.parts.size(); ++p) {
+        const std::string k = std::to_string(p);
+        text += factorsOf(c, c.spec.parts[p], true, k, "    ");
+        total += (p ? " + product" : "product") + k + " * exp2(exponent" + k + ")";
+    }
+    return text + "    vec3 total = " + (total.empty() ? "vec3(0.0)" : total) + ";\n";
+}
+
+void check(const FragmentContext& c)
+{
+    if (c.encodings.size() != c.form.tables.size())
+        fail(std::to_string(c.encodings.size()) + " encodings, expected one for each of " +
+             std::to_string(c.form.tables.size()) + " tables");
+    if (dependsOnLight(c) && c.spec.lightSlots < 1)
+        fail("factors that depend on the light in a program without lights");
+}
+
+}  // namespace
+
+std::string uniformDeclarations(const FragmentContext& c)
+{
+    check(c);
+    std::set<std::string> lines;
+    forEachFactor(c, [&](const Factor& factor) {
+        const TableSpec& table = tableOf(c, factor);
+        const std::string k = std::to_string(factor.table);
+        if (table.uniform) {
+            lines.insert("uniform vec3 fbrdfKnots" + k + "[" +
+                         std::to_string(texelCount(table.domain)) + "];\n");
+            return;
+        }
+        const bool three = dimensionCount(table.domain) == 3;
+        lines.insert(std::string("uniform ") + (three ? "sampler3D" : "sampler2D") + " fbrdfTable" +
+                     k + ";\n");
+        if (encodingOf(c, factor).ranged)
+            lines.insert("uniform vec3 fbrdfLower" + k + ", fbrdfExtent" + k + ";\n");
+    });
+    for (const Part& part : c.spec.parts)
+        if (part.scaled)
+            lines.insert("uniform vec3 fbrdfScale" + std::to_string(part.term) + ";\n");
+    if (c.spec.reads) {
+        lines.insert("uniform sampler2D fbrdfRead;\n");
+        lines.insert("uniform vec2 fbrdfReadScale;\n");
+    }
+    if (dependsOnLight(c))
+        lines.insert("uniform vec4 fbrdfLights[" + std::to_string(2 * c.spec.lightSlots) + "];\n");
+    if (c.spec.lit && c.spec.lightSlots > 1) lines.insert("uniform int fbrdfLightCount;\n");
+    std::string text;
+    for (const std::string& line : lines) text += line;
+    return text;
+}
+
+std::string mainFunction(const FragmentContext& c)
+{
+    std::string text = "void main()\n{\n";
+    if (!c.spec.parts.empty()) text += surfaceLines(c);
+    text += c.spec.lit && !c.spec.parts.empty() ? litBody(c) : unlitBody(c);
+    if (c.spec.reads)
+        text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";
+    return text + "    fbrdfColour = vec4(total, 1.0);\n}\n";
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,91 @@
+#include <fbrdf/brdf/Half.h>
+#include <fbrdf/shaders/TextureImage.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+constexpr float kWords = 65535.0f;
+
+/// RGB of every texel, one-channel tables repeated.
+template <class Convert>
+auto converted(const Table& table, Convert convert)
+{
+    const int count = texelCount(table.domain);
+    std::vector<decltype(convert(0, 0))> result;
+    result.reserve(3 * static_cast<size_t>(count));
+    for (int i = 0; i < count; ++i)
+        for (int c = 0; c < 3; ++c) result.push_back(convert(i, c));
+    return result;
+}
+
+void setRange(TextureImage& image, const Table& table)
+{
+    Vec3f upper(table.texel(0, 0));
+    for (int c = 0; c < 3; ++c) {
+        image.lower[c] = upper[c] = table.texel(0, c);
+        for (int i = 1; i < texelCount(table.domain); ++i) {
+            image.lower[c] = std::min(image.lower[c], table.texel(i, c));
+            upper[c] = std::max(upper[c], table.texel(i, c));
+        }
+    }
+    image.extent = upper - image.lower;
+}
+
+void encodeCodes(TextureImage& image, const Table& table)
+{
+    const auto last = [&table](int c) { return table.channels == 1 ? 0 : c; };
+    for (int c = 0; c < 3; ++c) {
+        image.lower[c] = table.lower[last(c)];
+        image.extent[c] = table.upper[last(c)] - table.lower[last(c)];
+    }
+    image.encoding.ranged = image.lower != Vec3f(0.0f) || image.extent != Vec3f(1.0f);
+    image.words = converted(table, [&](int i, int c) {
+        return static_cast<uint16_t>(257 * codeOf(table, i, last(c)));
+    });
+}
+
+void encodeOverRange(TextureImage& image, const Table& table)
+{
+    setRange(image, table);
+    image.encoding.ranged = true;
+    image.words = converted(table, [&](int i, int c) {
+        const float extent = image.extent[c];
+        const float unit = extent > 0.0f ? (table.texel(i, c) - image.lower[c]) / extent : 0.0f;
+        return static_cast<uint16_t>(std::lround(std::clamp(unit, 0.0f, 1.0f) * kWords));
+    });
+}
+
+}  // namespace
+
+TextureImage textureImage(const Table& table, const Capabilities& capabilities)
+{
+    TextureImage image;
+    image.size = domainSize(table.domain);
+    image.encoding.logarithmic = isLog(table.storage);
+    if (table.storage == Storage::log8 || table.storage == Storage::linear8) {
+        encodeCodes(image, table);
+    } else if (!capabilities.floatTextures) {
+        encodeOverRange(image, table);
+    } else if (table.storage == Storage::half) {
+        image.type = TexelType::half;
+        image.words =
+            converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });
+    } else {
+        image.type = TexelType::float32;
+        image.floats = converted(table, [&](int i, int c) { return table.texel(i, c); });
+    }
+    return image;
+}
+
+std::vector<Vec3f> uniformKnots(const Table& table)
+{
+    std::vector<Vec3f> knots;
+    for (int i = 0; i < texelCount(table.domain); ++i)
+        knots.emplace_back(table.texel(i, 0), table.texel(i, 1), table.texel(i, 2));
+    return knots;
+}
+
+}  // namespace fbrdf
