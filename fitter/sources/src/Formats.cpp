@@ -8,6 +8,7 @@ namespace {
 
 /// In the order in which they are tried: formats with an unmistakable beginning come first.
 constexpr Format kFormats[] = {
+    {"columns", " f32c ", false, isBinaryColumns, readBinaryColumns},
     {"rgl", " bsdf ", false, isRgl, readRgl},
     {"npf", "  ", true, isNpf, readNpf},
     {"nbrdf", " f32 ", true, isNbrdf, readNbrdf},

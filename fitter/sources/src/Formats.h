@@ -40,5 +40,7 @@ bool isNpf(const InputFile& file);
 Source readNpf(const FileRequest& request);
 bool isRgl(const InputFile& file);
 Source readRgl(const FileRequest& request);
+bool isBinaryColumns(const InputFile& file);
+Source readBinaryColumns(const FileRequest& request);
 
 }  // namespace fbrdf

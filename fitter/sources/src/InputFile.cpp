@@ -88,6 +88,17 @@ void InputFile::mapAll(int descriptor, size_t size)
     view_ = std::string_view(static_cast<const char*>(address), size);
 }
 
+void InputFile::release(size_t first, size_t count) const
+{
+    if (!mapped_) return;
+    // Whole pages only; the two at the ends may be in use by a neighbouring block, and are read
+    // again when they are.
+    const size_t page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+    const size_t begin = first / page * page;
+    const size_t end = std::min((first + count + page - 1) / page * page, view_.size());
+    if (end > begin) ::madvise(static_cast<char*>(mapped_) + begin, end - begin, MADV_DONTNEED);
+}
+
 std::string InputFile::stem() const
 {
     return std::filesystem::path(path_).stem().string();

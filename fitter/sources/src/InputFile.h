@@ -23,6 +23,9 @@ public:
     const std::string& path() const { return path_; }
     std::string_view bytes() const { return view_; }
     size_t size() const { return view_.size(); }
+    /// Says that a range of bytes is not needed for now: of a mapped file its memory is given back,
+    /// so that reading once through a file takes no more than a block.
+    void release(size_t first, size_t count) const;
     /// Name without folder and extension.
     std::string stem() const;
     /// Lower case, without the dot.
