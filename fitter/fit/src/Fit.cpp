@@ -1,9 +1,10 @@
 #include "Bake.h"
-#include "LeastSquares.h"
+#include "NamedForms.h"
+#include "Solve.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/NoiseFloor.h>
 #include <fbrdf/fit/SampleSets.h>
 
 #include <algorithm>
@@ -15,95 +16,219 @@ namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // taken from a source that is only a function
 constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
-constexpr int kRobustSteps = 3;              // after the plain one: four solves
-constexpr double kFirstSmoothness = 1e-3;
-const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
+constexpr size_t kProbeSamples = 200000;     // that traits and sample errors are taken from
+constexpr size_t kTrialSamples = 100000;     // that auto compares forms on
+constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
+constexpr size_t kAutoBytes = 32768;         // of auto without --max-bytes
+// auto keeps the smaller of two materials unless the larger is better by this: a byte must earn its
+// place.
+constexpr double kWorthwhile = 0.01;
 
-double secondsSince(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// The solution for one form with some fold left out, starting flat.
-State solve(const LeastSquares& problem, StepOptions options, bool robust)
-{
-    State x = problem.step(problem.flatState(), options);
-    options.robust = robust;
-    for (int i = 0; robust && i < kRobustSteps; ++i) x = problem.step(x, options);
-    return x;
-}
-
-double chooseSmoothness(const LeastSquares& problem, const State& x, bool robust, int folds)
-{
-    std::vector<double> error(kSmoothnessLadder.size(), 0.0);
-    for (int fold = 0; fold < folds; ++fold) {
-        StepOptions options;
-        options.excludedFold = fold;
-        options.robust = robust;
-        const auto states = problem.steps(x, options, kSmoothnessLadder);
-        for (size_t s = 0; s < states.size(); ++s) error[s] += problem.foldError(states[s], fold);
+class Clock {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
-    const auto best = std::min_element(error.begin(), error.end());
-    return kSmoothnessLadder[static_cast<size_t>(best - error.begin())];
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The data of one fit, and what is the same for every form tried on it.
+struct Job {
+    const FitOptions& options;
+    Feed feed;
+    DataTraits traits;
+    bool robust = false;
+    int folds = 1;
+};
+
+SolveOptions solveOptions(const Job& job)
+{
+    SolveOptions options;
+    options.smoothness = job.options.smoothness.value_or(0.0);
+    options.metric = job.options.metric;
+    options.robust = job.robust;
+    options.folds = job.folds;
+    return options;
+}
+
+Job makeJob(const Source& source, const FitOptions& options)
+{
+    Job job{
+        options, makeFeed(source, kFunctionSamples, options.seed, options.threads), {}, false, 1};
+    if (job.feed.rows == 0)
+        throw Error(ErrorKind::fit, source.name, "found no samples, expected at least one");
+    const auto probe = someSamples(job.feed, kNoFold, kProbeSamples, options.seed);
+    job.traits = traitsOf(probe, job.feed.exact);
+    job.robust = options.robust && !job.feed.exact;
+    job.folds = job.feed.rows < kSmallSet ? kFolds : 1;
+    return job;
+}
+
+// Errors on samples that took no part: each fold in turn is left out of a fit of its own.
+SampleErrors heldOutErrors(const Job& job, const Form& form, double smoothness, int folds)
+{
+    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads);
+    std::vector<Sample> held;
+    std::vector<Vec3f> fitted;
+    for (int fold = 0; fold < folds; ++fold) {
+        SolveOptions options = solveOptions(job);
+        options.smoothness = smoothness;
+        options.excludedFold = fold;
+        const Material material =
+            bake(form, problem.layout(), solve(problem, options).x, job.options.storage);
+        const auto part = someSamples(job.feed, fold, kProbeSamples, job.options.seed);
+        const auto values = evaluateAt(material, part, job.options.threads);
+        held.insert(held.end(), part.begin(), part.end());
+        fitted.insert(fitted.end(), values.begin(), values.end());
+    }
+    if (held.empty()) return {};
+    return sampleErrors(held, fitted, job.traits.floor);
+}
+
+double scoreOf(const SampleErrors& errors, Metric metric)
+{
+    switch (metric) {
+        case Metric::cubeRoot: return errors.cubeRootRms;
+        case Metric::log1p: return errors.nbrdfLoss;
+        default: return errors.logMedian;
+    }
+}
+
+// A function is isotropic when turning pairs about the normal changes nothing.
+bool isIsotropicSource(const Source& source)
+{
+    if (source.isotropic) return true;
+    if (!source.evaluate) return false;
+    constexpr double kSame = 1e-3;  // relative; below what any material of ours resolves
+    double largest = 0.0, difference = 0.0;
+    for (const auto& pair : uniformPairs(512, 17)) {
+        HalfDifference turned = halfDifferenceFromPair(pair);
+        turned.phi_h += 1.0;
+        const auto other = pairFromHalfDifference(turned);
+        const Vec3d a = source.evaluate(pair.wo, pair.wi), b = source.evaluate(other.wo, other.wi);
+        largest = std::max(largest, a.x + a.y + a.z);
+        difference = std::max(difference, glm::length(a - b) / (a.x + a.y + a.z + 1e-6));
+    }
+    return difference < kSame || largest == 0.0;
+}
+
+std::vector<std::string> candidates(const Source& source)
+{
+    if (isIsotropicSource(source)) return {"hdio", "io+hdio", "pqpr"};
+    return {"hdio", "pqp", "pqpr", "io+pqpr"};
+}
+
+// The data that forms are compared on: all of it, or a part that is large enough to tell them
+// apart.
+Job trialJob(const Job& job, const std::vector<Sample>& part)
+{
+    Job trial = job;
+    if (part.empty()) return trial;
+    trial.feed.rows = part.size();
+    trial.feed.blocks = (part.size() + kFeedBlock - 1) / kFeedBlock;
+    trial.feed.read = [&part](size_t block, std::vector<Sample>&) {
+        const size_t first = block * kFeedBlock;
+        return FeedBlock{part.data() + first, std::min(kFeedBlock, part.size() - first), first};
+    };
+    return trial;
+}
+
+Form searchForm(const Source& source, const Job& job, std::vector<Trial>& trials)
+{
+    const size_t budget = job.options.maxBytes > 0 ? job.options.maxBytes : kAutoBytes;
+    std::vector<Sample> part;
+    if (job.feed.rows > kTrialSamples)
+        part = someSamples(job.feed, kNoFold, kTrialSamples, job.options.seed);
+    const Job trial = trialJob(job, part);
+    std::vector<Form> forms;
+    for (const std::string& name : candidates(source)) {
+        const Clock clock;
+        Form form;
+        try {
+            form = job.options.resolution > 0
+                       ? makeForm(name, job.options.resolution)
+                       : makeFormFor(name, job.feed.rows, budget, job.options.storage);
+        } catch (const Error&) {
+            continue;  // even its smallest size is over the budget
+        }
+        if (formBytes(form, job.options.storage) > budget) continue;
+        const SampleErrors errors =
+            heldOutErrors(trial, form, job.options.smoothness.value_or(0.0), 1);
+        Trial t;
+        t.form = name;
+        t.description = describe(form);
+        t.bytes = formBytes(form, job.options.storage);
+        t.lookups = lookupsPerLight(form);
+        t.seconds = clock.seconds();
+        t.heldOut = errors;
+        t.score = scoreOf(errors, job.options.metric);
+        trials.push_back(t);
+        forms.push_back(form);
+    }
+    if (forms.empty())
+        throw Error(ErrorKind::usage, "max-bytes",
+                    "found " + std::to_string(budget) + ", expected room for a form");
+    size_t best = 0;
+    for (size_t i = 1; i < forms.size(); ++i) {
+        const bool larger = trials[i].bytes > trials[best].bytes;
+        if (trials[i].score < trials[best].score * (larger ? 1.0 - kWorthwhile : 1.0)) best = i;
+    }
+    trials[best].chosen = true;
+    return forms[best];
+}
+
+void checkOptions(const FitOptions& options)
+{
+    if (options.lookups < 1)
+        throw Error(ErrorKind::usage, "lookups",
+                    "found " + std::to_string(options.lookups) + ", expected at least 1");
+    if (options.smoothness && !(*options.smoothness > 0.0))
+        throw Error(ErrorKind::usage, "smoothness",
+                    "found " + std::to_string(*options.smoothness) + ", expected above 0");
 }
 
 }  // namespace
 
 FitResult fitMaterial(const Source& source, const FitOptions& options)
 {
-    const bool measured = !source.samples.empty();
-    const auto start = std::chrono::steady_clock::now();
-    std::vector<Sample> samples =
-        measured
-            ? source.samples
-            : samplesAt(source, uniformPairs(kFunctionSamples, options.seed + 1), options.threads);
-    const Vec3f floor = measured ? estimateNoiseFloor(samples) : Vec3f(0.0f);
-    const Observations observations = observe(std::move(samples), floor, options.seed);
-    const Form form = makeForm(options.form == "auto" ? "hdio" : options.form, options.resolution);
-    const LeastSquares problem(form, observations, options.threads);
-    const bool robust = options.robust && measured;
-    StepOptions step;
-    step.smoothness = options.smoothness.value_or(kFirstSmoothness);
-    State x = solve(problem, step, robust);
-    const int folds = observations.samples.size() < 20000 ? kFolds : 1;
-    if (!options.smoothness) {
-        step.smoothness = chooseSmoothness(problem, x, robust, folds);
-        step.robust = robust;
-        x = problem.step(x, step);
-    }
+    checkOptions(options);
+    const Clock clock;
+    const Job job = makeJob(source, options);
     FitResult result;
-    result.material = bake(form, problem.layout(), x, options.storage);
     FitSummary& summary = result.summary;
-    summary.seconds = secondsSince(start);
-    summary.used = observations.used;
-    summary.belowFloor = observations.belowFloor;
-    summary.noiseFloor = floor;
-    summary.smoothness = step.smoothness;
+    const Form form = options.form == "auto"   ? searchForm(source, job, summary.trials)
+                      : options.resolution > 0 ? makeForm(options.form, options.resolution)
+                                               : makeFormFor(options.form, job.feed.rows,
+                                                             options.maxBytes, options.storage);
+    if (options.maxBytes > 0 && formBytes(form, options.storage) > options.maxBytes)
+        throw Error(ErrorKind::usage, "max-bytes",
+                    "found " + std::to_string(options.maxBytes) + ", expected at least " +
+                        std::to_string(formBytes(form, options.storage)) +
+                        " for this form and resolution");
+    const LeastSquares problem(form, job.feed, job.traits, options.seed, options.threads);
+    const Solution solution = solve(problem, solveOptions(job));
+    result.material = bake(form, problem.layout(), solution.x, options.storage);
+    result.material.name = source.name;
+    summary.seconds = clock.seconds();
+    summary.noiseFloor = job.traits.floor;
+    summary.smoothness = solution.smoothness;
+    const auto probe = someSamples(job.feed, kNoFold, kProbeSamples, options.seed);
     summary.all =
-        sampleErrors(observations.samples,
-                     evaluateAt(result.material, observations.samples, options.threads), floor);
-    if (measured) {
-        std::vector<Sample> held;
-        std::vector<Vec3f> fitted;
-        for (int fold = 0; fold < folds; ++fold) {
-            StepOptions foldStep = step;
-            foldStep.robust = false;
-            foldStep.excludedFold = fold;
-            const Material m =
-                bake(form, problem.layout(), solve(problem, foldStep, robust), options.storage);
-            std::vector<Sample> part;
-            for (size_t i = 0; i < observations.samples.size(); ++i)
-                if (observations.fold[i] == fold) part.push_back(observations.samples[i]);
-            const auto values = evaluateAt(m, part, options.threads);
-            held.insert(held.end(), part.begin(), part.end());
-            fitted.insert(fitted.end(), values.begin(), values.end());
-        }
-        summary.folds = folds;
-        summary.heldOut = sampleErrors(held, fitted, floor);
-    } else {
+        sampleErrors(probe, evaluateAt(result.material, probe, options.threads), job.traits.floor);
+    summary.used = job.feed.rows;
+    for (const Sample& s : probe)
+        for (int c = 0; c < 3; ++c)
+            if (!(s.f[c] > job.traits.floor[c])) ++summary.belowFloor;
+    if (job.feed.exact) {
         const auto test = samplesAt(source, uniformPairs(kTestSamples, 0), options.threads);
-        summary.heldOut =
-            sampleErrors(test, evaluateAt(result.material, test, options.threads), floor);
+        summary.heldOut = sampleErrors(test, evaluateAt(result.material, test, options.threads),
+                                       job.traits.floor);
+    } else {
+        summary.folds = job.folds;
+        summary.heldOut = heldOutErrors(job, form, solution.smoothness, job.folds);
     }
     return result;
 }

@@ -3,8 +3,10 @@
 #include "Parallel.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/NoiseFloor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fbrdf {
@@ -15,17 +17,18 @@ namespace {
 constexpr size_t kParts = 4;
 constexpr double kFirstOrder = 0.03;  // of a second difference: decides where there is no curvature
 constexpr double kRidge = 1e-9;       // of the mean diagonal: fixes the gauge between factors
-constexpr double kTukey = 4.685;      // 95 % efficiency for Gaussian noise (Beaton and Tukey 1974)
-constexpr double kMadToSigma = 1.4826;
+constexpr float kTukey = 4.685f;      // 95 % efficiency for Gaussian noise (Beaton and Tukey 1974)
+constexpr float kMadToSigma = 1.4826f;
 constexpr float kSmallestScale =
-    1e-4f;  // log2: residuals of exact data are not outliers of each other
+    1e-4f;                           // log2: residuals of exact data are not outliers of each other
+constexpr size_t kScaleBlocks = 24;  // blocks that the scale of the residuals is taken from
 constexpr float kLn2 = 0.69314718056f;
 
 struct Response {
     float residual, weight;
 };
 
-// phi(f), phi(g) and d phi / d log2 g of the two metrics; c is cos theta_i.
+// phi(f), phi(g) and d phi / d log2 g of the metrics; c is cos theta_i.
 Response responseOf(Metric metric, float c, float logF, float logG)
 {
     if (metric == Metric::log) return {logF - logG, 1.0f};
@@ -37,20 +40,70 @@ Response responseOf(Metric metric, float c, float logF, float logG)
     return {(phiF - phiG) / slope, slope * slope};
 }
 
-float medianOf(std::vector<float>& values)
+float quantile(std::vector<float>& values, double fraction)
 {
     if (values.empty()) return 0.0f;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    const auto rank = std::min(values.size() - 1,
+                               static_cast<size_t>(fraction * static_cast<double>(values.size())));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+struct Observed {
+    float logValue, weight;
+    bool censored;
+};
+
+Observed observe(float f, float floor, float weight)
+{
+    if (f > 0.0f && f > 0.5f * floor)
+        return {std::log2(f), weight * (f * f) / (f * f + floor * floor), false};
+    // Without an estimate of the floor a zero says nothing about how small f is.
+    if (floor > 0.0f) return {std::log2(floor), 0.5f * weight, true};
+    return {0.0f, 0.0f, true};
 }
 
 }  // namespace
 
-struct LeastSquares::Working {
-    std::vector<Vec3f> residual, weight;
-    std::vector<std::vector<Vec3f>> share;  ///< terms x samples; empty for one term
-    bool sharedByChannels = true;           ///< all channels have the same weights and shares
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact)
+{
+    DataTraits traits;
+    if (!exact) traits.floor = estimateNoiseFloor(samples);
+    traits.sameWeights = true;
+    std::array<std::vector<float>, 3> logs;
+    for (const Sample& s : samples) {
+        bool usable = false;
+        for (int c = 0; c < 3; ++c) {
+            const Observed o = observe(s.f[c], traits.floor[c], s.weight);
+            if (o.censored) {
+                traits.sameWeights = false;
+                continue;
+            }
+            logs[static_cast<size_t>(c)].push_back(o.logValue);
+            usable = usable || o.weight > 0.0f;
+        }
+        traits.usable += usable ? 1 : 0;
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (traits.floor[c] > 0.0f) traits.sameWeights = false;
+        traits.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
+        traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
+    }
+    if (traits.usable == 0)
+        throw Error(ErrorKind::fit, "samples",
+                    "found " + std::to_string(samples.size()) +
+                        " samples, none with a value above the noise floor; expected some");
+    return traits;
+}
+
+/// What a visitor of rows sees of one sample.
+struct LeastSquares::Part {
+    const int* unknown;
+    const float* weight;
+    Vec3f residual, sampleWeight, noiseWeight;
+    const Vec3f* share;  ///< one a term
+    uint64_t number;
 };
 
 struct LeastSquares::Normal {
@@ -58,138 +111,158 @@ struct LeastSquares::Normal {
     std::vector<double> right;  ///< unknowns x channels
 };
 
-LeastSquares::LeastSquares(const Form& form, const Observations& observations, int threads)
+LeastSquares::LeastSquares(const Form& form, const Feed& feed, const DataTraits& traits,
+                           uint64_t seed, int threads)
     : form_(form),
-      observations_(observations),
+      feed_(feed),
+      traits_(traits),
       layout_(form),
+      rows_(form_, layout_),
       smoothness_(smoothnessRows(form, layout_, kFirstOrder)),
+      seed_(seed),
       threads_(threads)
 {
-    for (const Term& term : form.terms)
-        rows_.push_back(makeRows(form, layout_, term, observations.samples, threads));
 }
 
 State LeastSquares::flatState() const
 {
     const size_t n = unknowns();
     State x(3 * n);
-    for (size_t c = 0; c < 3; ++c) {
-        std::vector<float> logs;
-        for (size_t i = 0; i < observations_.samples.size(); ++i)
-            if (observations_.weight[i][static_cast<int>(c)] > 0.0f)
-                logs.push_back(observations_.logValue[i][static_cast<int>(c)]);
-        const double level = static_cast<double>(medianOf(logs)) -
-                             std::log2(static_cast<double>(form_.terms.size()));
-        const auto factors = static_cast<double>(form_.terms[0].factors.size());
-        std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(c * n), n, level / factors);
+    std::vector<size_t> lastTerm(form_.tables.size(), 0);
+    for (size_t t = 0; t < form_.terms.size(); ++t)
+        for (const Factor& factor : form_.terms[t].factors)
+            lastTerm[static_cast<size_t>(factor.table)] = t;
+    for (size_t table = 0; table < form_.tables.size(); ++table) {
+        const Term& term = form_.terms[lastTerm[table]];
+        const bool isLast = lastTerm[table] + 1 == form_.terms.size();
+        const Vec3f level =
+            (isLast ? traits_.level : traits_.low) / static_cast<float>(term.factors.size());
+        for (int i = 0; i < texelCount(form_.tables[table].domain); ++i)
+            for (size_t c = 0; c < 3; ++c)
+                x[c * n + static_cast<size_t>(layout_.unknownOf(table, i))] =
+                    static_cast<double>(level[static_cast<int>(c)]);
     }
     return x;
 }
 
-LeastSquares::Working LeastSquares::workingAt(const State& x, const StepOptions& options) const
+template <class Visit>
+void LeastSquares::forEachRow(size_t part, const State& x, const StepOptions& options,
+                              const Visit& visit) const
 {
-    const size_t count = observations_.samples.size(), n = unknowns(), terms = rows_.size();
-    Working w;
-    w.residual.resize(count);
-    w.weight.resize(count);
-    if (terms > 1) w.share.assign(terms, std::vector<Vec3f>(count));
-    std::vector<Vec3f> texels(n);
+    const size_t n = unknowns(), terms = form_.terms.size();
+    std::vector<Vec3f> texels(n), share(terms);
     for (size_t i = 0; i < n; ++i) texels[i] = Vec3f(Vec3d(x[i], x[n + i], x[2 * n + i]));
-    parallelFor(count, threads_, [&](size_t i) {
-        Vec3f logG(0.0f), sum(0.0f);
-        for (size_t t = 0; t < terms; ++t) {
-            const auto width = static_cast<size_t>(rows_[t].width);
-            Vec3f logTerm(0.0f);
-            for (size_t k = i * width; k < (i + 1) * width; ++k)
-                logTerm += rows_[t].weight[k] * texels[static_cast<size_t>(rows_[t].unknown[k])];
-            logG = logTerm;
-            if (terms == 1) break;
-            w.share[t][i] = Vec3f(std::exp2(logTerm.x), std::exp2(logTerm.y), std::exp2(logTerm.z));
-            sum += w.share[t][i];
-        }
-        if (terms > 1) {
-            logG = Vec3f(std::log2(sum.x), std::log2(sum.y), std::log2(sum.z));
-            for (size_t t = 0; t < terms; ++t) w.share[t][i] /= sum;
-        }
-        const Sample& sample = observations_.samples[i];
-        const bool excluded = static_cast<int>(observations_.fold[i]) == options.excludedFold;
-        for (int c = 0; c < 3; ++c) {
-            const Response response =
-                responseOf(options.metric, sample.wi.z, observations_.logValue[i][c], logG[c]);
-            // A censored value pulls only a prediction that lies above the floor.
-            const bool satisfied =
-                ((observations_.censored[i] >> c) & 1) != 0 && response.residual >= 0.0f;
-            w.residual[i][c] = response.residual;
-            w.weight[i][c] =
-                excluded || satisfied ? 0.0f : observations_.weight[i][c] * response.weight;
-        }
-    });
-    if (options.robust) applyTukey(w);
-    w.sharedByChannels =
-        terms == 1 && std::all_of(w.weight.begin(), w.weight.end(),
-                                  [](const Vec3f& v) { return v.x == v.y && v.y == v.z; });
-    return w;
-}
-
-// Beaton and Tukey 1974: weight (1 - (r / (c s))^2)^2 within c s, 0 beyond; s from the median of
-// |r|. Residuals count in units of their expected noise, which is what the square root of the
-// observation's weight measures.
-void LeastSquares::applyTukey(Working& w) const
-{
-    for (int c = 0; c < 3; ++c) {
-        std::vector<float> magnitudes;
-        for (size_t i = 0; i < w.residual.size(); ++i)
-            if (w.weight[i][c] > 0.0f)
-                magnitudes.push_back(std::abs(w.residual[i][c]) *
-                                     std::sqrt(observations_.weight[i][c]));
-        const float scale =
-            std::max(medianOf(magnitudes) * static_cast<float>(kMadToSigma), kSmallestScale);
-        const float cut = static_cast<float>(kTukey) * scale;
-        for (size_t i = 0; i < w.residual.size(); ++i) {
-            const float ratio =
-                std::abs(w.residual[i][c]) * std::sqrt(observations_.weight[i][c]) / cut;
-            const float biweight = ratio < 1.0f ? 1.0f - ratio * ratio : 0.0f;
-            w.weight[i][c] *= biweight * biweight;
+    std::vector<int> unknown(static_cast<size_t>(rows_.width()));
+    std::vector<float> weight(unknown.size());
+    std::vector<Sample> scratch;
+    for (size_t b = feed_.blocks * part / kParts; b < feed_.blocks * (part + 1) / kParts; ++b) {
+        const FeedBlock block = feed_.read(b, scratch);
+        for (size_t i = 0; i < block.count; ++i) {
+            if (options.excludedFold != kNoFold &&
+                foldOf(block.first + i, seed_) == options.excludedFold)
+                continue;
+            const Sample& sample = block.samples[i];
+            rows_.make(sample, unknown.data(), weight.data());
+            Vec3f logG(0.0f);
+            size_t k = 0;
+            Vec3f sum(0.0f);
+            for (size_t t = 0; t < terms; ++t) {
+                logG = Vec3f(0.0f);
+                for (; k < static_cast<size_t>(rows_.termEnd()[t]); ++k)
+                    logG += weight[k] * texels[static_cast<size_t>(unknown[k])];
+                share[t] = Vec3f(1.0f);
+                if (terms == 1) break;
+                share[t] = Vec3f(std::exp2(logG.x), std::exp2(logG.y), std::exp2(logG.z));
+                sum += share[t];
+            }
+            if (terms > 1) {
+                logG = Vec3f(std::log2(sum.x), std::log2(sum.y), std::log2(sum.z));
+                for (Vec3f& s : share) s /= sum;
+            }
+            Part row{unknown.data(), weight.data(), Vec3f(0.0f),    Vec3f(0.0f),
+                     Vec3f(0.0f),    share.data(),  block.first + i};
+            for (int c = 0; c < 3; ++c) {
+                const Observed o = observe(sample.f[c], traits_.floor[c], sample.weight);
+                if (o.weight == 0.0f) continue;
+                const Response response =
+                    responseOf(options.metric, sample.wi.z, o.logValue, logG[c]);
+                row.residual[c] = response.residual;
+                row.noiseWeight[c] = o.weight;
+                row.sampleWeight[c] =
+                    o.censored && response.residual >= 0.0f ? 0.0f : o.weight * response.weight;
+            }
+            visit(row);
         }
     }
 }
 
-LeastSquares::Normal LeastSquares::accumulate(const Working& w, int firstChannel,
+// Scale s of the residuals from the median of their magnitudes, in units of the expected noise.
+Vec3f LeastSquares::tukeyScale(const State& x, const StepOptions& options) const
+{
+    Feed probe = feed_;
+    const size_t stride = std::max<size_t>(1, feed_.blocks / kScaleBlocks);
+    probe.blocks = (feed_.blocks + stride - 1) / stride;
+    probe.read = [this, stride](size_t block, std::vector<Sample>& scratch) {
+        return feed_.read(block * stride, scratch);
+    };
+    const LeastSquares sparse(form_, probe, traits_, seed_, threads_);
+    std::array<std::array<std::vector<float>, 3>, kParts> magnitudes;
+    parallelTasks(kParts, threads_, [&](size_t part) {
+        sparse.forEachRow(part, x, options, [&](const Part& row) {
+            for (int c = 0; c < 3; ++c)
+                if (row.sampleWeight[c] > 0.0f)
+                    magnitudes[part][static_cast<size_t>(c)].push_back(
+                        std::abs(row.residual[c]) * std::sqrt(row.noiseWeight[c]));
+        });
+    });
+    Vec3f scale;
+    for (size_t c = 0; c < 3; ++c) {
+        std::vector<float> all;
+        for (const auto& part : magnitudes) all.insert(all.end(), part[c].begin(), part[c].end());
+        scale[static_cast<int>(c)] = std::max(quantile(all, 0.5) * kMadToSigma, kSmallestScale);
+    }
+    return scale;
+}
+
+LeastSquares::Normal LeastSquares::accumulate(const State& x, const StepOptions& options,
+                                              const Vec3f& scale, int firstChannel,
                                               int channels) const
 {
-    const size_t n = unknowns(), count = w.residual.size(), terms = rows_.size();
+    const size_t n = unknowns(), terms = form_.terms.size();
     std::vector<Normal> parts(kParts);
-    size_t widest = 0;
-    for (const RowSet& rows : rows_) widest += static_cast<size_t>(rows.width);
     parallelTasks(kParts, threads_, [&](size_t part) {
         Normal& normal = parts[part];
         normal.matrix = SymmetricMatrix(n);
         normal.right.assign(n * static_cast<size_t>(channels), 0.0);
-        std::vector<size_t> unknown(widest);
-        std::vector<double> entry(widest);
-        for (size_t i = count * part / kParts; i < count * (part + 1) / kParts; ++i) {
-            const double weight = static_cast<double>(w.weight[i][firstChannel]);
-            if (weight == 0.0) continue;
-            size_t entries = 0;
-            for (size_t t = 0; t < terms; ++t) {
-                const double share =
-                    terms == 1 ? 1.0 : static_cast<double>(w.share[t][i][firstChannel]);
-                const auto width = static_cast<size_t>(rows_[t].width);
-                for (size_t k = i * width; k < (i + 1) * width; ++k, ++entries) {
-                    unknown[entries] = static_cast<size_t>(rows_[t].unknown[k]);
-                    entry[entries] = share * static_cast<double>(rows_[t].weight[k]);
-                }
+        std::vector<double> entry(static_cast<size_t>(rows_.width()));
+        forEachRow(part, x, options, [&](const Part& row) {
+            double weight = static_cast<double>(row.sampleWeight[firstChannel]);
+            if (options.robust) {
+                // Beaton and Tukey 1974: (1 - (r / (c s))^2)^2 within c s, 0 beyond.
+                const float ratio = std::abs(row.residual[firstChannel]) *
+                                    std::sqrt(row.noiseWeight[firstChannel]) /
+                                    (kTukey * scale[firstChannel]);
+                const double biweight = static_cast<double>(std::max(0.0f, 1.0f - ratio * ratio));
+                weight *= biweight * biweight;
             }
-            for (size_t a = 0; a < entries; ++a) {
-                double* row = &normal.matrix.lower[unknown[a] * n];
+            if (weight == 0.0) return;
+            size_t k = 0;
+            for (size_t t = 0; t < terms; ++t)
+                for (; k < static_cast<size_t>(rows_.termEnd()[t]); ++k)
+                    entry[k] = static_cast<double>(row.share[t][firstChannel] * row.weight[k]);
+            for (size_t a = 0; a < entry.size(); ++a) {
+                const auto ua = static_cast<size_t>(row.unknown[a]);
+                double* matrixRow = &normal.matrix.lower[ua * n];
                 const double scaled = weight * entry[a];
-                for (size_t b = 0; b < entries; ++b)
-                    if (unknown[b] <= unknown[a]) row[unknown[b]] += scaled * entry[b];
+                for (size_t b = 0; b < entry.size(); ++b) {
+                    const auto ub = static_cast<size_t>(row.unknown[b]);
+                    if (ub <= ua) matrixRow[ub] += scaled * entry[b];
+                }
                 for (int c = 0; c < channels; ++c)
-                    normal.right[static_cast<size_t>(c) * n + unknown[a]] +=
-                        scaled * static_cast<double>(w.residual[i][firstChannel + c]);
+                    normal.right[static_cast<size_t>(c) * n + ua] +=
+                        scaled * static_cast<double>(row.residual[firstChannel + c]);
             }
-        }
+        });
     });
     for (size_t part = 1; part < kParts; ++part) {
         for (size_t i = 0; i < n * n; ++i) parts[0].matrix.lower[i] += parts[part].matrix.lower[i];
@@ -216,6 +289,10 @@ void LeastSquares::addSmoothness(Normal& normal, const State& x, double strength
         }
         overall += scale[t] / static_cast<double>(scale.size());
     }
+    // A channel without a single value above the floor leaves everything to the smoothness.
+    if (overall == 0.0) overall = 1.0;
+    for (double& s : scale)
+        if (s == 0.0) s = overall;
     for (const SmoothnessRow& row : smoothness_) {
         const double factor = strength * scale[static_cast<size_t>(row.table)];
         for (int a = 0; a < row.count; ++a) {
@@ -237,16 +314,18 @@ std::vector<State> LeastSquares::steps(const State& x, const StepOptions& option
                                        const std::vector<double>& strengths) const
 {
     const size_t n = unknowns();
-    const Working working = workingAt(x, options);
-    const int channels = working.sharedByChannels ? 3 : 1;
+    const Vec3f scale = options.robust ? tukeyScale(x, options) : Vec3f(1.0f);
+    const bool shared = traits_.sameWeights && !options.robust && form_.terms.size() == 1 &&
+                        options.metric == Metric::log;
+    const int channels = shared ? 3 : 1;
     std::vector<State> states(strengths.size(), x);
     for (int first = 0; first < 3; first += channels) {
-        const Normal data = accumulate(working, first, channels);
+        const Normal data = accumulate(x, options, scale, first, channels);
         for (size_t s = 0; s < strengths.size(); ++s) {
             Normal normal = data;
             addSmoothness(normal, x, strengths[s], first);
             for (size_t u = 0; u < n; ++u) normal.matrix.at(u, u) *= 1.0 + options.damping;
-            const Cholesky cholesky(normal.matrix);
+            const Cholesky cholesky(std::move(normal.matrix));
             if (!cholesky.ok())
                 throw Error(ErrorKind::fit, form_.name,
                             "the samples leave the system singular; expected directions that vary");
@@ -265,32 +344,43 @@ State LeastSquares::step(const State& x, const StepOptions& options) const
 
 double LeastSquares::cost(const State& x, const StepOptions& options) const
 {
-    const Working w = workingAt(x, options);
-    double sum = 0.0, weights = 0.0;
-    for (size_t i = 0; i < w.residual.size(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            const double r = static_cast<double>(w.residual[i][c]),
-                         weight = static_cast<double>(w.weight[i][c]);
-            sum += weight * r * r;
-            weights += static_cast<double>(observations_.weight[i][c]);
-        }
-    return weights > 0.0 ? sum / weights : 0.0;
+    std::array<double, kParts> sums{}, weights{};
+    parallelTasks(kParts, threads_, [&](size_t part) {
+        forEachRow(part, x, options, [&](const Part& row) {
+            for (int c = 0; c < 3; ++c) {
+                const auto r = static_cast<double>(row.residual[c]);
+                sums[part] += static_cast<double>(row.sampleWeight[c]) * r * r;
+                weights[part] += static_cast<double>(row.noiseWeight[c]);
+            }
+        });
+    });
+    double sum = 0.0, weight = 0.0;
+    for (size_t part = 0; part < kParts; ++part) {
+        sum += sums[part];
+        weight += weights[part];
+    }
+    return weight > 0.0 ? sum / weight : 0.0;
 }
 
 double LeastSquares::foldError(const State& x, int fold) const
 {
-    const Working w = workingAt(x, {});
-    double sum = 0.0, weights = 0.0;
-    for (size_t i = 0; i < w.residual.size(); ++i) {
-        if (fold != kNoFold && static_cast<int>(observations_.fold[i]) != fold) continue;
-        for (int c = 0; c < 3; ++c) {
-            if ((observations_.censored[i] >> c) & 1) continue;
-            const double weight = static_cast<double>(w.weight[i][c]);
-            sum += weight * std::abs(static_cast<double>(w.residual[i][c]));
-            weights += weight;
-        }
+    std::array<double, kParts> sums{}, weights{};
+    parallelTasks(kParts, threads_, [&](size_t part) {
+        forEachRow(part, x, {}, [&](const Part& row) {
+            if (fold != kNoFold && foldOf(row.number, seed_) != fold) return;
+            for (int c = 0; c < 3; ++c) {
+                const auto weight = static_cast<double>(row.sampleWeight[c]);
+                sums[part] += weight * std::abs(static_cast<double>(row.residual[c]));
+                weights[part] += weight;
+            }
+        });
+    });
+    double sum = 0.0, weight = 0.0;
+    for (size_t part = 0; part < kParts; ++part) {
+        sum += sums[part];
+        weight += weights[part];
     }
-    return weights > 0.0 ? sum / weights : 0.0;
+    return weight > 0.0 ? sum / weight : 0.0;
 }
 
 }  // namespace fbrdf

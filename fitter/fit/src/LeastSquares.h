@@ -1,12 +1,16 @@
-// LeastSquares.h - the rows of all samples, and the Gauss-Newton steps that bring a form's log
-// texels to them.
+// LeastSquares.h - Gauss-Newton steps that bring a form's log texels to the samples, which pass by
+// in blocks.
 //
 // The state x holds log2 texels, one column a channel. At x every sample gives a residual r = log2
 // f - log2 g(x) and a row sum_t share_t b_t, where share_t is what term t contributes to g. One
 // term has share 1: the problem is linear and the first step is its solution. A metric phi other
 // than log changes weight and residual of the same row: w phi'^2 and (phi(f) - phi(g)) / phi', with
 // derivatives by log2 g.
+//
+// Weights: f^2 / (f^2 + floor^2). A value below the noise floor is censored: known to lie below, it
+// pulls only a prediction that lies above.
 #pragma once
+#include "Feed.h"
 #include "Rows.h"
 #include "Solver.h"
 
@@ -15,23 +19,6 @@
 #include <vector>
 
 namespace fbrdf {
-
-/// What the samples say, per channel.
-struct Observations {
-    std::vector<Sample> samples;
-    std::vector<Vec3f> logValue;  ///< log2 f, or log2 of the noise floor where censored
-    std::vector<Vec3f> weight;  ///< f^2 / (f^2 + floor^2) times the sample's own; 0 where unusable
-    std::vector<uint8_t> censored;  ///< bit c: channel c is known only to lie below the floor
-    std::vector<uint8_t> fold;      ///< 0 .. kFolds - 1
-    Vec3f floor{0.0f};
-    size_t used = 0, belowFloor = 0;
-};
-
-constexpr int kFolds = 5;
-constexpr int kNoFold = -1;
-
-/// Throws Error(fit) when no channel of any sample is above the floor.
-Observations observe(std::vector<Sample> samples, const Vec3f& floor, uint64_t seed);
 
 /// Unknowns x channels, column (channel) contiguous: log2 texels.
 using State = std::vector<double>;
@@ -44,9 +31,22 @@ struct StepOptions {
     double damping = 0.0;        ///< Levenberg-Marquardt, relative to the diagonal
 };
 
+/// What the samples are like, found before anything is fitted.
+struct DataTraits {
+    Vec3f floor{0.0f};         ///< noise floor, 1/sr
+    Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
+    Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
+    bool sameWeights = false;  ///< no channel of any probed sample is at or below the floor
+    size_t usable = 0;         ///< of the probed samples, those with a channel above the floor
+};
+/// Looks at `samples`, a fair part of the data.
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact);
+
 class LeastSquares {
 public:
-    LeastSquares(const Form& form, const Observations& observations, int threads);
+    /// `form` and `feed` must outlive the object.
+    LeastSquares(const Form& form, const Feed& feed, const DataTraits& traits, uint64_t seed,
+                 int threads);
 
     size_t unknowns() const { return static_cast<size_t>(layout_.unknowns()); }
     const Layout& layout() const { return layout_; }
@@ -58,26 +58,32 @@ public:
     /// One linear system, several smoothness strengths: the states after a step with each.
     std::vector<State> steps(const State& x, const StepOptions& options,
                              const std::vector<double>& strengths) const;
-    /// Weighted mean of squared residuals plus smoothness, what a damped step must lower.
+    /// Weighted mean of squared residuals: what a damped step must lower.
     double cost(const State& x, const StepOptions& options) const;
-    /// Weighted mean |log2 f - log2 g| of the samples of one fold (or all but with kNoFold).
+    /// Weighted mean |log2 f - log2 g| over the samples of one fold; over all with kNoFold.
     double foldError(const State& x, int fold) const;
-    /// A flat start: every texel such that the form equals the median of f.
+    /// Every table flat, the form equal to 2^level; of a sum, the terms but the last equal to
+    /// 2^low.
     State flatState() const;
 
 private:
-    struct Working;
+    struct Part;
     struct Normal;
-    Working workingAt(const State& x, const StepOptions& options) const;
-    Normal accumulate(const Working& working, int firstChannel, int channels) const;
+    template <class Visit>
+    void forEachRow(size_t part, const State& x, const StepOptions& options,
+                    const Visit& visit) const;
+    Vec3f tukeyScale(const State& x, const StepOptions& options) const;
+    Normal accumulate(const State& x, const StepOptions& options, const Vec3f& scale,
+                      int firstChannel, int channels) const;
     void addSmoothness(Normal& normal, const State& x, double strength, int firstChannel) const;
-    void applyTukey(Working& working) const;
 
     const Form& form_;
-    const Observations& observations_;
+    const Feed& feed_;
+    DataTraits traits_;
     Layout layout_;
-    std::vector<RowSet> rows_;  ///< one a term
+    RowMaker rows_;
     std::vector<SmoothnessRow> smoothness_;
+    uint64_t seed_;
     int threads_;
 };
 

@@ -1,7 +1,5 @@
 #include "Rows.h"
 
-#include "Parallel.h"
-
 namespace fbrdf {
 namespace {
 
@@ -43,42 +41,34 @@ Layout::Layout(const Form& form)
     }
 }
 
-int rowWidth(const Form& form, const Term& term)
+RowMaker::RowMaker(const Form& form, const Layout& layout) : form_(form), layout_(layout)
 {
     int width = 0;
-    for (const Factor& factor : term.factors) {
-        const auto size = domainSize(form.tables[static_cast<size_t>(factor.table)].domain);
-        int entries = 1;
-        for (const int n : size)
-            if (n > 1) entries *= 2;
-        width += entries;
+    for (const Term& term : form.terms) {
+        for (const Factor& factor : term.factors) {
+            int entries = 1;
+            for (const int n : domainSize(form.tables[static_cast<size_t>(factor.table)].domain))
+                if (n > 1) entries *= 2;
+            width += entries;
+        }
+        termEnd_.push_back(width);
     }
-    return width;
 }
 
-RowSet makeRows(const Form& form, const Layout& layout, const Term& term,
-                const std::vector<Sample>& samples, int threads)
+void RowMaker::make(const Sample& sample, int* unknown, float* weight) const
 {
-    RowSet rows;
-    rows.width = rowWidth(form, term);
-    const auto width = static_cast<size_t>(rows.width);
-    rows.unknown.resize(samples.size() * width);
-    rows.weight.resize(samples.size() * width);
-    parallelFor(samples.size(), threads, [&](size_t i) {
-        const PairGeometry<float> geometry({samples[i].wo, samples[i].wi});
-        size_t entry = i * width;
+    const PairGeometry<float> geometry({sample.wo, sample.wi});
+    for (const Term& term : form_.terms)
         for (const Factor& factor : term.factors) {
             const auto table = static_cast<size_t>(factor.table);
-            const Domain& domain = form.tables[table].domain;
+            const Domain& domain = form_.tables[table].domain;
             const Stencil<float> stencil =
                 stencilAt(domain, texelPosition(domain, factor.argument, geometry));
-            for (size_t k = 0; k < static_cast<size_t>(stencil.count); ++k, ++entry) {
-                rows.unknown[entry] = layout.unknownOf(table, stencil.texel[k]);
-                rows.weight[entry] = stencil.weight[k];
+            for (size_t k = 0; k < static_cast<size_t>(stencil.count); ++k) {
+                *unknown++ = layout_.unknownOf(table, stencil.texel[k]);
+                *weight++ = stencil.weight[k];
             }
         }
-    });
-    return rows;
 }
 
 std::vector<SmoothnessRow> smoothnessRows(const Form& form, const Layout& layout, double firstOrder)

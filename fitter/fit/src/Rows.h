@@ -1,5 +1,4 @@
-// Rows.h - one sample, one sparse row: the unknowns that a term of a form mixes at a pair of
-// directions.
+// Rows.h - one sample, one sparse row: the unknowns that a form mixes at a pair of directions.
 //
 // Unknowns are log2 texels. A symmetric table's (i, j) and (j, i) are one unknown; a table that
 // several factors use (p of pqp) is one set of unknowns, so reciprocity is exact.
@@ -26,20 +25,23 @@ private:
     std::vector<std::vector<int>> unknownOf_;
 };
 
-/// The rows of one term at many samples: `width` entries each, contiguous.
-struct RowSet {
-    int width = 0;
-    std::vector<int> unknown;   ///< samples x width
-    std::vector<float> weight;  ///< samples x width; each factor's weights sum to 1
+/// Makes rows, one after the other. A row holds the entries of all terms, term after term;
+/// termEnd[t] is one past the last entry of term t, and the last of them the width of every row.
+class RowMaker {
+public:
+    RowMaker(const Form& form, const Layout& layout);
+    int width() const { return termEnd_.back(); }
+    const std::vector<int>& termEnd() const { return termEnd_; }
+    /// unknown, weight: width() entries each. The weights of each factor sum to 1.
+    void make(const Sample& sample, int* unknown, float* weight) const;
+
+private:
+    const Form& form_;
+    const Layout& layout_;
+    std::vector<int> termEnd_;
 };
 
-/// Entries a row of the term has.
-int rowWidth(const Form& form, const Term& term);
-
-RowSet makeRows(const Form& form, const Layout& layout, const Term& term,
-                const std::vector<Sample>& samples, int threads);
-
-/// Smoothness: rows that are 0 where a table is linear along its axes, three or two entries each.
+/// Smoothness: rows that are 0 where a table is linear along its axes.
 struct SmoothnessRow {
     int count = 0;
     int unknown[3];

@@ -19,7 +19,7 @@ struct SymmetricMatrix {
 class Cholesky {
 public:
     /// ok() is false when the matrix is not positive definite.
-    explicit Cholesky(const SymmetricMatrix& matrix);
+    explicit Cholesky(SymmetricMatrix matrix);
     bool ok() const { return ok_; }
     /// In place: right-hand side in, solution out. `values`: n x columns, column contiguous.
     void solve(double* values, size_t columns) const;

@@ -20,7 +20,7 @@ const char* metricName(Metric metric);           ///< "log", "cuberoot", "log1p"
 Metric metricFromName(const std::string& name);  ///< throws Error(usage)
 
 struct FitOptions {
-    std::string form = "auto";  ///< a name of formNames(), or "auto"
+    std::string form = "auto";  ///< a name of namedForms(), a sum such as "io+hdio", or "auto"
     int resolution = 0;   ///< texels along the main axis of the form; 0: the form's own default
     size_t maxBytes = 0;  ///< > 0: no material larger than this
     int lookups = 2;      ///< texture look-ups allowed in a pass, >= 1
@@ -40,7 +40,8 @@ struct Trial {
     size_t bytes = 0;
     int lookups = 0;  ///< per light
     double seconds = 0;
-    double score = 0;  ///< held-out error that decides, smaller is better
+    SampleErrors heldOut;
+    double score = 0;  ///< the held-out error that decides: log_median, or that of the metric
     bool chosen = false;
 };
 
@@ -70,7 +71,8 @@ struct NamedForm {
     int defaultResolution;
 };
 const std::vector<NamedForm>& namedForms();
-/// Throws Error(usage) for an unknown name. `resolution` 0: the default.
+/// A named form, or a sum of named forms: "io+hdio". Throws Error(usage) for an unknown name.
+/// `resolution` 0: the default.
 Form makeForm(const std::string& name, int resolution = 0);
 
 }  // namespace fbrdf

@@ -1,0 +1,5 @@
+#include "SolverKernel.h"
+
+#define FBRDF_FACTOR factorBaseline
+#define FBRDF_SOLVE solveBaseline
+#include "SolverKernel.inl"
