@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Installs what is missing of the Debian packages that fbrdf builds and tests with. Does nothing, and asks for no
+# rights, where all are there. Usage: install-packages.sh LOGFILE
+set -euo pipefail
+log=${1:?usage: install-packages.sh LOGFILE}
+
+packages=(
+  g++ cmake ninja-build pkg-config ccache python3 python3-glad
+  libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev
+  libglm-dev libglfw3-dev libimgui-dev libegl-dev libegl1 libgl1-mesa-dri libosmesa6-dev
+  libopenimageio-dev libpng-dev libgtest-dev libopenmpi-dev openmpi-bin
+  glslang-tools xvfb xauth
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null || true)
+  [[ $status == ii* ]] || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "fbrdf: set-up: found neither root nor sudo, expected one to install: ${missing[*]}" >&2; exit 1; }
+  sudo=(sudo)
+fi
+echo "installing ${#missing[@]} Debian packages: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+"${sudo[@]}" apt-get update -qq >>"$log" 2>&1
+"${sudo[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >>"$log" 2>&1
