@@ -1,14 +1,19 @@
 // ExrMaterialTest.cpp - the .fbrdf file as a format: what goes in comes out, the same bytes every
-// time, other tools read it. Hostile input is in HostileFileTest.cpp.
+// time, other tools read it. Hostile input is in HostileExrTest.cpp.
+#include "io/Expect.h"
 #include "io/FileBytes.h"
 #include "io/TestMaterials.h"
 #include "support/TemporaryDir.h"
 
-#include <fbrdf/brdf/Error.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
 using namespace fbrdf;
+using fbrdf::test::expectError;
 using fbrdf::test::TemporaryDir;
 
 namespace {
@@ -36,6 +41,115 @@ TEST(ExrMaterial, ComparisonSeesASingleBit)  // the tester itself
     b = a;
     b.form.terms[0].factors[0].argument = Direction::h;
     EXPECT_EQ(test::firstDifference(a, b), "form");
+}
+
+TEST(ExrMaterial, RoundTripsExtremeNumbers)
+{
+    const TemporaryDir folder;
+    const std::string path = folder.file("m.fbrdf");
+    Material material = test::testMaterial(formPqp(8, 0.5), Storage::float32);
+    using Limits = std::numeric_limits<float>;
+    const float extremes[] = {Limits::max(), Limits::lowest(), Limits::denorm_min(), -0.0f,
+                              65504.0f};
+    std::copy(std::begin(extremes), std::end(extremes), material.tables[0].texels.begin());
+    material.scales[0] = {Limits::max(), Limits::denorm_min(), 0.0f};
+    material.errors["infinite"] = INFINITY;
+    writeMaterial(material, path);
+    EXPECT_EQ(test::firstDifference(readMaterial(path), material), "");
+
+    material = test::testMaterial(formPqp(8, 0.5), Storage::half);
+    const float halves[] = {65504.0f, -65504.0f, std::ldexp(1.0f, -24), -0.0f};
+    std::copy(std::begin(halves), std::end(halves), material.tables[0].texels.begin());
+    writeMaterial(material, path);
+    EXPECT_EQ(test::firstDifference(readMaterial(path), material), "");
+}
+
+// A table of nearly equal texels once left log8 steps finer than those of float.
+TEST(ExrMaterial, RoundTripsLog8OfNearlyConstantTables)
+{
+    const TemporaryDir folder;
+    const std::string path = folder.file("m.fbrdf");
+    Material material = test::testMaterial(formHdio(7, 4, 6), Storage::float32);
+    for (const float spread : {0.0f, 1e-6f, 1e-4f, 1e-2f}) {
+        for (Table& table : material.tables) {
+            table.storage = Storage::float32;
+            for (size_t i = 0; i < table.texels.size(); ++i)
+                table.texels[i] = -2.65f + spread * std::sin(static_cast<float>(i));
+            table = quantized(table, Storage::log8);
+        }
+        writeMaterial(material, path);
+        EXPECT_EQ(test::firstDifference(readMaterial(path), material), "") << spread;
+    }
+}
+
+TEST(ExrMaterial, SameMaterialGivesTheSameBytes)
+{
+    const TemporaryDir folder;
+    const Material material = test::testMaterial(formPqpr(8, 0.5, 5), Storage::log8);
+    writeMaterial(material, folder.file("a.fbrdf"));
+    writeMaterial(material, folder.file("b.fbrdf"));
+    const std::string bytes = test::fileBytes(folder.file("a.fbrdf"));
+    EXPECT_EQ(bytes, test::fileBytes(folder.file("b.fbrdf")));
+    // Two runs within a second would agree anyway: no time but the fixed one may be in there.
+    EXPECT_NE(bytes.find("1970:01:01 00:00:00"), std::string::npos);
+    EXPECT_EQ(bytes.find(folder.file("")), std::string::npos) << "the file names its folder";
+}
+
+TEST(ExrMaterial, OtherToolsOpenIt)
+{
+    if (std::system("oiiotool --help > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs oiiotool";
+    const TemporaryDir folder;
+    const std::string path = folder.file("m.fbrdf"), copy = folder.file("copy.exr");
+    writeMaterial(test::testMaterial(formPqpr(8, 0.5, 5), Storage::half), path);
+    std::filesystem::copy_file(path, copy);
+    const std::string log = folder.file("info.txt");
+    const std::string command = "oiiotool --info -v -a " + copy + " > " + log + " 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    const std::string info = test::fileBytes(log);
+    for (const char* text : {"3 subimages: 8x8", "fbrdf:storage: \"half\"", "fbrdf:version: 1",
+                             "fbrdf:units: \"1/sr\"", "fbrdf:error:log_rms: 0.1"})
+        EXPECT_NE(info.find(text), std::string::npos) << text << " in\n" << info;
+}
+
+TEST(ExrMaterial, IsRecognisedByContentNotByName)
+{
+    const TemporaryDir folder;
+    const std::string path = folder.file("m.fbrdf"), renamed = folder.file("picture.txt");
+    const Material material = test::testMaterial(formPqp(8, 0.5), Storage::log8);
+    writeMaterial(material, path);
+    std::filesystem::rename(path, renamed);
+    EXPECT_TRUE(isMaterialFile(renamed));
+    EXPECT_EQ(test::firstDifference(readMaterial(renamed), material), "");
+    test::putFile(folder.file("empty.fbrdf"), "");
+    test::putFile(folder.file("noise.fbrdf"), "\x76\x2f\x31\x01 not a material");
+    EXPECT_FALSE(isMaterialFile(folder.file("empty.fbrdf")));
+    EXPECT_FALSE(isMaterialFile(folder.file("noise.fbrdf")));
+    EXPECT_FALSE(isMaterialFile(folder.file("absent.fbrdf")));
+    EXPECT_FALSE(isMaterialFile(folder.file("")));
+    for (const char* name : {"empty.fbrdf", "noise.fbrdf", "absent.fbrdf", ""})
+        expectError(ErrorKind::input, folder.file(name), [&] { readMaterial(folder.file(name)); });
+}
+
+TEST(ExrMaterial, RefusesWhatItsStorageCannotHold)
+{
+    const TemporaryDir folder;
+    const std::string path = folder.file("m.fbrdf");
+    for (const Storage storage : {Storage::log8, Storage::half, Storage::linear8}) {
+        Material material = test::testMaterial(formPqp(8, 0.5), storage);
+        material.tables[1].texels[3] += 1e-4f;
+        expectError(ErrorKind::usage, "quantize the table first",
+                    [&] { writeMaterial(material, path); });
+    }
+    Material material = test::testMaterial(formPqp(8, 0.5), Storage::half);
+    material.notes[std::string(201, 'k')] = "";
+    expectError(ErrorKind::usage, "at most 200 bytes", [&] { writeMaterial(material, path); });
+    material = test::testMaterial(formPqp(8, 0.5), Storage::float32);
+    material.tables[1].texels[3] = NAN;
+    expectError(ErrorKind::input, "not finite", [&] { writeMaterial(material, path); });
+    expectError(ErrorKind::usage, "expected .fbrdf, .txt or .json", [&] {
+        writeMaterial(test::testMaterial(formPqp(8, 0.5), Storage::half), folder.file("m.exr"));
+    });
+    EXPECT_TRUE(folder.names().empty());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "ExrMaterial.h"
 
 #include "Codes.h"
+#include "ExrCodec.h"
 #include "Files.h"
 #include "FormJson.h"
-#include "ImageCodec.h"
 
 #include <fbrdf/brdf/Error.h>
 

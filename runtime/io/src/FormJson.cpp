@@ -10,6 +10,15 @@ namespace {
 
 constexpr char kOneMinusCosine[] = "1-cos", kCosine[] = "cos";
 
+// Containers are only counted: printing one recurses, and hostile text nests as deep as it is long.
+std::string summary(const Json& value)
+{
+    if (value.is_object()) return "an object of " + std::to_string(value.size());
+    if (value.is_array()) return "an array of " + std::to_string(value.size());
+    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return text.size() > 40 ? text.substr(0, 40) + "..." : text;
+}
+
 Json jsonFromDomain(const Domain& domain)
 {
     if (const auto* disc = std::get_if<DiscDomain>(&domain))
@@ -106,9 +115,7 @@ TableSpec tableFromJson(const JsonField& json)
 
 void JsonField::fail(const std::string& expected) const
 {
-    std::string found = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (found.size() > 40) found = found.substr(0, 40) + "...";
-    throw Error(ErrorKind::input, where_, "found " + found + ", expected " + expected);
+    throw Error(ErrorKind::input, where_, "found " + summary(*value_) + ", expected " + expected);
 }
 
 JsonField JsonField::at(const char* key) const
@@ -195,6 +202,7 @@ Form formFromJson(const JsonField& json)
     Form form;
     form.name = json.at("name").text();
     const JsonField tables = json.at("tables"), terms = json.at("terms");
+    if (tables.size() == 0) tables.fail("at least one table");
     for (size_t i = 0; i < tables.size(); ++i) form.tables.push_back(tableFromJson(tables.at(i)));
     for (size_t t = 0; t < terms.size(); ++t) {
         const JsonField factors = terms.at(t);

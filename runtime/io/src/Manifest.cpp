@@ -3,7 +3,7 @@
 #include "Codes.h"
 #include "Files.h"
 #include "FormJson.h"
-#include "ImageCodec.h"
+#include "Png.h"
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/brdf/Half.h>

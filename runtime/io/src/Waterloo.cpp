@@ -2,7 +2,7 @@
 
 #include "Codes.h"
 #include "Files.h"
-#include "ImageCodec.h"
+#include "Png.h"
 
 #include <fbrdf/brdf/Error.h>
 
@@ -170,13 +170,14 @@ std::string baseOf(const std::string& description)
     const fs::path path(description);
     if (path.extension() == ".txt") return (path.parent_path() / path.stem()).string();
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::vector<std::string> bases;
-    for (const std::string& file : filesIn(folder.string(), "p.png")) {
-        const std::string base = file.substr(0, file.size() - 5);
-        if (fs::exists(base + "q.png")) bases.push_back(base);
+    const std::string ending = "p.png";
+    std::vector<std::string> pairs;
+    for (const std::string& file : filesIn(folder.string(), ending)) {
+        const std::string base = file.substr(0, file.size() - ending.size());
+        if (fs::exists(base + "q.png")) pairs.push_back(file);
     }
-    if (bases.size() != 1) failCount(folder.string(), bases, "pair NAMEp.png, NAMEq.png");
-    return bases[0];
+    if (pairs.size() != 1) failCount(folder.string(), pairs, "pair NAMEp.png, NAMEq.png");
+    return pairs[0].substr(0, pairs[0].size() - ending.size());
 }
 
 Table readMap(const std::string& base, int index, const char* name)

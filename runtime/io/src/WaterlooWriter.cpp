@@ -1,6 +1,6 @@
 #include "Codes.h"
 #include "Files.h"
-#include "ImageCodec.h"
+#include "Png.h"
 #include "Waterloo.h"
 
 #include <fbrdf/brdf/Error.h>

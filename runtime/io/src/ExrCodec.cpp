@@ -1,4 +1,4 @@
-#include "ImageCodec.h"
+#include "ExrCodec.h"
 
 #include <fbrdf/brdf/Error.h>
 
@@ -17,8 +17,6 @@ namespace Filesystem = OIIO::Filesystem;
 
 // OpenImageIO would write the present time: a fixed one keeps equal materials equal files.
 constexpr char kFixedTime[] = "1970:01:01 00:00:00";
-constexpr int kMaxPixels = 1 << 24;  // Form.cpp: no table has more texels
-constexpr char kPngMagic[] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
 
 // Errors are taken from the object and from the thread, so that none is left for OpenImageIO to
 // print at exit.
@@ -85,17 +83,6 @@ std::vector<ImageSpec> exrSpecs(const std::vector<ExrImage>& images)
     return specs;
 }
 
-std::unique_ptr<ImageInput> openMemory(const char* format, Filesystem::IOMemReader& reader,
-                                       const std::string& where)
-{
-    auto input = ImageInput::create(format);
-    ImageSpec spec, config;
-    config["oiio:UnassociatedAlpha"] = 1;  // raw codes: nothing may be multiplied by alpha
-    if (!input || !input->set_ioproxy(&reader) || !input->open(where, spec, config))
-        fail(ErrorKind::input, where, input.get());
-    return input;
-}
-
 }  // namespace
 
 void writeExr(const std::string& path, const std::vector<ExrImage>& images,
@@ -118,7 +105,10 @@ std::vector<float> readExrPixels(const std::string& bytes, size_t part, const Ex
                                  const std::string& where)
 {
     Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());
-    const auto input = openMemory("openexr", reader, where);
+    const auto input = ImageInput::create("openexr");
+    ImageSpec first;
+    if (!input || !input->set_ioproxy(&reader) || !input->open(where, first))
+        fail(ErrorKind::input, where, input.get());
     const int index = static_cast<int>(part);
     if (!input->seek_subimage(index, 0)) fail(ErrorKind::input, where, input.get());
     const ImageSpec& spec = input->spec();
@@ -130,52 +120,6 @@ std::vector<float> readExrPixels(const std::string& bytes, size_t part, const Ex
     if (!input->read_image(index, 0, 0, spec.nchannels, TypeDesc::FLOAT, pixels.data()))
         fail(ErrorKind::input, where, input.get());
     return pixels;
-}
-
-std::string encodePng(const PngImage& image, const std::string& where)
-{
-    const bool wide = image.bits == 16;
-    const ImageSpec spec(image.width, image.height, image.channels,
-                         wide ? TypeDesc::UINT16 : TypeDesc::UINT8);
-    std::vector<unsigned char> buffer;
-    Filesystem::IOVecOutput writer(buffer);
-    auto output = ImageOutput::create("png");
-    if (!output || !output->set_ioproxy(&writer) || !output->open(where, spec))
-        fail(ErrorKind::output, where, output.get());
-    const std::vector<uint8_t> narrow(image.codes.begin(), image.codes.end());
-    const bool written = wide ? output->write_image(TypeDesc::UINT16, image.codes.data())
-                              : output->write_image(TypeDesc::UINT8, narrow.data());
-    if (!written || !output->close()) fail(ErrorKind::output, where, output.get());
-    return std::string(buffer.begin(), buffer.end());
-}
-
-PngImage decodePng(const std::string& bytes, const std::string& where)
-{
-    if (bytes.compare(0, sizeof kPngMagic, kPngMagic, sizeof kPngMagic) != 0)
-        throw Error(ErrorKind::input, where, "found other first bytes, expected a PNG file");
-    Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());
-    const auto input = openMemory("png", reader, where);
-    const ImageSpec& spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > kMaxPixels / spec.height)
-        throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                        " pixels, expected at most 2^24");
-    if (spec.nchannels != 1 && spec.nchannels != 3)
-        throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(spec.nchannels) + " channels, expected 1 or 3");
-    PngImage image{spec.width, spec.height, spec.nchannels, 8, {}};
-    const size_t count = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
-                         static_cast<size_t>(spec.nchannels);
-    std::vector<uint8_t> narrow(spec.format == TypeDesc::UINT16 ? 0 : count);
-    image.bits = narrow.empty() ? 16 : 8;
-    image.codes.resize(count);
-    const bool read =
-        image.bits == 16
-            ? input->read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT16, image.codes.data())
-            : input->read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, narrow.data());
-    if (!read) fail(ErrorKind::input, where, input.get());
-    std::copy(narrow.begin(), narrow.end(), image.codes.begin());
-    return image;
 }
 
 }  // namespace fbrdf

@@ -1,9 +1,8 @@
-// ImageCodec.h - pixels to and from OpenEXR and PNG. The only file whose source sees OpenImageIO.
+// ExrCodec.h - pixels to and from OpenEXR. The only file whose source sees OpenImageIO.
 // Images are top row first, channel contiguous, then x, then y.
 #pragma once
 #include "ExrHeader.h"
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,19 +38,5 @@ void writeExr(const std::string& path, const std::vector<ExrImage>& images,
 /// Error(input) naming `where`.
 std::vector<float> readExrPixels(const std::string& bytes, size_t part, const ExrPart& expected,
                                  const std::string& where);
-
-struct PngImage {
-    int width = 0, height = 0;
-    int channels = 0;             ///< 1 or 3
-    int bits = 8;                 ///< 8 or 16
-    std::vector<uint16_t> codes;  ///< width x height x channels, 0 to 255 or 65535
-};
-
-/// Bytes of a PNG file without time or other context: the same image gives the same bytes.
-std::string encodePng(const PngImage& image, const std::string& where);
-
-/// Throws Error(input) naming `where` for anything but a PNG of 1 or 3 channels and at most 2^24
-/// pixels.
-PngImage decodePng(const std::string& bytes, const std::string& where);
 
 }  // namespace fbrdf
