@@ -109,6 +109,28 @@ inline void expectSound(const Source& source)
     }
 }
 
+/// What the data set's own parse.py (numpy) prints of a real file.
+struct RealFile {
+    const char* path;  ///< below the data folder, with a choice if any
+    uint64_t given;
+    size_t usable;
+    Sample brightest;  ///< of all usable samples, by red
+};
+
+inline void expectRealFile(const Source& source, const RealFile& file)
+{
+    expectSound(source);
+    const std::vector<Sample> samples = allSamples(source);
+    EXPECT_EQ(reportOf(source).given, file.given) << file.path;
+    ASSERT_EQ(samples.size(), file.usable) << file.path;
+    const Sample* brightest = samples.data();
+    for (const Sample& s : samples)
+        if (s.f.x > brightest->f.x) brightest = &s;
+    EXPECT_LT(glm::length(brightest->wo - file.brightest.wo), 1e-6f) << file.path;
+    EXPECT_LT(glm::length(brightest->wi - file.brightest.wi), 1e-6f) << file.path;
+    EXPECT_NEAR(brightest->f.x, file.brightest.f.x, 1e-6f * file.brightest.f.x) << file.path;
+}
+
 /// The kind and message of the error that opening raises; kind 0 when it succeeds.
 struct Outcome {
     int kind = 0;

@@ -8,6 +8,11 @@ namespace {
 
 /// In the order in which they are tried: formats with an unmistakable beginning come first.
 constexpr Format kFormats[] = {
+    {"zemax", "", false, isZemax, readZemax},
+    {"lumos", "", false, isLumos, readLumos},
+    {"fred", "", false, isFred, readFred},
+    {"rt300s", "", false, isRt300s, readRt300s},
+    {"nist", "", true, isNist, readNist},
     {"columns", " f32c ", false, isBinaryColumns, readBinaryColumns},
     {"rgl", " bsdf ", false, isRgl, readRgl},
     {"npf", "  ", true, isNpf, readNpf},

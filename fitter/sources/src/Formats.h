@@ -42,5 +42,15 @@ bool isRgl(const InputFile& file);
 Source readRgl(const FileRequest& request);
 bool isBinaryColumns(const InputFile& file);
 Source readBinaryColumns(const FileRequest& request);
+bool isNist(const InputFile& file);
+Source readNist(const FileRequest& request);
+bool isRt300s(const InputFile& file);
+Source readRt300s(const FileRequest& request);
+bool isFred(const InputFile& file);
+Source readFred(const FileRequest& request);
+bool isLumos(const InputFile& file);
+Source readLumos(const FileRequest& request);
+bool isZemax(const InputFile& file);
+Source readZemax(const FileRequest& request);
 
 }  // namespace fbrdf

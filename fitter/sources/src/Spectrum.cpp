@@ -48,18 +48,10 @@ double at(const Curve& curve, double wavelength)
     return curve[lower] * (1.0 - blend) + curve[lower + 1] * blend;
 }
 
-/// XYZ to linear sRGB, IEC 61966-2-1.
-Vec3d rgbFromXyz(const Vec3d& c)
-{
-    return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
-            -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
-            0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
-}
-
 /// What one nanometre of a white surface under D65 adds to linear sRGB, up to a factor.
 Vec3d lineColour(double wavelength)
 {
-    return rgbFromXyz({at(kX, wavelength), at(kY, wavelength), at(kZ, wavelength)}) *
+    return linearSrgbFromXyz({at(kX, wavelength), at(kY, wavelength), at(kZ, wavelength)}) *
            at(kD65, wavelength);
 }
 
@@ -78,6 +70,13 @@ void requireAscending(const std::vector<double>& wavelengths)
 }
 
 }  // namespace
+
+Vec3d linearSrgbFromXyz(const Vec3d& c)
+{
+    return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
+            -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
+            0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
+}
 
 SpectrumToRgb::SpectrumToRgb(const std::vector<double>& wavelengths) : weights_(wavelengths.size())
 {

@@ -11,6 +11,9 @@
 
 namespace fbrdf {
 
+/// Linear sRGB of a colour in CIE XYZ whose white is D65 with Y = 1.
+Vec3d linearSrgbFromXyz(const Vec3d& xyz);
+
 /// Weights that turn spectra sampled at fixed wavelengths into linear sRGB.
 class SpectrumToRgb {
 public:

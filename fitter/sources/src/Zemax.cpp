@@ -1,0 +1,224 @@
+// Zemax.cpp - the BSDF Data Interchange format, "Zemax tabular BSDF" (Rykowski, Radiant Imaging
+// 2008; Zemax knowledge base, "Zemax Tabular BSDF data file format").
+// Text, '#' comments. Keywords Source, Symmetry, SpectralContent (Monochrome, XYZ), ScatterType
+// (BRDF, BTDF); then SampleRotation, AngleOfIncidence, ScatterAzimuth, ScatterRadial, each with a
+// count and on the next line that many angles in degrees; then the blocks Monochrome, or
+// TristimulusX, Y and Z, each DataBegin .. DataEnd: for every sample rotation and angle of
+// incidence a line "TIS x", then one line an azimuth with one value a radial angle, 1/sr without
+// the cosine. 0 means not measured. Scatter angles are centred on the mirror direction: with the
+// light at wi = (-sin I, 0, cos I), a scattered direction of azimuth A and radial angle R is (X, Y,
+// Z) = (sin R cos A, sin R sin A, cos R) turned by I: wo = (-cos I X + sin I Z, Y, sin I X + cos I
+// Z), so azimuth 0 points from the mirror direction to the normal. Both are turned by the sample's
+// rotation about the normal. PlaneSymmetrical files give azimuths 0 to 180 of a pattern that
+// mirrors in the plane of incidence. XYZ blocks become linear sRGB.
+#include "Formats.h"
+#include "SampleRow.h"
+#include "Text.h"
+
+#include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/sources/Spectrum.h>
+
+#include <array>
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+/// Measurements have at most some hundred angles an axis.
+constexpr long long kMostAngles = 100000;
+constexpr double kDegree = kPi / 180.0;
+
+struct ZemaxTable {
+    std::vector<double> rotation, incidence, azimuth, radial;
+    bool tristimulus = false, symmetrical = false;
+    std::vector<std::vector<double>> blocks;  ///< one, or X, Y, Z
+
+    size_t valueCount() const
+    {
+        return rotation.size() * incidence.size() * azimuth.size() * radial.size();
+    }
+};
+
+class ZemaxReader {
+public:
+    explicit ZemaxReader(const InputFile& file) : file_(file), words_(file.bytes()) {}
+
+    ZemaxTable read()
+    {
+        std::string_view word;
+        while (words_.next(word)) readKeyword(std::string(word));
+        const size_t expected = table_.tristimulus ? 3 : 1;
+        if (table_.blocks.size() != expected)
+            throw fail("found " + std::to_string(table_.blocks.size()) +
+                       " blocks of data, expected " + std::to_string(expected));
+        return std::move(table_);
+    }
+
+private:
+    Error fail(const std::string& what) const { return lineError(file_, words_.line(), what); }
+
+    std::string_view word(const char* expected)
+    {
+        std::string_view next;
+        if (!words_.next(next))
+            throw fail(std::string("found the end of the file, expected ") + expected);
+        return next;
+    }
+    double number()
+    {
+        double value = 0.0;
+        const std::string_view text = word("a number");
+        if (!parseNumber(text, value)) throw fail("found " + quoted(text) + ", expected a number");
+        return value;
+    }
+
+    void readKeyword(const std::string& key)
+    {
+        if (key == "Source")
+            word("a source");
+        else if (key == "Symmetry")
+            table_.symmetrical = lowerCase(word("a symmetry")) == "planesymmetrical";
+        else if (key == "SpectralContent")
+            table_.tristimulus = oneOf("Monochrome", "XYZ") == 1;
+        else if (key == "ScatterType")
+            requireReflection();
+        else if (std::vector<double>* angles = anglesNamed(key))
+            readAngles(*angles);
+        else if (key == "DataBegin")
+            readBlock();
+        else if (key != "Monochrome" && key.substr(0, 11) != "Tristimulus")
+            throw fail("found " + quoted(key) + ", expected a keyword");
+    }
+    int oneOf(const char* first, const char* second)
+    {
+        const std::string value(word(first));
+        if (value != first && value != second)
+            throw fail("found " + quoted(value) + ", expected " + first + " or " + second);
+        return value == second;
+    }
+    void requireReflection()
+    {
+        if (oneOf("BRDF", "BTDF") == 1) throw fail("found a BTDF, expected a BRDF");
+    }
+    std::vector<double>* anglesNamed(const std::string& key)
+    {
+        if (key == "SampleRotation") return &table_.rotation;
+        if (key == "AngleOfIncidence") return &table_.incidence;
+        if (key == "ScatterAzimuth") return &table_.azimuth;
+        if (key == "ScatterRadial") return &table_.radial;
+        return nullptr;
+    }
+    void readAngles(std::vector<double>& angles)
+    {
+        long long count = 0;
+        const std::string_view text = word("a count");
+        if (!parseInteger(text, count) || count < 1 || count > kMostAngles)
+            throw fail("found " + quoted(text) + ", expected a count from 1 to 100000");
+        angles.clear();
+        for (long long i = 0; i < count; ++i) angles.push_back(number());
+    }
+    void readBlock()
+    {
+        if (table_.valueCount() == 0) throw fail("found data, expected all four lists of angles");
+        std::vector<double> values;
+        for (;;) {
+            const std::string_view text = word("DataEnd");
+            double value = 0.0;
+            if (text == "DataEnd") break;
+            if (text == "TIS")
+                number();
+            else if (parseNumber(text, value))
+                values.push_back(value);
+            else
+                throw fail("found " + quoted(text) + ", expected a number, TIS or DataEnd");
+        }
+        if (values.size() != table_.valueCount())
+            throw fail("found " + std::to_string(values.size()) + " values, expected " +
+                       std::to_string(table_.valueCount()));
+        table_.blocks.push_back(std::move(values));
+    }
+
+    const InputFile& file_;
+    WordReader words_;
+    ZemaxTable table_;
+};
+
+Vec3d turned(const Vec3d& w, double degrees)
+{
+    const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
+    return {c * w.x - s * w.y, s * w.x + c * w.y, w.z};
+}
+
+Vec3d scattered(double incidence, double azimuth, double radial)
+{
+    const Vec3d r = directionFromDegrees(radial, azimuth);
+    const double c = std::cos(incidence * kDegree), s = std::sin(incidence * kDegree);
+    return {-c * r.x + s * r.z, r.y, s * r.x + c * r.z};
+}
+
+Vec3d valueOf(const ZemaxTable& table, size_t index)
+{
+    if (!table.tristimulus) return Vec3d(table.blocks[0][index]);
+    return linearSrgbFromXyz(
+        {table.blocks[0][index], table.blocks[1][index], table.blocks[2][index]});
+}
+
+bool isMissing(const ZemaxTable& table, size_t index)
+{
+    for (const std::vector<double>& block : table.blocks)
+        if (block[index] != 0.0) return false;
+    return true;
+}
+
+void addSamples(const ZemaxTable& table, Source& source)
+{
+    size_t index = 0;
+    for (const double rotation : table.rotation)
+        for (const double incidence : table.incidence) {
+            const Vec3d wi = turned(directionFromDegrees(-incidence, 0.0), rotation);
+            for (const double azimuth : table.azimuth)
+                for (const double radial : table.radial) {
+                    const Vec3d wo = turned(scattered(incidence, azimuth, radial), rotation);
+                    // Radial angle 0 is one direction, given for every azimuth.
+                    const double weight = radial == 0.0 ? 1.0 / double(table.azimuth.size()) : 1.0;
+                    if (isMissing(table, index))
+                        addInvalidRow(source.report);
+                    else
+                        addRow({wo, wi, valueOf(table, index), weight}, source.samples,
+                               source.report);
+                    ++index;
+                }
+        }
+}
+
+}  // namespace
+
+bool isZemax(const InputFile& file)
+{
+    // Comments may be long, so the keywords are looked for and not the first lines.
+    if (!looksLikeText(file.bytes())) return false;
+    LineReader lines(file.bytes());
+    std::string_view line;
+    std::vector<std::string_view> words;
+    for (int i = 0; i < 4 && lines.nextData(line); ++i) {
+        splitWords(line, words);
+        if (words[0] == "SpectralContent" || words[0] == "ScatterType") return true;
+    }
+    return false;
+}
+
+Source readZemax(const FileRequest& request)
+{
+    const InputFile& file = *request.file;
+    const ZemaxTable table = ZemaxReader(file).read();
+    Source source;
+    addSamples(table, source);
+    source.isotropic = table.rotation.size() == 1;
+    source.description = std::string("Zemax tabular BSDF, ") +
+                         (table.tristimulus ? "XYZ to linear sRGB" : "one channel") + ", 1/sr" +
+                         (table.symmetrical ? ", symmetrical in the plane of incidence" : "");
+    requireSamples(source, file.path());
+    return source;
+}
+
+}  // namespace fbrdf
