@@ -111,17 +111,32 @@ struct LeastSquares::Normal {
     std::vector<double> right;  ///< unknowns x channels
 };
 
-LeastSquares::LeastSquares(const Form& form, const Feed& feed, const DataTraits& traits,
-                           uint64_t seed, int threads)
-    : form_(form),
-      feed_(feed),
+LeastSquares::LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed,
+                           int threads)
+    : form_(std::move(form)),
+      feed_(std::move(feed)),
       traits_(traits),
-      layout_(form),
+      layout_(form_),
       rows_(form_, layout_),
-      smoothness_(smoothnessRows(form, layout_, kFirstOrder)),
+      smoothness_(smoothnessRows(form_, layout_, kFirstOrder)),
       seed_(seed),
       threads_(threads)
 {
+}
+
+LeastSquares LeastSquares::thinned(size_t stride) const
+{
+    Feed thin = feed_;
+    thin.blocks = (feed_.blocks + stride - 1) / stride;
+    thin.read = [read = feed_.read, stride](size_t block, std::vector<Sample>& scratch) {
+        return read(block * stride, scratch);
+    };
+    return LeastSquares(form_, std::move(thin), traits_, seed_, threads_);
+}
+
+LeastSquares LeastSquares::withForm(const Form& form) const
+{
+    return LeastSquares(form, feed_, traits_, seed_, threads_);
 }
 
 State LeastSquares::flatState() const
@@ -199,13 +214,7 @@ void LeastSquares::forEachRow(size_t part, const State& x, const StepOptions& op
 // Scale s of the residuals from the median of their magnitudes, in units of the expected noise.
 Vec3f LeastSquares::tukeyScale(const State& x, const StepOptions& options) const
 {
-    Feed probe = feed_;
-    const size_t stride = std::max<size_t>(1, feed_.blocks / kScaleBlocks);
-    probe.blocks = (feed_.blocks + stride - 1) / stride;
-    probe.read = [this, stride](size_t block, std::vector<Sample>& scratch) {
-        return feed_.read(block * stride, scratch);
-    };
-    const LeastSquares sparse(form_, probe, traits_, seed_, threads_);
+    const LeastSquares sparse = thinned(std::max<size_t>(1, feed_.blocks / kScaleBlocks));
     std::array<std::array<std::vector<float>, 3>, kParts> magnitudes;
     parallelTasks(kParts, threads_, [&](size_t part) {
         sparse.forEachRow(part, x, options, [&](const Part& row) {
@@ -342,15 +351,17 @@ State LeastSquares::step(const State& x, const StepOptions& options) const
     return steps(x, options, {options.smoothness})[0];
 }
 
-double LeastSquares::cost(const State& x, const StepOptions& options) const
+template <class Value>
+double LeastSquares::weightedMean(const State& x, const StepOptions& options,
+                                  const Value& value) const
 {
     std::array<double, kParts> sums{}, weights{};
     parallelTasks(kParts, threads_, [&](size_t part) {
         forEachRow(part, x, options, [&](const Part& row) {
             for (int c = 0; c < 3; ++c) {
-                const auto r = static_cast<double>(row.residual[c]);
-                sums[part] += static_cast<double>(row.sampleWeight[c]) * r * r;
-                weights[part] += static_cast<double>(row.noiseWeight[c]);
+                const auto [sum, weight] = value(row, c);
+                sums[part] += sum;
+                weights[part] += weight;
             }
         });
     });
@@ -362,25 +373,22 @@ double LeastSquares::cost(const State& x, const StepOptions& options) const
     return weight > 0.0 ? sum / weight : 0.0;
 }
 
+double LeastSquares::cost(const State& x, const StepOptions& options) const
+{
+    return weightedMean(x, options, [](const Part& row, int c) {
+        const auto r = static_cast<double>(row.residual[c]);
+        return std::pair(static_cast<double>(row.sampleWeight[c]) * r * r,
+                         static_cast<double>(row.noiseWeight[c]));
+    });
+}
+
 double LeastSquares::foldError(const State& x, int fold) const
 {
-    std::array<double, kParts> sums{}, weights{};
-    parallelTasks(kParts, threads_, [&](size_t part) {
-        forEachRow(part, x, {}, [&](const Part& row) {
-            if (fold != kNoFold && foldOf(row.number, seed_) != fold) return;
-            for (int c = 0; c < 3; ++c) {
-                const auto weight = static_cast<double>(row.sampleWeight[c]);
-                sums[part] += weight * std::abs(static_cast<double>(row.residual[c]));
-                weights[part] += weight;
-            }
-        });
+    return weightedMean(x, {}, [&](const Part& row, int c) {
+        const bool counts = fold == kNoFold || foldOf(row.number, seed_) == fold;
+        const double weight = counts ? static_cast<double>(row.sampleWeight[c]) : 0.0;
+        return std::pair(weight * std::abs(static_cast<double>(row.residual[c])), weight);
     });
-    double sum = 0.0, weight = 0.0;
-    for (size_t part = 0; part < kParts; ++part) {
-        sum += sums[part];
-        weight += weights[part];
-    }
-    return weight > 0.0 ? sum / weight : 0.0;
 }
 
 }  // namespace fbrdf

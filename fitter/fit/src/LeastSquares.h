@@ -44,13 +44,18 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact);
 
 class LeastSquares {
 public:
-    /// `form` and `feed` must outlive the object.
-    LeastSquares(const Form& form, const Feed& feed, const DataTraits& traits, uint64_t seed,
-                 int threads);
+    /// What `feed` reads from must outlive the object.
+    LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed, int threads);
 
     size_t unknowns() const { return static_cast<size_t>(layout_.unknowns()); }
     const Layout& layout() const { return layout_; }
     const Form& form() const { return form_; }
+    /// The same problem on every `stride`-th block of the data.
+    LeastSquares thinned(size_t stride) const;
+    /// The same data with another form.
+    LeastSquares withForm(const Form& form) const;
+    size_t blocks() const { return feed_.blocks; }
+    LeastSquares(const LeastSquares&) = delete;
 
     /// The state after one Gauss-Newton step. Throws Error(fit) when the system is singular beyond
     /// repair.
@@ -72,13 +77,15 @@ private:
     template <class Visit>
     void forEachRow(size_t part, const State& x, const StepOptions& options,
                     const Visit& visit) const;
+    template <class Value>
+    double weightedMean(const State& x, const StepOptions& options, const Value& value) const;
     Vec3f tukeyScale(const State& x, const StepOptions& options) const;
     Normal accumulate(const State& x, const StepOptions& options, const Vec3f& scale,
                       int firstChannel, int channels) const;
     void addSmoothness(Normal& normal, const State& x, double strength, int firstChannel) const;
 
-    const Form& form_;
-    const Feed& feed_;
+    Form form_;
+    Feed feed_;
     DataTraits traits_;
     Layout layout_;
     RowMaker rows_;

@@ -1,5 +1,7 @@
 #include "Solve.h"
 
+#include "Coarse.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -9,7 +11,8 @@ namespace {
 constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
-constexpr int kMaxSteps = 24;
+constexpr int kMaxSteps = 24, kFineSteps = 4;
+constexpr size_t kCoarseBlocks = 4;  // 32,768 samples find the way
 constexpr double kFirstDamping = 1e-3, kMaxDamping = 1e3;
 constexpr double kConverged = 1e-4;  // relative fall of the cost
 
@@ -19,10 +22,10 @@ bool isLinear(const LeastSquares& problem, Metric metric)
 }
 
 // Levenberg-Marquardt: a step that does not lower the cost is taken back and damped ten times more.
-State descend(const LeastSquares& problem, State x, StepOptions options)
+State descend(const LeastSquares& problem, State x, StepOptions options, int maxSteps)
 {
     double cost = problem.cost(x, options), damping = kFirstDamping;
-    for (int i = 0; i < kMaxSteps && damping < kMaxDamping; ++i) {
+    for (int i = 0; i < maxSteps && damping < kMaxDamping; ++i) {
         options.damping = damping;
         State next = problem.step(x, options);
         const double nextCost = problem.cost(next, options);
@@ -39,18 +42,25 @@ State descend(const LeastSquares& problem, State x, StepOptions options)
     return x;
 }
 
+// A sum of terms: the way down is found on a quarter of the texels and few samples, the last steps
+// are taken in full.
+State solveSum(const LeastSquares& problem, const StepOptions& step)
+{
+    const LeastSquares coarse = problem.withForm(halved(problem.form()))
+                                    .thinned(std::max<size_t>(1, problem.blocks() / kCoarseBlocks));
+    const State x = descend(coarse, coarse.flatState(), step, kMaxSteps);
+    return descend(problem, prolonged(coarse, x, problem), step, kFineSteps);
+}
+
 State solveAt(const LeastSquares& problem, const SolveOptions& options, double smoothness)
 {
     StepOptions step;
     step.smoothness = smoothness;
     step.excludedFold = options.excludedFold;
-    State x = problem.flatState();
-    if (problem.form().terms.size() == 1)
-        x = problem.step(x, step);
-    else
-        x = descend(problem, std::move(x), step);
+    State x = problem.form().terms.size() == 1 ? problem.step(problem.flatState(), step)
+                                               : solveSum(problem, step);
     step.metric = options.metric;
-    if (options.metric != Metric::log) x = descend(problem, std::move(x), step);
+    if (options.metric != Metric::log) x = descend(problem, std::move(x), step, kMaxSteps);
     step.robust = options.robust;
     for (int i = 0; options.robust && i < kRobustSteps; ++i) {
         step.damping = isLinear(problem, options.metric) ? 0.0 : kFirstDamping;
