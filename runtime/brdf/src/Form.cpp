@@ -145,6 +145,9 @@ void validate(const Form& form, const std::string& where)
                         std::to_string(kMaxTables));
     for (const Term& term : form.terms) {
         if (term.factors.empty()) fail(where, "a term without factors, expected at least one");
+        if (term.factors.size() > kMaxTables)
+            fail(where, "a term of " + std::to_string(term.factors.size()) +
+                            " factors, expected at most " + std::to_string(kMaxTables));
         for (const Factor& factor : term.factors) {
             if (factor.table < 0 || factor.table >= static_cast<int>(form.tables.size()))
                 fail(where, "table index " + std::to_string(factor.table) + ", expected below " +

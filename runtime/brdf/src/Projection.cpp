@@ -6,10 +6,11 @@
 namespace fbrdf {
 namespace {
 
+// A value that is not a number becomes `low`: every comparison with it is false.
 template <class T>
 T clampTo(T value, T low, T high)
 {
-    return std::min(std::max(value, low), high);
+    return std::min(std::max(low, value), high);
 }
 
 }  // namespace
