@@ -1,0 +1,107 @@
+#include "Arguments.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace fbrdf::tool {
+namespace {
+
+constexpr uint64_t kMaxThreads = 1024;      // far above any machine this was written for
+constexpr uint64_t kMaxResolution = 65536;  // the form knows its own limit; this is for the int
+constexpr uint64_t kMaxLookups = 64;
+constexpr uint64_t kAny = std::numeric_limits<uint64_t>::max();
+
+template <class T>
+CLI::Option* addInteger(CLI::App& command, const std::string& name, T& target, uint64_t lower,
+                        uint64_t upper, const std::string& help)
+{
+    const auto parse = [name, &target, lower, upper](const std::string& text) {
+        target = static_cast<T>(integerFromText(name, text, lower, upper));
+    };
+    return command.add_option_function<std::string>(name, parse, help);
+}
+
+}  // namespace
+
+uint64_t integerFromText(const std::string& where, const std::string& text, uint64_t lower,
+                         uint64_t upper)
+{
+    uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    if (parsed.ec != std::errc() || parsed.ptr != end || value < lower || value > upper)
+        throw Error(ErrorKind::usage, where,
+                    fmt::format("found '{}', expected a whole number {}", text,
+                                upper == kAny ? fmt::format("of at least {}", lower)
+                                              : fmt::format("between {} and {}", lower, upper)));
+    return value;
+}
+
+std::optional<double> smoothnessFromText(const std::string& text)
+{
+    if (text == "auto") return std::nullopt;
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value) || value <= 0.0)
+        throw Error(ErrorKind::usage, "--smoothness",
+                    "found '" + text + "', expected auto or a number above 0");
+    return value;
+}
+
+void addThreads(CLI::App& command, int& threads)
+{
+    addInteger(command, "--threads", threads, 0, kMaxThreads, "threads; 0: one a core")
+        ->type_name("T");
+}
+
+void addCosine(CLI::App& command, SourceOptions& options)
+{
+    command.add_flag("--cosine", options.cosine,
+                     "the values of a CSV file include cos(theta_o): divide it out");
+}
+
+void addFitOptions(CLI::App& command, FitOptions& options)
+{
+    command.add_option("--form", options.form, "form of the product (see fbrdf forms), or auto")
+        ->type_name("FORM")
+        ->capture_default_str();
+    addInteger(command, "--resolution", options.resolution, 1, kMaxResolution,
+               "texels along the main axis; default: the form's own")
+        ->type_name("N");
+    addInteger(command, "--max-bytes", options.maxBytes, 1, kAny,
+               "no material larger than this: texels x channels x bytes over all tables")
+        ->type_name("B");
+    addInteger(command, "--lookups", options.lookups, 1, kMaxLookups,
+               "texture look-ups allowed in a pass; default 2")
+        ->type_name("K");
+    command
+        .add_option_function<std::string>(
+            "--storage",
+            [&options](const std::string& name) { options.storage = storageFromName(name); },
+            "log8, half, float or linear8; default log8")
+        ->type_name("S");
+    command
+        .add_option_function<std::string>(
+            "--metric",
+            [&options](const std::string& name) { options.metric = metricFromName(name); },
+            "log, cuberoot or log1p: the space of the residuals; default log")
+        ->type_name("M");
+    command.add_flag_callback(
+        "--plain", [&options] { options.robust = false; }, "no robust reweighting of outliers");
+    command
+        .add_option_function<std::string>(
+            "--smoothness",
+            [&options](const std::string& text) { options.smoothness = smoothnessFromText(text); },
+            "auto (by held-out error), or the strength")
+        ->type_name("X");
+    addInteger(command, "--seed", options.seed, 0, kAny, "of folds and sample sets; default 1")
+        ->type_name("S");
+    addThreads(command, options.threads);
+}
+
+}  // namespace fbrdf::tool

@@ -1,0 +1,28 @@
+// Arguments.h - options whose bad values are reported as "--name: found X, expected Y".
+#pragma once
+#include <fbrdf/fit/Fit.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace fbrdf::tool {
+
+/// Whole number of `text` within [lower, upper]. Throws Error(usage) naming `where`.
+uint64_t integerFromText(const std::string& where, const std::string& text, uint64_t lower,
+                         uint64_t upper);
+
+/// The strength of --smoothness: a number above 0, or nothing for "auto". Throws Error(usage).
+std::optional<double> smoothnessFromText(const std::string& text);
+
+/// --threads; 0, the default, means one a core.
+void addThreads(CLI::App& command, int& threads);
+/// --cosine.
+void addCosine(CLI::App& command, SourceOptions& options);
+/// --form, --resolution, --max-bytes, --lookups, --storage, --metric, --plain, --smoothness,
+/// --seed,
+/// --threads.
+void addFitOptions(CLI::App& command, FitOptions& options);
+
+}  // namespace fbrdf::tool

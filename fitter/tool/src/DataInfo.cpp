@@ -1,0 +1,144 @@
+#include "DataInfo.h"
+
+#include "FitJob.h"
+#include "SampleFacts.h"
+#include "TextTable.h"
+
+#include <fbrdf/fit/NoiseFloor.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fbrdf::tool {
+namespace {
+
+void measureRange(const std::vector<Sample>& samples, DataInfo& info)
+{
+    if (samples.empty()) return;
+    info.least = info.most = samples.front().f;
+    for (const Sample& s : samples)
+        for (int c = 0; c < 3; ++c) {
+            info.least[c] = std::min(info.least[c], s.f[c]);
+            info.most[c] = std::max(info.most[c], s.f[c]);
+        }
+}
+
+void measureSamples(const Source& source, DataInfo& info)
+{
+    const std::vector<Sample> samples = thinnedSamples(source, info.usable);
+    info.report = reportOf(source);
+    info.floor = estimateNoiseFloor(samples);
+    measureRange(samples, info);
+    if (info.function) return;
+    const SampleReciprocity found = sampleReciprocity(samples, source.isotropic, info.floor);
+    if (found.pairs > 0) {
+        info.reciprocity = found.median;
+        info.reciprocityNote = fmt::format("over {} samples measured both ways within 2 degrees",
+                                           withSeparators(found.pairs));
+    } else {
+        info.reciprocityNote = "no pair was measured both ways";
+    }
+}
+
+void measureFunction(const Source& source, int threads, DataInfo& info)
+{
+    info.reciprocity = physicsErrors(source.evaluate, threads).reciprocity;
+    info.reciprocityNote = "over the uniform set";
+    info.albedo = albedoTable(source.evaluate, threads);
+}
+
+std::string colourText(const Vec3f& v)
+{
+    return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z);
+}
+
+Json samplesJson(const DataInfo& info)
+{
+    const SampleReport& report = info.report;
+    return {{"given", report.given},
+            {"usable", info.usable},
+            {"invalid", invalidSamples(report)},
+            {"non_finite", report.nonFinite},
+            {"below_horizon", report.belowHorizon},
+            {"marked_invalid", report.invalid},
+            {"negative", report.negative},
+            {"zero", report.zero},
+            {"out_of_gamut", report.outOfGamut},
+            {"noise_floor", jsonOf(info.floor)},
+            {"least", jsonOf(info.least)},
+            {"most", jsonOf(info.most)}};
+}
+
+std::string samplesText(const DataInfo& info)
+{
+    const SampleReport& report = info.report;
+    return "  samples\n" +
+           alignedTable({Align::left, Align::right, Align::left},
+                        {{"given", withSeparators(report.given), ""},
+                         {"usable", withSeparators(info.usable), ""},
+                         {"not finite", withSeparators(report.nonFinite), "dropped"},
+                         {"below horizon", withSeparators(report.belowHorizon), "dropped"},
+                         {"marked invalid", withSeparators(report.invalid), "dropped"},
+                         {"negative", withSeparators(report.negative), "censored by a fit"},
+                         {"zero", withSeparators(report.zero), "censored by a fit"},
+                         {"out of gamut", withSeparators(report.outOfGamut), ""}},
+                        4) +
+           alignedTable({Align::left, Align::left}, {{"noise floor", colourText(info.floor)},
+                                                     {"least", colourText(info.least)},
+                                                     {"most", colourText(info.most)}});
+}
+
+std::string reciprocityText(const DataInfo& info)
+{
+    return info.reciprocity ? fmt::format("{:.3g}  (median |ln f(a, b) / f(b, a)| {})",
+                                          *info.reciprocity, info.reciprocityNote)
+                            : "unknown: " + info.reciprocityNote;
+}
+
+}  // namespace
+
+DataInfo dataInfo(const Source& source, int threads)
+{
+    DataInfo info;
+    info.name = source.name;
+    info.format = source.format;
+    info.description = source.description;
+    info.isotropic = source.isotropic;
+    info.function = static_cast<bool>(source.evaluate);
+    info.sampled = hasSamples(source);
+    if (info.sampled) measureSamples(source, info);
+    if (info.function) measureFunction(source, threads, info);
+    return info;
+}
+
+Json jsonOf(const DataInfo& info)
+{
+    Json json{{"kind", "data"},
+              {"name", info.name},
+              {"format", info.format},
+              {"description", info.description},
+              {"units", "1/sr"},
+              {"isotropic", info.isotropic},
+              {"has_function", info.function}};
+    if (info.sampled) json["samples"] = samplesJson(info);
+    json["reciprocity"] = info.reciprocity ? jsonOf(*info.reciprocity) : Json();
+    json["reciprocity_note"] = info.reciprocityNote;
+    if (info.function) json["directional_albedo"] = jsonOf(info.albedo);
+    return json;
+}
+
+std::string textOf(const DataInfo& info)
+{
+    std::string text = info.name + "\n" +
+                       alignedTable({Align::left, Align::left},
+                                    {{"format", info.format},
+                                     {"holds", info.description},
+                                     {"values", info.function ? "for any pair" : "at samples only"},
+                                     {"isotropic", info.isotropic ? "yes" : "not known to be"},
+                                     {"reciprocity", reciprocityText(info)}});
+    if (info.sampled) text += samplesText(info);
+    if (info.function) text += textOf(info.albedo);
+    return text;
+}
+
+}  // namespace fbrdf::tool

@@ -1,0 +1,30 @@
+// DataInfo.h - what `info` says of a data file or a model.
+#pragma once
+#include "Albedo.h"
+#include "Errors.h"
+
+#include <fbrdf/sources/Source.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fbrdf::tool {
+
+struct DataInfo {
+    std::string name, format, description;
+    bool isotropic = false, function = false, sampled = false;
+    SampleReport report;
+    uint64_t usable = 0;
+    Vec3f floor{0.0f}, least{0.0f}, most{0.0f};
+    std::optional<double> reciprocity;  ///< median |ln f(a, b) / f(b, a)|
+    std::string reciprocityNote;        ///< over which pairs, or why there is none
+    std::vector<AlbedoAt> albedo;       ///< of a function
+};
+
+DataInfo dataInfo(const Source& source, int threads);
+
+Json jsonOf(const DataInfo& info);
+std::string textOf(const DataInfo& info);
+
+}  // namespace fbrdf::tool

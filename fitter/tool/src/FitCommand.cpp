@@ -1,0 +1,167 @@
+// fbrdf fit: reflectance in, a material out.
+#include "Arguments.h"
+#include "Commands.h"
+#include "FitJob.h"
+#include "Output.h"
+#include "TextTable.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/io/MaterialFile.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+namespace fbrdf::tool {
+namespace {
+
+struct FitCommand {
+    FitJob job;
+    std::string output;
+    bool json = false, quiet = false;
+};
+
+void requireMaterialExtension(const std::string& path)
+{
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension != ".fbrdf" && extension != ".txt" && extension != ".json")
+        throw Error(ErrorKind::usage, path,
+                    "found extension '" + extension + "', expected .fbrdf, .txt or .json");
+}
+
+double secondsToWrite(const Material& material, const std::string& path)
+{
+    const auto start = std::chrono::steady_clock::now();
+    writeMaterial(material, path);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Json samplesJson(const FitOutcome& outcome)
+{
+    const SampleReport& report = outcome.report;
+    return {{"used", outcome.summary.used},
+            {"invalid", invalidSamples(report)},
+            {"below_floor", outcome.summary.belowFloor},
+            {"given", report.given},
+            {"non_finite", report.nonFinite},
+            {"below_horizon", report.belowHorizon},
+            {"marked_invalid", report.invalid},
+            {"negative", report.negative},
+            {"zero", report.zero},
+            {"out_of_gamut", report.outOfGamut}};
+}
+
+// The errors of pictures and physics belong to no sample set: they stand in both.
+Json errorsJson(const FitOutcome& outcome)
+{
+    ErrorMap heldOut = outcome.heldOut, all = outcome.all;
+    const ErrorMap scene = errorMap(outcome.scene);
+    heldOut.insert(scene.begin(), scene.end());
+    all.insert(scene.begin(), scene.end());
+    return {{"held_out", jsonOf(heldOut)}, {"all", jsonOf(all)}};
+}
+
+Json trialsJson(const FitSummary& summary)
+{
+    Json trials = Json::array();
+    for (const Trial& trial : summary.trials)
+        trials.push_back({{"form", trial.form},
+                          {"description", trial.description},
+                          {"bytes", trial.bytes},
+                          {"lookups", trial.lookups},
+                          {"seconds", jsonOf(trial.seconds)},
+                          {"score", jsonOf(trial.score)},
+                          {"chosen", trial.chosen}});
+    return trials;
+}
+
+Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
+{
+    const Material& material = *outcome.material;
+    return {{"source", sourceNote(command.job.source)},
+            {"output", command.output},
+            {"form", material.form.name},
+            {"description", describe(material.form)},
+            {"storage", storageName(command.job.fit.storage)},
+            {"bytes", materialBytes(material)},
+            {"seconds",
+             {{"read", outcome.times.read},
+              {"fit", outcome.times.fit},
+              {"measure", outcome.times.measure},
+              {"write", writeSeconds}}},
+            {"samples", samplesJson(outcome)},
+            {"errors", errorsJson(outcome)},
+            {"smoothness", jsonOf(outcome.summary.smoothness)},
+            {"noise_floor", jsonOf(outcome.summary.noiseFloor)},
+            {"folds", outcome.summary.folds},
+            {"trials", trialsJson(outcome.summary)}};
+}
+
+std::string samplesText(const FitOutcome& outcome)
+{
+    std::string text = withSeparators(outcome.summary.used) + " used, " +
+                       withSeparators(invalidSamples(outcome.report)) + " invalid, " +
+                       withSeparators(outcome.summary.belowFloor) + " values below the noise floor";
+    if (outcome.report.outOfGamut > 0)
+        text += ", " + withSeparators(outcome.report.outOfGamut) + " out of gamut";
+    return text;
+}
+
+std::string errorsText(const FitOutcome& outcome)
+{
+    const int folds = outcome.summary.folds;
+    const std::string heldOut = folds > 0 ? fmt::format("held out ({})", folds) : "fresh set";
+    return "  errors on samples\n" + errorTable({outcome.heldOut, outcome.all}, {heldOut, "all"}) +
+           "  pictures and physics\n" + errorTable({errorMap(outcome.scene)}, {});
+}
+
+std::string summaryText(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
+{
+    const Material& material = *outcome.material;
+    const FitTimes& times = outcome.times;
+    return material.name + " -> " + command.output + "\n" +
+           alignedTable(
+               {Align::left, Align::left},
+               {{"form", material.form.name + ", " + withSeparators(materialBytes(material)) +
+                             " bytes as " + storageName(command.job.fit.storage)},
+                {"samples", samplesText(outcome)},
+                {"smoothness", fmt::format("{:.3g}", outcome.summary.smoothness)},
+                {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
+                                        times.read, times.fit, times.measure, writeSeconds)}}) +
+           errorsText(outcome);
+}
+
+int run(const FitCommand& command)
+{
+    requireMaterialExtension(command.output);
+    requireWritable(command.output);
+    Progress progress(!command.quiet);
+    const FitOutcome outcome = runFitJob(command.job, progress);
+    progress.phase("writing " + command.output);
+    const double writeSeconds = secondsToWrite(*outcome.material, command.output);
+    progress.clear();
+    if (command.json)
+        writeOut(text(summaryJson(command, outcome, writeSeconds)));
+    else if (!command.quiet)
+        writeOut(summaryText(command, outcome, writeSeconds));
+    return 0;
+}
+
+}  // namespace
+
+void addFitCommand(CLI::App& app, Action& action)
+{
+    CLI::App* sub = app.add_subcommand("fit", "fit a material to reflectance");
+    const auto command = std::make_shared<FitCommand>();
+    sub->add_option("SOURCE", command->job.source, "file, or model NAME:key=value,...")->required();
+    sub->add_option("-o,--output", command->output, "material to write (.fbrdf)")
+        ->required()
+        ->type_name("FILE");
+    addFitOptions(*sub, command->job.fit);
+    addCosine(*sub, command->job.sourceOptions);
+    sub->add_flag("--json", command->json, "print one JSON object");
+    sub->add_flag("--quiet", command->quiet, "print nothing but errors");
+    sub->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace fbrdf::tool

@@ -1,0 +1,115 @@
+#include "FitJob.h"
+
+#include "Reflectance.h"
+#include "Version.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+namespace fbrdf::tool {
+namespace {
+
+class Stopwatch {
+public:
+    /// Seconds since it was made or last asked.
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - start_).count();
+        start_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void addErrors(Material& material, const char* prefix, const ErrorMap& errors)
+{
+    for (const auto& [name, value] : errors) material.errors[prefix + name] = value;
+}
+
+void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
+{
+    const FitSummary& summary = outcome.summary;
+    const Vec3f& floor = summary.noiseFloor;
+    material.name = outcome.source.name;
+    auto& notes = material.notes;
+    notes[kSourceNote] = sourceNote(job.source);
+    notes["source format"] = outcome.source.format;
+    notes["source description"] = outcome.source.description;
+    notes[kOptionsNote] = optionsNote(job);
+    notes[kGeneratorNote] = generatorNote();
+    notes[kUsedNote] = fmt::format("{}", summary.used);
+    notes[kInvalidNote] = fmt::format("{}", invalidSamples(outcome.report));
+    notes[kBelowFloorNote] = fmt::format("{}", summary.belowFloor);
+    notes[kFloorNote] = fmt::format("{} {} {}", floor.x, floor.y, floor.z);
+    notes[kSmoothnessNote] = fmt::format("{}", summary.smoothness);
+    addErrors(material, kHeldOutPrefix, outcome.heldOut);
+    addErrors(material, kAllPrefix, outcome.all);
+    addErrors(material, "", errorMap(outcome.scene));
+}
+
+}  // namespace
+
+FitOutcome runFitJob(const FitJob& job, Progress& progress)
+{
+    FitOutcome outcome;
+    Stopwatch watch;
+    progress.phase("reading " + sourceNote(job.source));
+    outcome.source = openSource(job.source, job.sourceOptions);
+    outcome.report = reportOf(outcome.source);
+    outcome.times.read = watch.lap();
+    progress.phase("fitting " + outcome.source.name);
+    FitResult result = fitMaterial(outcome.source, job.fit);
+    outcome.times.fit = watch.lap();
+    progress.phase("measuring " + outcome.source.name);
+    const auto material = std::make_shared<Material>(std::move(result.material));
+    outcome.summary = std::move(result.summary);
+    outcome.heldOut = errorMap(outcome.summary.heldOut);
+    outcome.all = errorMap(outcome.summary.all);
+    outcome.scene =
+        measureScene(shaderFunction(material), outcome.source.evaluate, job.fit.threads);
+    describe(*material, job, outcome);
+    outcome.material = material;
+    outcome.times.measure = watch.lap();
+    return outcome;
+}
+
+uint64_t invalidSamples(const SampleReport& report)
+{
+    return report.nonFinite + report.belowHorizon + report.invalid;
+}
+
+// A model's colours contain '/', so only what exists is a path; FILE@choice and FILE#choice are
+// too.
+std::string sourceNote(const std::string& source)
+{
+    std::error_code ignored;
+    const std::string file = source.substr(0, source.find_last_of("@#"));
+    if (!std::filesystem::exists(source, ignored) && !std::filesystem::exists(file, ignored))
+        return source;
+    return std::filesystem::path(source).filename().string();
+}
+
+std::string optionsNote(const FitJob& job)
+{
+    const FitOptions& fit = job.fit;
+    return fmt::format(
+        "form={} resolution={} max-bytes={} lookups={} storage={} metric={} robust={} "
+        "smoothness={} "
+        "seed={} cosine={}",
+        fit.form, fit.resolution, fit.maxBytes, fit.lookups, storageName(fit.storage),
+        metricName(fit.metric), fit.robust,
+        fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
+        job.sourceOptions.cosine);
+}
+
+std::string generatorNote()
+{
+    return std::string("fbrdf ") + kVersion;
+}
+
+}  // namespace fbrdf::tool

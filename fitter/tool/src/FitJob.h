@@ -1,0 +1,59 @@
+// FitJob.h - one source made into one material with everything that is said about it: what `fit`
+// and `batch` share.
+#pragma once
+#include "Errors.h"
+#include "Progress.h"
+#include "Scene.h"
+
+#include <fbrdf/fit/Fit.h>
+#include <fbrdf/sources/Source.h>
+
+#include <memory>
+#include <string>
+
+namespace fbrdf::tool {
+
+struct FitJob {
+    std::string source;  ///< as on the command line
+    SourceOptions sourceOptions;
+    FitOptions fit;
+};
+
+/// Seconds of each phase.
+struct FitTimes {
+    double read = 0.0, fit = 0.0, measure = 0.0;
+};
+
+struct FitOutcome {
+    Source source;
+    SampleReport report;
+    FitSummary summary;
+    std::shared_ptr<const Material> material;  ///< with name, notes and errors
+    ErrorMap heldOut, all;                     ///< on samples
+    Scene scene;                               ///< on pictures, and physics
+    FitTimes times;
+};
+
+/// Reads, fits and measures. Errors as openSource and fitMaterial.
+FitOutcome runFitJob(const FitJob& job, Progress& progress);
+
+/// Samples that the reader dropped.
+uint64_t invalidSamples(const SampleReport& report);
+
+/// What the material's notes "source" and "options" say for a job. They name no folder and nothing
+/// that does not change the result, so that equal notes mean the same fit of the same file name.
+std::string sourceNote(const std::string& source);
+std::string optionsNote(const FitJob& job);
+/// The note "generator".
+std::string generatorNote();
+
+// Keys of Material::errors: an error on samples has a prefix that says which, the others have none.
+constexpr char kHeldOutPrefix[] = "held_out.";
+constexpr char kAllPrefix[] = "all.";
+// Keys of Material::notes.
+constexpr char kSourceNote[] = "source", kOptionsNote[] = "options", kGeneratorNote[] = "generator",
+               kUsedNote[] = "samples used", kInvalidNote[] = "samples invalid",
+               kBelowFloorNote[] = "values below floor", kFloorNote[] = "noise floor",
+               kSmoothnessNote[] = "smoothness";
+
+}  // namespace fbrdf::tool

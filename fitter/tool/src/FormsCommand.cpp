@@ -1,0 +1,85 @@
+// fbrdf forms: the products that can be fitted.
+#include "Commands.h"
+#include "Errors.h"
+#include "Lookups.h"
+#include "Output.h"
+#include "TextTable.h"
+
+#include <fbrdf/fit/Fit.h>
+#include <fmt/format.h>
+
+namespace fbrdf::tool {
+namespace {
+
+struct FormFacts {
+    NamedForm named;
+    Form form;
+    int lookups;   ///< for each light
+    size_t bytes;  ///< at the default resolution, in log8
+};
+
+size_t bytesInLog8(const Form& form)
+{
+    size_t texels = 0;
+    for (const TableSpec& table : form.tables)
+        texels += static_cast<size_t>(texelCount(table.domain));
+    return texels * 3;
+}
+
+std::vector<FormFacts> facts()
+{
+    std::vector<FormFacts> all;
+    for (const NamedForm& named : namedForms()) {
+        const Form form = makeForm(named.name);
+        all.push_back({named, form, lookupsPerLight(form), bytesInLog8(form)});
+    }
+    return all;
+}
+
+Json formsJson()
+{
+    Json forms = Json::array();
+    for (const FormFacts& f : facts())
+        forms.push_back({{"name", f.named.name},
+                         {"product", f.named.product},
+                         {"tables", describe(f.form)},
+                         {"note", f.named.note},
+                         {"isotropic", isIsotropic(f.form)},
+                         {"lookups_per_light", f.lookups},
+                         {"default_resolution", f.named.defaultResolution},
+                         {"bytes", f.bytes}});
+    return {{"forms", forms}};
+}
+
+std::string formsText()
+{
+    std::vector<std::vector<std::string>> rows{
+        {"form", "product", "look-ups a light", "resolution", "bytes", "notes"}};
+    for (const FormFacts& f : facts())
+        rows.push_back({f.named.name, f.named.product, fmt::format("{}", f.lookups),
+                        fmt::format("{}", f.named.defaultResolution), withSeparators(f.bytes),
+                        f.named.note});
+    const Align l = Align::left, r = Align::right;
+    return alignedTable({l, l, r, r, r, l}, rows) +
+           "\nResolution and bytes are the defaults, 8 bits a texel and channel. "
+           "--form auto, the default of fbrdf fit,\ntries forms and keeps the one with the "
+           "smallest "
+           "held-out error within the budget.\n";
+}
+
+}  // namespace
+
+void addFormsCommand(CLI::App& app, Action& action)
+{
+    CLI::App* sub = app.add_subcommand("forms", "the forms that can be fitted");
+    const auto json = std::make_shared<bool>(false);
+    sub->add_flag("--json", *json, "print one JSON object");
+    sub->callback([json, &action] {
+        action = [json] {
+            writeOut(*json ? text(formsJson()) : formsText());
+            return 0;
+        };
+    });
+}
+
+}  // namespace fbrdf::tool

@@ -1,0 +1,47 @@
+// LineBlocks.h - a file, a pipe or stdin as runs of whole lines, in constant memory.
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+namespace fbrdf::tool {
+
+struct LineBlock {
+    std::string text;      ///< whole lines; the last of the input may lack its newline
+    size_t firstLine = 1;  ///< number of its first line, from 1
+};
+
+class LineBlocks {
+public:
+    /// "-" is stdin. Throws Error(input) when the file cannot be opened or is a folder.
+    explicit LineBlocks(const std::string& path);
+    ~LineBlocks();
+    LineBlocks(const LineBlocks&) = delete;
+    LineBlocks& operator=(const LineBlocks&) = delete;
+
+    /// The next lines: a megabyte, or what has arrived where waiting would be needed for more.
+    /// False at the end. Throws Error(input) for what cannot be read, and for a line of a megabyte.
+    bool next(LineBlock& block);
+
+    /// The path, or "standard input".
+    const std::string& name() const { return name_; }
+    /// "NAME: line N"
+    std::string where(size_t line) const { return name_ + ": line " + std::to_string(line); }
+    /// Bytes read, and bytes in all; 0 where that is not known (a pipe).
+    uint64_t bytesRead() const { return bytesRead_; }
+    uint64_t size() const { return size_; }
+
+private:
+    bool readMore(std::string& text);
+    bool mustWait() const;
+
+    std::string name_;
+    int descriptor_;
+    uint64_t size_ = 0;
+    std::atomic<uint64_t> bytesRead_{0};  // read by who shows progress while another thread reads
+    std::string rest_;                    // the beginning of a line whose end has not been read
+    size_t line_ = 1;
+    bool ended_ = false;
+};
+
+}  // namespace fbrdf::tool

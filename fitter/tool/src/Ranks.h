@@ -1,0 +1,34 @@
+// Ranks.h - the processes that share a batch: those of `mpirun`, or this one alone.
+// Reference: MPI 3.1 standard; OpenMPI sets OMPI_COMM_WORLD_SIZE for what it starts.
+#pragma once
+#include <string>
+
+namespace fbrdf::tool {
+
+class Ranks {
+public:
+    /// Joins the processes of mpirun where the environment names them. Throws Error(usage) when it
+    /// does and this program was built without MPI: every process would do all of the work.
+    Ranks();
+    ~Ranks();
+    Ranks(const Ranks&) = delete;
+    Ranks& operator=(const Ranks&) = delete;
+
+    int rank() const { return rank_; }    ///< 0 .. count() - 1
+    int count() const { return count_; }  ///< >= 1
+    int onThisMachine() const { return onThisMachine_; }
+
+    /// What rank 0 gave, on every rank. All ranks must call it.
+    std::string broadcast(const std::string& text) const;
+    /// The texts of all ranks in their order, on rank 0; nothing on the others. All must call it.
+    std::string gather(const std::string& text) const;
+
+private:
+    int rank_ = 0, count_ = 1, onThisMachine_ = 1;
+    bool joined_ = false;
+};
+
+/// True when mpirun started this process.
+bool startedByMpirun();
+
+}  // namespace fbrdf::tool

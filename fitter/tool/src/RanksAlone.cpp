@@ -1,0 +1,35 @@
+// Ranks.h where MPI was not found: one process.
+#include "Ranks.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <cstdlib>
+
+namespace fbrdf::tool {
+
+bool startedByMpirun()
+{
+    return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE");
+}
+
+Ranks::Ranks()
+{
+    if (startedByMpirun())
+        throw Error(ErrorKind::usage, "mpirun",
+                    "found a fbrdf that was built without MPI, expected one built with "
+                    "libopenmpi-dev");
+}
+
+Ranks::~Ranks() = default;
+
+std::string Ranks::broadcast(const std::string& text) const
+{
+    return text;
+}
+
+std::string Ranks::gather(const std::string& text) const
+{
+    return text;
+}
+
+}  // namespace fbrdf::tool

@@ -1,0 +1,32 @@
+// Reflectance.h - a SOURCE or MATERIAL of the command line, opened for evaluation.
+#pragma once
+#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/sources/Source.h>
+
+#include <memory>
+#include <string>
+
+namespace fbrdf::tool {
+
+enum class Precision {
+    shader,  ///< materials in float, step by step as the shader does
+    exact,   ///< everything in double
+};
+
+struct Reflectance {
+    Source source;
+    std::shared_ptr<const Material> material;  ///< empty unless `source` is a material
+    BrdfFunction brdf;                         ///< empty for scattered samples
+};
+
+/// Errors as openSource.
+Reflectance openReflectance(const std::string& spec, const SourceOptions& options,
+                            Precision precision);
+
+/// Throws Error(input) when `reflectance` knows only scattered samples.
+void requireFunction(const Reflectance& reflectance, const std::string& spec);
+
+/// f of a material as the shader evaluates it; keeps the material alive.
+BrdfFunction shaderFunction(std::shared_ptr<const Material> material);
+
+}  // namespace fbrdf::tool

@@ -1,0 +1,28 @@
+// SampleFacts.h - what can be said of scattered samples without fitting anything.
+#pragma once
+#include <fbrdf/sources/Source.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace fbrdf::tool {
+
+/// Every n-th sample of a source, n the smallest that leaves at most kMaxThinned of its rows;
+/// `available` becomes the number of usable samples in all.
+std::vector<Sample> thinnedSamples(const Source& source, uint64_t& available);
+constexpr uint64_t kMaxThinned = 4'000'000;  // 160 MB: all of MERL, and more than errors need
+
+struct SampleReciprocity {
+    double median = 0.0;  ///< median |ln f(a, b) / f(b, a)| over all channels above `floor`
+    uint64_t pairs = 0;   ///< samples (a, b) that have another near (b, a); 0: no median
+};
+
+/// Compares each of `samples` with the nearest to its exchange of light and view, within
+/// kSameDirection. `isotropic`: pairs that differ by a rotation about the normal count as equal.
+SampleReciprocity sampleReciprocity(const std::vector<Sample>& samples, bool isotropic,
+                                    const Vec3f& floor);
+/// Distance of unit directions (chords), both directions together, below which pairs count as the
+/// same: about 2 degrees.
+constexpr float kSameDirection = 0.035f;
+
+}  // namespace fbrdf::tool

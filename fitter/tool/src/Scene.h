@@ -1,0 +1,21 @@
+// Scene.h - a function as a picture and against physics: the errors that belong to no sample set.
+#pragma once
+#include "Errors.h"
+
+#include <optional>
+
+namespace fbrdf::tool {
+
+struct Scene {
+    PhysicsErrors physics;
+    SphereImage picture, reference;    ///< of size 0 where there is no reference function
+    std::optional<ImageErrors> image;  ///< likewise
+};
+
+/// Standard spheres of `brdf` and `reference` (may be empty), physics of `brdf`.
+Scene measureScene(const BrdfFunction& brdf, const BrdfFunction& reference, int threads);
+
+/// The finite ones of its errors by name.
+ErrorMap errorMap(const Scene& scene);
+
+}  // namespace fbrdf::tool
