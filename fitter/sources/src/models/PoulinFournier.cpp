@@ -20,14 +20,11 @@ namespace {
 // A profile flatter than this is a plane to double precision.
 constexpr double kFlat = 1e-6;
 
-/// A vector's part in the section: length and angle from the vertical.
-struct SectionVector {
-    double radius, gamma;
-    explicit SectionVector(const Vec3d& w)
-        : radius(std::hypot(w.y, w.z)), gamma(std::atan2(w.y, w.z))
-    {
-    }
-};
+/// Angle from the vertical of a vector's part in the section.
+double sectionAngle(const Vec3d& w)
+{
+    return std::atan2(w.y, w.z);
+}
 
 struct Node {
     double x, weight;
@@ -39,36 +36,38 @@ constexpr Node kGauss16[8] = {
     {0.755404408355003, 0.12462897125553403},    {0.86563120238783176, 0.095158511682492591},
     {0.9445750230732326, 0.062253523938647706},  {0.98940093499164994, 0.027152459411754037}};
 
+/// Integral over angles of f(sine, cosine). The two points of a node share their sine and cosine.
 template <class F>
-double integrate(const Interval& interval, const F& f)
+double integrate(const Interval& angles, const F& f)
 {
-    const double middle = 0.5 * (interval.lower + interval.upper);
-    const double half = 0.5 * interval.length();
+    if (!(angles.length() > 0.0)) return 0.0;
+    const double middle = 0.5 * (angles.lower + angles.upper), half = 0.5 * angles.length();
+    const double sine = std::sin(middle), cosine = std::cos(middle);
     double sum = 0.0;
-    for (const Node& node : kGauss16)
-        sum += node.weight * (f(middle - half * node.x) + f(middle + half * node.x));
+    for (const Node& node : kGauss16) {
+        const double s = std::sin(half * node.x), c = std::cos(half * node.x);
+        sum += node.weight * (f(sine * c - cosine * s, cosine * c + sine * s) +
+                              f(sine * c + cosine * s, cosine * c - sine * s));
+    }
     return half * sum;
 }
 
 /// The integrals over a lit and visible piece of an arc, given by the angles of its normals from
 /// the vertical: psi on a cylinder, -psi in a groove.
 struct ArcIntegrals {
-    SectionVector i, o, h;
+    Vec3d wi, wo, h;
     double exponent;
 
-    double cosines(double angle) const
-    {
-        return i.radius * o.radius * std::cos(angle - i.gamma) * std::cos(angle - o.gamma);
-    }
-
-    /// Integral of (n.wi)(n.wo), exact: cos a cos b = (cos(a - b) + cos(a + b)) / 2.
+    /// Integral of (n.wi)(n.wo), exact: with w = r (sin gamma, cos gamma) in the section,
+    /// cos(psi - gamma_i) cos(psi - gamma_o) is half of cos(gamma_i - gamma_o) plus
+    /// cos(2 psi - gamma_i - gamma_o).
     double diffuse(const Interval& normals) const
     {
-        const double sum = i.gamma + o.gamma, difference = i.gamma - o.gamma;
-        const double length = normals.length();
-        const double middle = normals.lower + normals.upper - sum;
-        return 0.5 * i.radius * o.radius *
-               (length * std::cos(difference) + std::cos(middle) * std::sin(length));
+        const double length = normals.length(), middle = normals.lower + normals.upper;
+        const double constant = wi.y * wo.y + wi.z * wo.z;
+        const double cosine = wi.z * wo.z - wi.y * wo.y, sine = wi.z * wo.y + wi.y * wo.z;
+        return 0.5 * (length * constant +
+                      std::sin(length) * (std::cos(middle) * cosine + std::sin(middle) * sine));
     }
 
     /// Integral of (n.h)^n (n.wi)(n.wo).
@@ -76,14 +75,15 @@ struct ArcIntegrals {
     {
         // cos(x)^n < e^(-n x^2 / 2): beyond sqrt(nearest^2 + 56 / n) the lobe is below e^-28 of
         // its value at the point nearest to the peak.
-        const double nearest = std::clamp(h.gamma, normals.lower, normals.upper) - h.gamma;
-        const double reach = std::sqrt(nearest * nearest + 56.0 / std::max(exponent, 1.0));
-        const Interval window = intersection(normals, {h.gamma - reach, h.gamma + reach});
-        const auto f = [this](double angle) {
-            const double cosine = h.radius * std::cos(angle - h.gamma);
-            return std::pow(std::max(0.0, cosine), exponent) * cosines(angle);
+        const double peak = sectionAngle(h);
+        const double split = std::clamp(peak, normals.lower, normals.upper);
+        const double reach =
+            std::sqrt((split - peak) * (split - peak) + 56.0 / std::max(exponent, 1.0));
+        const Interval window = intersection(normals, {peak - reach, peak + reach});
+        const auto f = [this](double s, double c) {
+            const double cosine = std::max(0.0, s * h.y + c * h.z);
+            return std::pow(cosine, exponent) * (s * wi.y + c * wi.z) * (s * wo.y + c * wo.z);
         };
-        const double split = std::clamp(h.gamma, window.lower, window.upper);
         return integrate({window.lower, split}, f) + integrate({split, window.upper}, f);
     }
 };
@@ -97,19 +97,18 @@ PeriodIntegrals integratePeriod(const CylinderProfile& profile, double exponent,
                                 const Vec3d& wi)
 {
     const Vec3d h = HalfGeometry(wo, wi).h;
-    const ArcIntegrals arc{SectionVector(wi), SectionVector(wo), SectionVector(h), exponent};
+    const double gamma_i = sectionAngle(wi), gamma_o = sectionAngle(wo);
     PeriodIntegrals result;
-    const Interval points =
-        intersection(profile.visibleArc(arc.i.gamma), profile.visibleArc(arc.o.gamma));
+    const Interval points = intersection(profile.visibleArc(gamma_i), profile.visibleArc(gamma_o));
     if (points.length() > 0.0) {
+        const ArcIntegrals arc{wi, wo, h, exponent};
         const Interval normals = profile.isGroove() ? points.mirrored() : points;
         // Rounding leaves (n.w) just below 0 at the ends of an interval.
         result = {std::max(0.0, arc.diffuse(normals)), std::max(0.0, arc.lobe(normals))};
     }
     const double floor =
-        intersection(profile.visibleFloor(arc.i.gamma), profile.visibleFloor(arc.o.gamma))
-            .length() *
-        wi.z * wo.z;
+        intersection(profile.visibleFloor(gamma_i), profile.visibleFloor(gamma_o)).length() * wi.z *
+        wo.z;
     result.diffuse += floor;
     result.lobe += floor * std::pow(h.z, exponent);
     return result;

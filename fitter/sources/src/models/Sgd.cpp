@@ -2,6 +2,7 @@
 #include "Microfacet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fbrdf {
@@ -33,8 +34,9 @@ double masking(const Channel& m, double theta)
 {
     const double x = theta - m.theta0;
     if (x <= 0.0) return 1.0;
-    // In logs: the published c reach 1e109 and k 855. Beyond e^700 the masking is 0 anyway.
-    const double power = std::exp(std::min(7.0, std::log(m.c) + m.k * std::log(x)));
+    // In logs: the published c reach 1e109 and k 855. Where e^power overflows the masking is 0 long
+    // since; held at e^700 so that Lambda = 0 does not meet infinity.
+    const double power = std::exp(std::log(m.c) + m.k * std::log(x));
     return std::clamp(1.0 - m.Lambda * std::expm1(std::min(700.0, power)), 0.0, 1.0);
 }
 
@@ -46,13 +48,14 @@ double fresnel(const Channel& m, double cosTheta_d)
 
 BrdfFunction make(const ModelValues& values)
 {
-    const Channel channels[3] = {channelOf(values, 0), channelOf(values, 1), channelOf(values, 2)};
+    const std::array<Channel, 3> channels = {channelOf(values, 0), channelOf(values, 1),
+                                             channelOf(values, 2)};
     return [=](const Vec3d& wo, const Vec3d& wi) {
         const HalfGeometry half(wo, wi);
         const double theta_o = zenithAngle(wo), theta_i = zenithAngle(wi);
         Vec3d f(0.0);
         for (int i = 0; i < 3; ++i) {
-            const Channel& m = channels[i];
+            const Channel& m = channels[static_cast<size_t>(i)];
             const double specular = m.ks * fresnel(m, half.cosTheta_d) * distribution(m, half) *
                                     masking(m, theta_o) * masking(m, theta_i) / wo.z / wi.z;
             f[i] = (m.kd + specular) / kPi;
