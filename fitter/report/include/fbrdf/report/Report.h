@@ -1,0 +1,66 @@
+// Report.h - one fit as one HTML page: the maps, data against fit, where it fails, what else was
+// tried. The page holds everything itself (pictures as data: URIs, plots as inline SVG, no script,
+// no address), opens offline, and follows light, dark and print. It says nothing of when or where
+// it was made: equal fits give equal pages.
+#pragma once
+#include <fbrdf/brdf/Material.h>
+#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/sources/Source.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fbrdf {
+
+/// One row of the table of forms tried.
+struct ReportTrial {
+    std::string form;         ///< name
+    std::string description;  ///< describe(form)
+    size_t bytes = 0;
+    int lookups = 0;  ///< texture look-ups per light
+    double seconds = 0;
+    std::map<std::string, double>
+        errors;  ///< held out, named as in Metrics.h; a column for each name
+    bool chosen = false;
+};
+
+struct ReportCounts {
+    uint64_t used = 0;  ///< samples that took part in the fit
+    uint64_t invalid =
+        0;  ///< samples that could not: not finite, below the horizon, marked as not measured
+    uint64_t belowFloor = 0;  ///< channel values at or below the noise floor
+};
+
+struct ReportSeconds {
+    double read = 0, fit = 0, write = 0;
+};
+
+struct ReportInput {
+    const Material& material;  ///< as stored; must outlive the call, as the source must
+    const Source& source;  ///< without `evaluate`: plots show its samples, the sphere the fit alone
+    int lookups = 0;       ///< texture look-ups per light of the material
+    ReportSeconds seconds{};
+    ReportCounts counts{};
+    std::optional<SampleReport>
+        rows{};              ///< of the data; unset: source.report, which a stream has not
+    Vec3f noiseFloor{0.0f};  ///< 1/sr
+    SampleErrors heldOut{}, all{};
+    std::string heldOutNote{};  ///< what "held out" was: "5 folds", "16,384 fresh pairs"
+    PhysicsErrors physics{};
+    /// Pictures of the standard sphere; one of size 0 is rendered here where it can be.
+    SphereImage sphereOfData{}, sphereOfFit{};
+    std::optional<ImageErrors> image{};  ///< unset: computed from the pictures where there are two
+    std::vector<ReportTrial> trials{};   ///< empty: the form was asked for by name
+    std::string command{};               ///< how the fit was made, for people; may be empty
+};
+
+/// The page: UTF-8, HTML 5 that is well-formed XML too.
+std::string reportHtml(const ReportInput& input);
+
+/// Writes the page; it appears whole or not at all. Throws Error(output).
+void writeReport(const ReportInput& input, const std::string& path);
+
+}  // namespace fbrdf

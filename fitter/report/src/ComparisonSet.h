@@ -1,0 +1,24 @@
+// ComparisonSet.h - the samples at which a report shows data against fit.
+#pragma once
+#include <fbrdf/fit/Metrics.h>
+
+#include <vector>
+
+namespace fbrdf {
+
+struct ComparisonSet {
+    std::vector<Sample> samples;
+    std::vector<Vec3f> fitted;  ///< the material at the samples' pairs
+    bool measured = false;  ///< samples of the source's own; else its function at the uniform set
+    uint64_t rows = 0;      ///< samples there were, of which the set holds an even choice
+};
+
+/// Samples shown at most: more change no picture.
+constexpr size_t kShownSamples = 200000;
+
+/// The source's own samples, evenly thinned to `most`; or its function at the uniform test set of
+/// the metrics.
+ComparisonSet comparisonSet(const Source& source, const Material& material,
+                            size_t most = kShownSamples);
+
+}  // namespace fbrdf
