@@ -2,6 +2,7 @@
 
 #include "Parallel.h"
 
+#include <fbrdf/brdf/Error.h>
 #include <fbrdf/fit/SampleSets.h>
 
 #include <algorithm>
@@ -76,6 +77,9 @@ Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
         const auto held = allSamples(stream, threads);
         return feedOf(held, *held);
     }
+    if (!source.evaluate)
+        throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,
+                    "found neither samples nor a function, expected one of them");
     const auto taken = std::make_shared<const std::vector<Sample>>(
         samplesAt(source, uniformPairs(count, seed + 1), threads));
     Feed feed = feedOf(taken, *taken);

@@ -16,7 +16,7 @@ namespace {
 // bits everywhere.
 constexpr size_t kParts = 4;
 constexpr double kFirstOrder = 0.03;  // of a second difference: decides where there is no curvature
-constexpr double kRidge = 1e-9;       // of the mean diagonal: fixes the gauge between factors
+constexpr double kRidge = 1e-11;      // of the mean diagonal: fixes the gauge between factors
 constexpr float kTukey = 4.685f;      // 95 % efficiency for Gaussian noise (Beaton and Tukey 1974)
 constexpr float kMadToSigma = 1.4826f;
 constexpr float kSmallestScale =

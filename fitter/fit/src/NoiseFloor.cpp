@@ -6,6 +6,8 @@
 namespace fbrdf {
 namespace {
 
+constexpr float kHalfNormalMedian = 0.6745f;  // of |noise|, in sigma
+
 float floorOfChannel(const std::vector<Sample>& samples, int channel)
 {
     std::vector<float> positive;
@@ -27,10 +29,10 @@ float floorOfChannel(const std::vector<Sample>& samples, int channel)
     if (negative > 0)
         floor = static_cast<float>(std::sqrt(negativeSquares / static_cast<double>(negative)));
     if (zero > 0) {
-        const size_t rank = std::min(zero, positive.size() - 1);
+        const size_t rank = std::min(zero / 2, positive.size() - 1);
         std::nth_element(positive.begin(), positive.begin() + static_cast<std::ptrdiff_t>(rank),
                          positive.end());
-        floor = std::max(floor, positive[rank]);
+        floor = std::max(floor, positive[rank] / kHalfNormalMedian);
     }
     // A floor above the median would call most of the data noise; zeros are then holes, not clipped
     // noise.

@@ -36,9 +36,11 @@ void setRange(Table& table, int channel)
         low = std::min(low, table.texel(i, channel));
         high = std::max(high, table.texel(i, channel));
     }
-    table.lower[channel] = low;
-    const float least = kLeastRange * std::max(std::abs(low), std::abs(high));
-    table.upper[channel] = low + std::max(high - low, least > 0.0f ? least : 1.0f);
+    // Rounding to half a stride, at most 259 of 65535, must not lead out of the range.
+    constexpr float kMargin = 0.004f;
+    const float range = high > low ? high - low : 1.0f;
+    table.lower[channel] = low - kMargin * range;
+    table.upper[channel] = high + (high > low ? kMargin : 1.0f) * range;
 }
 
 // The smallest stride at which every difference fits 8 bits. Two codes are kept free: what is coded
@@ -69,10 +71,8 @@ void roundToLog8(Table& table)
         for (int i = 0; i < texelCount(table.domain); ++i) {
             const int wanted = unorm16Of(table, i, channel),
                       previous = previousUnorm16(table, i, channel);
-            int steps =
+            const auto steps =
                 static_cast<int>(std::lround(static_cast<double>(wanted - previous) / stride));
-            if (previous + stride * steps > kLastUnorm16) --steps;
-            if (previous + stride * steps < 0) ++steps;
             const int code = std::clamp(steps - offset, 0, kLastCode);
             texelOf(table, i, channel) = texelFromCode(table, i, channel, code);
         }

@@ -5,10 +5,10 @@
 
 namespace fbrdf {
 
-/// Per channel, in 1/sr; 0 for data without a trace of noise. Negative values are noise seen from
-/// its other side: their rms is the floor. Where noise was clipped to exact zeros, as many positive
-/// values must lie below the floor again as zeros were found (noise is symmetric about 0): the
-/// floor is that quantile of the positive values.
+/// Sigma of the noise per channel, in 1/sr; 0 for data without a trace of noise. Negative values
+/// are noise seen from its other side: their rms is sigma. Where noise was clipped to exact zeros,
+/// as many positive values are noise again as zeros were found (noise is symmetric about 0): sigma
+/// follows from the median of those.
 Vec3f estimateNoiseFloor(const std::vector<Sample>& samples);
 
 }  // namespace fbrdf

@@ -1,0 +1,88 @@
+#include "Feed.h"
+
+#include "Known.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace fbrdf {
+namespace {
+
+Source numbered(size_t count)
+{
+    Source source;
+    for (size_t i = 0; i < count; ++i)
+        source.samples.push_back({Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(float(i)), 1.0f});
+    return source;
+}
+
+TEST(Feed, BlocksHoldEverySampleOnceInOrder)
+{
+    const Source source = numbered(2 * kFeedBlock + 77);
+    const Feed feed = makeFeed(source, 0, 1, 1);
+    ASSERT_EQ(feed.blocks, 3u);
+    EXPECT_FALSE(feed.exact);
+    std::vector<Sample> scratch;
+    float next = 0.0f;
+    for (size_t b = 0; b < feed.blocks; ++b) {
+        const FeedBlock block = feed.read(b, scratch);
+        for (size_t i = 0; i < block.count; ++i) EXPECT_EQ(block.samples[i].f.x, next++);
+    }
+    EXPECT_EQ(next, float(source.samples.size()));
+}
+
+TEST(Feed, AStreamGivesTheSamplesOfTheListItCameFrom)
+{
+    const Source held = numbered(20000);
+    Source streamed;
+    streamed.stream.rows = held.samples.size();
+    streamed.stream.read = [&](uint64_t first, size_t count, std::vector<Sample>& out,
+                               SampleReport&) {
+        for (uint64_t i = first; i < first + count; ++i) out.push_back(held.samples[i]);
+    };
+    const Feed a = makeFeed(held, 0, 1, 1), b = makeFeed(streamed, 0, 1, 2);
+    std::vector<Sample> scratch, other;
+    ASSERT_EQ(a.blocks, b.blocks);
+    for (size_t k = 0; k < a.blocks; ++k) {
+        const FeedBlock p = a.read(k, scratch), q = b.read(k, other);
+        ASSERT_EQ(p.count, q.count);
+        for (size_t i = 0; i < p.count; ++i) ASSERT_EQ(p.samples[i].f.x, q.samples[i].f.x);
+    }
+}
+
+TEST(Feed, AFunctionIsExact)
+{
+    EXPECT_TRUE(makeFeed(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.0}), 100, 1, 1).exact);
+}
+
+TEST(Folds, AreOfEqualSizeAndDependOnTheSeed)
+{
+    constexpr int kCount = 50000;
+    std::array<int, kFolds> sizes{};
+    int same = 0;
+    for (uint64_t i = 0; i < kCount; ++i) {
+        ++sizes[size_t(foldOf(i, 1))];
+        same += foldOf(i, 1) == foldOf(i, 2) ? 1 : 0;
+    }
+    // Binomial: 10,000 +- 89; five sigma, five folds and one agreement.
+    for (const int size : sizes) EXPECT_NEAR(size, kCount / kFolds, 5 * 89);
+    EXPECT_NEAR(same, kCount / kFolds, 5 * 89);
+}
+
+TEST(Folds, SomeSamplesOfAFoldAreThoseOfThatFold)
+{
+    const Source source = numbered(3000);
+    const Feed feed = makeFeed(source, 0, 1, 1);
+    size_t all = 0;
+    for (int fold = 0; fold < kFolds; ++fold) {
+        const auto part = someSamples(feed, fold, 10000, 9);
+        for (const Sample& s : part) EXPECT_EQ(foldOf(uint64_t(s.f.x), 9), fold);
+        all += part.size();
+    }
+    EXPECT_EQ(all, source.samples.size());
+    EXPECT_LE(someSamples(feed, kNoFold, 100, 9).size(), 100u);
+}
+
+}  // namespace
+}  // namespace fbrdf

@@ -1,0 +1,183 @@
+#include "LeastSquares.h"
+
+#include "Bake.h"
+#include "Known.h"
+#include "Solve.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace fbrdf {
+namespace {
+
+struct Problem {
+    Source source;
+    Feed feed;
+    DataTraits traits;
+
+    Problem(Source from, size_t count)
+        : source(std::move(from)),
+          feed(makeFeed(source, count, 1, 2)),
+          traits(traitsOf(someSamples(feed, kNoFold, 20000, 1), feed.exact))
+    {
+    }
+};
+
+double largestError(const Material& fitted, const Material& truth)
+{
+    double largest = 0.0;
+    for (const auto& pair : uniformPairs(2000, 77)) {
+        const Vec3d f = evaluate(truth, pair.wo, pair.wi), g = evaluate(fitted, pair.wo, pair.wi);
+        for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(g[c] / f[c] - 1.0));
+    }
+    return largest;
+}
+
+// A product that the form holds exactly comes back to 1e-4: floats of the rows give 1e-6,
+// smoothness the rest.
+constexpr double kRecovered = 1e-4;
+
+class Recovery : public testing::TestWithParam<Form> {};
+
+TEST_P(Recovery, OfAProductThatTheFormHolds)
+{
+    const Material truth = test::waveMaterial(GetParam());
+    Problem problem(test::sourceOf(truth), 30000);
+    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    SolveOptions options;
+    options.smoothness = 1e-14;
+    const Material fitted =
+        bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
+    EXPECT_LT(largestError(fitted, truth), kRecovered);
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, Recovery,
+                         testing::Values(formPqp(10, 0.5), formPqp(10, 1.0), formPqpr(10, 0.5, 8),
+                                         formHdio(16, 6, 6)),
+                         [](const auto& form) {
+                             return form.param.name + std::to_string(form.index);
+                         });
+
+TEST(Recovery, FailsWhenTheFormCannotHoldTheProduct)
+{
+    const Material truth = test::waveMaterial(formPqp(10, 0.5));
+    Problem problem(test::sourceOf(truth), 20000);
+    const Form form = formHdio(16, 6, 6);
+    const LeastSquares squares(form, problem.feed, problem.traits, 1, 2);
+    const Material fitted = bake(form, squares.layout(), solve(squares, {}).x, Storage::float32);
+    EXPECT_GT(largestError(fitted, truth), 0.1);
+}
+
+TEST(Sums, OfTwoProductsComeBack)
+{
+    const Material truth = test::waveMaterial(makeForm("io+hdio", 16));
+    Problem problem(test::sourceOf(truth), 30000);
+    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    SolveOptions options;
+    options.smoothness = 1e-9;
+    const Material fitted =
+        bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
+    const auto pairs = uniformPairs(2000, 77);
+    double sum = 0.0;
+    for (const auto& pair : pairs) {
+        const Vec3d ratio =
+            evaluate(fitted, pair.wo, pair.wi) / evaluate(truth, pair.wo, pair.wi) - 1.0;
+        sum += glm::dot(ratio, ratio) / 3.0;
+    }
+    // Gauss-Newton stops when the cost falls by less than 1e-4 a step: not at the bottom, but near.
+    EXPECT_LT(std::sqrt(sum / double(pairs.size())), 5e-3);
+}
+
+TEST(Robust, OutliersMoveAPlainFitAndNotARobustOne)
+{
+    const Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    Source source = test::scattered(test::sourceOf(truth), 20000, 5);
+    std::mt19937 random(3);
+    for (Sample& s : source.samples)
+        if (random() % 100 < 3) s.f *= 30.0f;
+    Problem problem(source, 0);
+    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    SolveOptions options;
+    options.smoothness = 1e-9;
+    const auto errorOf = [&] {
+        return largestError(
+            bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32), truth);
+    };
+    EXPECT_GT(errorOf(), 0.1);
+    options.robust = true;
+    EXPECT_LT(errorOf(), 0.01);
+}
+
+TEST(Censored, ZerosPullOnlyPredictionsThatLieAbove)
+{
+    // The darkest fifth is cut to zero: the fit must stay near or below the cut there, and right
+    // elsewhere.
+    const Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    Source source = test::scattered(test::sourceOf(truth), 20000, 5);
+    std::vector<float> reds;
+    for (const Sample& s : source.samples) reds.push_back(s.f.x);
+    std::sort(reds.begin(), reds.end());
+    const float cut = reds[reds.size() / 5];
+    for (Sample& s : source.samples)
+        if (s.f.x < cut) s.f.x = 0.0f;
+    Problem problem(source, 0);
+    ASSERT_GT(problem.traits.floor.x, cut);
+    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    SolveOptions options;
+    options.robust = true;
+    const Material fitted =
+        bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
+    double darkest = 0.0, bright = 0.0;
+    size_t brightCount = 0;
+    for (const Sample& s : source.samples) {
+        const float g = evaluate(fitted, s.wo, s.wi).x;
+        if (s.f.x == 0.0f) {
+            darkest = std::max(darkest, double(g));
+        } else if (s.f.x > 1.5f * problem.traits.floor.x) {
+            bright += std::abs(std::log(double(g / s.f.x)));
+            ++brightCount;
+        }
+    }
+    EXPECT_LT(darkest, 2.0 * double(problem.traits.floor.x));
+    ASSERT_GT(brightCount, 100u);
+    EXPECT_LT(bright / double(brightCount), 0.02);
+}
+
+TEST(LeastSquares, DoesNotDependOnTheNumberOfThreads)
+{
+    Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 40000);
+    const Form form = formHdio(16, 6, 6);
+    const LeastSquares one(form, problem.feed, problem.traits, 1, 1),
+        four(form, problem.feed, problem.traits, 1, 4);
+    EXPECT_EQ(one.step(one.flatState(), {}), four.step(four.flatState(), {}));
+}
+
+TEST(LeastSquares, TheStepMinimisesWhatCostMeasures)
+{
+    Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 10000);
+    const Form form = formHdio(16, 6, 6);
+    const LeastSquares squares(form, problem.feed, problem.traits, 1, 2);
+    StepOptions options;
+    options.smoothness = 1e-10;
+    const State best = squares.step(squares.flatState(), options);
+    const double least = squares.cost(best, options);
+    std::mt19937 random(9);
+    for (int i = 0; i < 20; ++i) {
+        State other = best;
+        for (double& v : other) v += 0.01 * (double(random() % 2001) / 1000.0 - 1.0);
+        EXPECT_GT(squares.cost(other, options), least);
+    }
+}
+
+TEST(Traits, NothingAboveTheFloorIsAnError)
+{
+    std::vector<Sample> samples(5, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.0f), 1.0f});
+    EXPECT_THROW(traitsOf(samples, false), Error);
+    EXPECT_THROW(traitsOf({}, false), Error);
+}
+
+}  // namespace
+}  // namespace fbrdf

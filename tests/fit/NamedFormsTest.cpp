@@ -1,0 +1,61 @@
+#include "NamedForms.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <gtest/gtest.h>
+
+namespace fbrdf {
+namespace {
+
+TEST(NamedForms, EachIsValidAtItsDefaultSize)
+{
+    for (const NamedForm& named : namedForms()) {
+        const Form form = makeForm(named.name);
+        EXPECT_NO_THROW(validate(form, named.name));
+        EXPECT_EQ(form.name, named.name);
+        EXPECT_EQ(domainSize(form.tables[0].domain)[0], named.defaultResolution) << named.name;
+    }
+}
+
+TEST(NamedForms, HdioIsWhatTheBudgetsSay)
+{
+    EXPECT_EQ(formBytes(makeForm("hdio"), Storage::log8), 3840u);
+    EXPECT_EQ(formBytes(makeFormFor("hdio", 1000000, 1400, Storage::log8), Storage::log8), 1344u);
+    EXPECT_EQ(formBytes(makeForm("hdio"), Storage::half), 2u * 3840u);
+}
+
+TEST(NamedForms, ASumHasTheTermsOfItsParts)
+{
+    const Form form = makeForm("io+pqpr");
+    ASSERT_EQ(form.terms.size(), 2u);
+    ASSERT_EQ(form.tables.size(), 4u);
+    EXPECT_EQ(form.terms[1].factors[0].table, 1);
+    EXPECT_NO_THROW(validate(form, "sum"));
+    EXPECT_EQ(lookupsPerLight(form), 3);
+}
+
+TEST(NamedForms, FewSamplesGetSmallTables)
+{
+    EXPECT_LT(formBytes(makeFormFor("hdio", 1439, 0, Storage::log8), Storage::log8), 1000u);
+    EXPECT_NO_THROW(makeFormFor("pqp", 1, 0, Storage::log8));
+}
+
+TEST(NamedForms, WhatDoesNotExistIsNamed)
+{
+    for (const std::string name : {"", "pqq", "hdio+", "+", "hdio+pqq"}) {
+        try {
+            makeForm(name);
+            FAIL() << "'" << name << "' was taken";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::usage);
+            EXPECT_NE(std::string(error.what()).find("expected auto, pqp"), std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_THROW(makeForm("pqp", 3), Error);
+    EXPECT_THROW(makeForm("pqp", 257), Error);
+    EXPECT_THROW(makeFormFor("pqp", 1000, 10, Storage::log8), Error);
+}
+
+}  // namespace
+}  // namespace fbrdf
