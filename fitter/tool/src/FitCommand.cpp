@@ -2,6 +2,7 @@
 #include "Arguments.h"
 #include "Commands.h"
 #include "FitJob.h"
+#include "FitReport.h"
 #include "Output.h"
 #include "TextTable.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 struct FitCommand {
     FitJob job;
-    std::string output;
+    std::string output, report;
     bool json = false, quiet = false;
 };
 
@@ -135,10 +136,13 @@ int run(const FitCommand& command)
 {
     requireMaterialExtension(command.output);
     requireWritable(command.output);
+    if (!command.report.empty()) requireWritable(command.report);
     Progress progress(!command.quiet);
     const FitOutcome outcome = runFitJob(command.job, progress);
     progress.phase("writing " + command.output);
     const double writeSeconds = secondsToWrite(*outcome.material, command.output);
+    progress.phase("writing " + command.report);
+    if (!command.report.empty()) writeFitReport(command.job, outcome, writeSeconds, command.report);
     progress.clear();
     if (command.json)
         writeOut(text(summaryJson(command, outcome, writeSeconds)));
@@ -158,6 +162,8 @@ void addFitCommand(CLI::App& app, Action& action)
         ->required()
         ->type_name("FILE");
     addFitOptions(*sub, command->job.fit);
+    sub->add_option("--report", command->report, "self-contained HTML page about the fit")
+        ->type_name("R.html");
     addCosine(*sub, command->job.sourceOptions);
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
