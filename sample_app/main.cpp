@@ -1,4 +1,58 @@
-int main()
+// fbrdf-viewer: shows factored materials, and what they are judged by. See README.md.
+#include "viewer/Headless.h"
+#include "viewer/WindowLoop.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/scene/TextFile.h>
+
+#include <fmt/core.h>
+
+#include <exception>
+
+namespace {
+
+using namespace fbrdf;
+
+int run(int argc, char** argv)
 {
+    // 1. What is asked for.
+    const viewer::Options options = viewer::optionsFromArguments(argc, argv);
+    if (!options.help.empty()) {
+        fmt::print("{}", options.help);
+        return 0;
+    }
+
+    // 2. Materials, mesh, lights and camera.
+    viewer::World world;
+    viewer::loadWorld(options, world);
+
+    // 3. The picture: in a window, by the runtime without one, or on the CPU.
+    viewer::Picture picture;
+    if (!options.headless)
+        picture = viewer::runWindow(options, world);
+    else if (isOnCpu(options.technique))
+        picture = viewer::drawOnCpu(options, world);
+    else
+        picture = viewer::drawHeadless(options, world);
+
+    // 4. What is kept of it.
+    picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
+    if (!options.out.empty()) writeImage(picture.image, options.out, options.exposure);
+    if (!options.stats.empty()) scene::writeText(options.stats, scene::statsToJson(picture.stats));
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const Error& error) {
+        fmt::print(stderr, "fbrdf-viewer: {}\n", error.what());
+        return static_cast<int>(error.kind());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "fbrdf-viewer: unexpected: {}\n", error.what());
+        return 1;
+    }
 }

@@ -1,0 +1,48 @@
+// Controls.h - what the keys and the mouse of the window do to what is shown; no window here.
+#pragma once
+#include <fbrdf/scene/Camera.h>
+
+#include <string>
+#include <vector>
+
+namespace fbrdf::scene {
+
+/// How a picture is made. The first three are the runtime's (fbrdf/plan/Plan.h), the others are
+/// drawn on the CPU (Reference.h).
+enum class ViewTechnique { single, batched, twoLookup, vertex, reference };
+constexpr int kViewTechniqueCount = 5;
+constexpr int kMostLights = 1024;  ///< that keys and panel ask for
+
+const char* viewTechniqueName(ViewTechnique technique);        ///< "two-lookup", ...
+ViewTechnique viewTechniqueFromName(const std::string& name);  ///< throws Error(usage)
+bool isOnCpu(ViewTechnique technique);
+Technique runtimeTechnique(ViewTechnique technique);  ///< expects !isOnCpu(technique)
+
+/// What the window shows.
+struct ViewState {
+    Camera camera, home;  ///< home: what `r` goes back to
+    ViewTechnique technique = ViewTechnique::single;
+    int material = 0, materialCount = 1;
+    int mesh = 0, meshCount = 1;
+    int lightCount = 1;
+    bool madeLights = true;  ///< lights come by number; false: from a file, and stay
+    float exposure = 1.0f;
+    bool help = false, screenshot = false, close = false;
+};
+
+/// Applies a key by its character (lower case; escape is 27). Returns false for a key without
+/// meaning, leaving the state as it was.
+bool applyKey(ViewState& state, char key);
+
+/// A drag of the mouse with the left button: pixels right and down in a window that high.
+void applyDrag(ViewState& state, double right, double down, int windowHeight);
+/// Turns of the wheel: up comes nearer.
+void applyScroll(ViewState& state, double steps);
+
+/// The lines of the help: key, meaning.
+struct KeyHelp {
+    const char *key, *meaning;
+};
+const std::vector<KeyHelp>& keyHelp();
+
+}  // namespace fbrdf::scene

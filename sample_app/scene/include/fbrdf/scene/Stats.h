@@ -1,0 +1,34 @@
+// Stats.h - what one run of the viewer did, as JSON.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fbrdf::scene {
+
+/// Least, median and greatest of a list; of an even count the median is the mean of the middle two.
+struct Spread {
+    double median = 0.0, min = 0.0, max = 0.0;
+};
+Spread spreadOf(std::vector<double> values);
+
+struct Stats {
+    std::string backend;  ///< "egl", "osmesa", "window"; "cpu" for techniques without GL
+    std::string glRenderer, glVersion;  ///< empty without GL
+    std::string technique, mesh;
+    std::vector<std::string> materials;  ///< names
+    std::string evaluated;               ///< "source" or "material": what the BRDF values came from
+    int width = 0, height = 0, coveredPixels = 0;
+    int passes = 0, drawCalls = 0;  ///< of the object that needed most; of all objects
+    int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
+    int maxLookups = 0;        ///< texture look-ups in any pass, counted from the linked programs
+    std::string accumulation;  ///< "RGBA32F", ...; "double" on the CPU
+    std::string clock;         ///< "gpu" (timer queries) or "cpu" (wall clock, finished frames)
+    std::vector<double> milliseconds;  ///< one a frame
+};
+
+/// One object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
+/// evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
+/// accumulation, frames, clock, milliseconds {median, min, max}.
+std::string statsToJson(const Stats& stats);
+
+}  // namespace fbrdf::scene

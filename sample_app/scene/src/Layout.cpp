@@ -1,0 +1,70 @@
+#include <fbrdf/scene/Layout.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf::scene {
+namespace {
+
+constexpr float kSpacing = 2.15f;     ///< between neighbours, in radii: nearly touching
+constexpr float kSceneRadius = 1.2f;  ///< that makeLights was made for
+
+}  // namespace
+
+std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect)
+{
+    const int columns = std::clamp(static_cast<int>(std::lround(std::sqrt(materials * aspect))), 1,
+                                   std::max(1, materials));
+    const int rows = (materials + columns - 1) / columns;
+    const float step = kSpacing * boundsOf(mesh).radius;
+    std::vector<Instance> instances;
+    for (int i = 0; i < materials; ++i) {
+        Instance instance;
+        instance.mesh = &mesh;
+        instance.material = i;
+        const int inRow = std::min(columns, materials - i / columns * columns);
+        const float right = static_cast<float>(i % columns) - 0.5f * static_cast<float>(inRow - 1);
+        const float down = static_cast<float>(i / columns) - 0.5f * static_cast<float>(rows - 1);
+        instance.model[3] = glm::vec4(step * right, -step * down, 0.0f, 1.0f);
+        instances.push_back(instance);
+    }
+    return instances;
+}
+
+Bounds boundsOf(const std::vector<Instance>& instances)
+{
+    std::vector<Bounds> balls;
+    for (const Instance& instance : instances) {
+        Bounds ball = boundsOf(*instance.mesh);
+        ball.center = Vec3f(instance.model * glm::vec4(ball.center, 1.0f));
+        balls.push_back(ball);
+    }
+    if (balls.empty()) return {};
+    Vec3f low = balls.front().center, high = low;
+    for (const Bounds& ball : balls) {
+        low = glm::min(low, ball.center);
+        high = glm::max(high, ball.center);
+    }
+    Bounds all{0.5f * (low + high), 0.0f};
+    for (const Bounds& ball : balls)
+        all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
+    return all;
+}
+
+std::vector<Light> spreadAround(std::vector<Light> lights, const Bounds& bounds)
+{
+    // What must lie inside the lights' innermost shell is measured from where they were made for.
+    const float reach = glm::length(bounds.center) + bounds.radius;
+    if (reach <= kSceneRadius) return lights;
+    const float scale = bounds.radius / kSceneRadius;
+    for (Light& light : lights) {
+        light.position = bounds.center + scale * light.position;
+        light.intensity *= scale * scale;
+        light.radius *= scale;
+    }
+    return lights;
+}
+
+}  // namespace fbrdf::scene

@@ -1,0 +1,57 @@
+#include <fbrdf/scene/Stats.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace fbrdf::scene {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json textOrNull(const std::string& text)
+{
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+}  // namespace
+
+Spread spreadOf(std::vector<double> values)
+{
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    const size_t middle = values.size() / 2;
+    const double median =
+        values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+    return {median, values.front(), values.back()};
+}
+
+std::string statsToJson(const Stats& stats)
+{
+    const Spread time = spreadOf(stats.milliseconds);
+    const Json json{
+        {"backend", stats.backend},
+        {"gl_renderer", textOrNull(stats.glRenderer)},
+        {"gl_version", textOrNull(stats.glVersion)},
+        {"technique", stats.technique},
+        {"mesh", stats.mesh},
+        {"materials", stats.materials},
+        {"evaluated", stats.evaluated},
+        {"size", {stats.width, stats.height}},
+        {"covered_pixels", stats.coveredPixels},
+        {"passes", stats.passes},
+        {"draw_calls", stats.drawCalls},
+        {"lights",
+         {{"given", stats.lightsGiven},
+          {"used", stats.lightsUsed},
+          {"dropped", stats.lightsDropped}}},
+        {"max_lookups", stats.maxLookups},
+        {"accumulation", stats.accumulation},
+        {"frames", stats.milliseconds.size()},
+        {"clock", stats.clock},
+        {"milliseconds", {{"median", time.median}, {"min", time.min}, {"max", time.max}}},
+    };
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fbrdf::scene

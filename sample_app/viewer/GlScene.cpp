@@ -1,0 +1,66 @@
+#include "GlScene.h"
+
+#include <fmt/core.h>
+
+#include <set>
+
+namespace fbrdf::viewer {
+namespace {
+
+const char* severityName(gl::Severity severity)
+{
+    if (severity == gl::Severity::error) return "error";
+    return severity == gl::Severity::warning ? "warning" : "note";
+}
+
+gl::RendererOptions rendererOptions(gl::LoadFunction load)
+{
+    gl::RendererOptions options;
+    options.load = load;
+    options.log = [seen = std::set<std::string>()](gl::Severity severity,
+                                                   const std::string& text) mutable {
+        if (severity != gl::Severity::note && seen.insert(text).second)
+            fmt::print(stderr, "fbrdf-viewer: {}: {}\n", severityName(severity), text);
+    };
+    return options;
+}
+
+gl::DrawOptions drawOptions(Technique technique)
+{
+    gl::DrawOptions options;
+    options.technique = technique;
+    return options;
+}
+
+}  // namespace
+
+GlScene::GlScene(gl::LoadFunction load, World& world) : renderer_(rendererOptions(load))
+{
+    for (MaterialSlot& slot : world.materials)
+        materials_.push_back(renderer_.createMaterial(slot.material()));
+    replaceMesh(world.mesh);
+}
+
+void GlScene::replaceMesh(const scene::Mesh& mesh)
+{
+    mesh_ = renderer_.createMesh(mesh);
+}
+
+void GlScene::prepare(Technique technique, int lights)
+{
+    for (const auto& material : materials_)
+        renderer_.prepare(*material, drawOptions(technique), lights);
+}
+
+gl::DrawStats GlScene::draw(const gl::Target& target, const gl::View& view,
+                            const std::vector<scene::Instance>& instances,
+                            const std::vector<Light>& lights, Technique technique)
+{
+    std::vector<gl::Item> items;
+    for (const scene::Instance& instance : instances)
+        items.push_back({materials_[static_cast<size_t>(instance.material)].get(), mesh_.get(),
+                         instance.model});
+    return renderer_.draw(target, view, items, lights, drawOptions(technique));
+}
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,116 @@
+#include "GlfwWindow.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace fbrdf::viewer {
+namespace {
+
+[[noreturn]] void fail(const char* step)
+{
+    const char* description = nullptr;
+    glfwGetError(&description);
+    throw Error(ErrorKind::gl, "window",
+                std::string("found ") + (description ? description : "no reason") + " (" + step +
+                    "), expected a display with OpenGL 3.3; without one use --headless");
+}
+
+GlfwWindow* windowOf(GLFWwindow* handle)
+{
+    return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
+}
+
+}  // namespace
+
+GlfwWindow::GlfwWindow(int width, int height, const std::string& title, scene::ViewState& state)
+    : state_(state)
+{
+    if (!glfwInit()) fail("glfwInit");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene has a framebuffer of its own
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!window_) {
+        try {
+            fail("glfwCreateWindow");
+        } catch (...) {
+            glfwTerminate();
+            throw;
+        }
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    installCallbacks();
+}
+
+GlfwWindow::~GlfwWindow()
+{
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+gl::LoadFunction GlfwWindow::loader()
+{
+    return
+        [](void*, const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); };
+}
+
+void GlfwWindow::installCallbacks()
+{
+    glfwSetWindowUserPointer(window_, this);
+    // By character and not by key, so that every keyboard layout works; escape has no character.
+    glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned code) {
+        GlfwWindow& self = *windowOf(handle);
+        const bool taken = self.filter_.takesKeys && self.filter_.takesKeys();
+        if (!taken && code < 128)
+            applyKey(self.state_, static_cast<char>(std::tolower(static_cast<int>(code))));
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
+        if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) applyKey(windowOf(handle)->state_, 27);
+    });
+    glfwSetCursorPosCallback(
+        window_, [](GLFWwindow* handle, double x, double y) { windowOf(handle)->drag(x, y); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* handle, double, double steps) {
+        GlfwWindow& self = *windowOf(handle);
+        if (!self.filter_.takesMouse || !self.filter_.takesMouse()) applyScroll(self.state_, steps);
+    });
+}
+
+void GlfwWindow::drag(double x, double y)
+{
+    const bool taken = filter_.takesMouse && filter_.takesMouse();
+    if (!taken && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+        int height = 1;
+        glfwGetWindowSize(window_, nullptr, &height);
+        applyDrag(state_, x - lastX_, y - lastY_, height);
+    }
+    lastX_ = x;
+    lastY_ = y;
+}
+
+GlfwWindow::Size GlfwWindow::framebufferSize() const
+{
+    Size size{1, 1};
+    glfwGetFramebufferSize(window_, &size.width, &size.height);
+    return {std::max(1, size.width), std::max(1, size.height)};  // 0 while minimised
+}
+
+bool GlfwWindow::shouldClose() const
+{
+    return glfwWindowShouldClose(window_) || state_.close;
+}
+
+void GlfwWindow::present()
+{
+    glfwSwapBuffers(window_);
+    glfwPollEvents();
+}
+
+}  // namespace fbrdf::viewer

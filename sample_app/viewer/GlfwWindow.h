@@ -1,0 +1,49 @@
+// GlfwWindow.h - a window with an OpenGL 3.3 core context, and what is done in it.
+#pragma once
+#include <fbrdf/gl/Renderer.h>
+#include <fbrdf/scene/Controls.h>
+
+#include <functional>
+#include <string>
+
+struct GLFWwindow;
+
+namespace fbrdf::viewer {
+
+/// Whether something else (the panel) wants the input.
+struct InputFilter {
+    std::function<bool()> takesMouse, takesKeys;
+};
+
+class GlfwWindow {
+public:
+    /// Keys, drags and the wheel change `state`, which must outlive the window. Throws Error(gl)
+    /// where there is no display or no OpenGL 3.3.
+    GlfwWindow(int width, int height, const std::string& title, scene::ViewState& state);
+    ~GlfwWindow();
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    GLFWwindow* handle() const { return window_; }
+    void setFilter(InputFilter filter) { filter_ = std::move(filter); }
+    static gl::LoadFunction loader();
+
+    struct Size {
+        int width, height;
+    };
+    Size framebufferSize() const;  ///< pixels, >= 1
+    bool shouldClose() const;
+    /// Shows what was drawn and handles input.
+    void present();
+
+private:
+    void installCallbacks();
+    void drag(double x, double y);
+
+    GLFWwindow* window_ = nullptr;
+    scene::ViewState& state_;
+    InputFilter filter_;
+    double lastX_ = 0.0, lastY_ = 0.0;
+};
+
+}  // namespace fbrdf::viewer

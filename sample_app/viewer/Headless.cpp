@@ -1,0 +1,74 @@
+#include "Headless.h"
+
+#include "FrameTimer.h"
+#include "GlScene.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/headless/Offscreen.h>
+
+#include <algorithm>
+
+namespace fbrdf::viewer {
+
+scene::Image imageFromBottomRows(const std::vector<float>& rgba, int width, int height)
+{
+    scene::Image image(width, height);
+    const std::ptrdiff_t row = 4 * std::ptrdiff_t(width);
+    for (int y = 0; y < height; ++y)
+        std::copy_n(rgba.begin() + row * (height - 1 - y), row, image.rgba.begin() + row * y);
+    return image;
+}
+
+int coveredPixels(const scene::Image& image)
+{
+    int count = 0;
+    for (size_t i = 3; i < image.rgba.size(); i += 4) count += image.rgba[i] > 0.0f;
+    return count;
+}
+
+void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scene::Stats& stats)
+{
+    stats.glRenderer = renderer.glRenderer();
+    stats.glVersion = renderer.glVersion();
+    stats.passes = drawn.passes;
+    stats.drawCalls = drawn.drawCalls;
+    stats.lightsGiven = drawn.lightsGiven;
+    stats.lightsUsed = drawn.lightsUsed;
+    stats.lightsDropped = drawn.lightsDropped;
+    stats.maxLookups = drawn.maxLookups;
+    stats.accumulation = drawn.accumulation;
+}
+
+Picture drawHeadless(const Options& options, World& world)
+{
+    Picture picture{{}, statsOf(options, world)};
+    HeadlessOptions contextOptions;
+    contextOptions.backend = options.backend;
+    const HeadlessContext context(contextOptions);
+    GlScene scene(context.loader(), world);
+    Offscreen offscreen(context.loader(), {options.width, options.height});
+    FrameTimer timer(context.loader());
+    const gl::Target target{offscreen.framebuffer(), options.width, options.height};
+    const gl::View view =
+        viewFromCamera(world.camera, static_cast<double>(options.width) / options.height,
+                       scene::boundsOf(world.instances));
+    const Technique technique = runtimeTechnique(options.technique);
+    scene.prepare(technique, static_cast<int>(world.lights.size()));
+    for (int frame = 0; frame < options.frames.value_or(1); ++frame) {
+        timer.begin();
+        offscreen.clear();
+        const gl::DrawStats drawn =
+            scene.draw(target, view, world.instances, world.lights, technique);
+        picture.stats.milliseconds.push_back(timer.end());
+        addDrawStats(drawn, scene.renderer(), picture.stats);
+        if (drawn.itemsFailed > 0)
+            throw Error(ErrorKind::gl, "draw",
+                        std::to_string(drawn.itemsFailed) + " objects could not be drawn");
+    }
+    picture.image = imageFromBottomRows(offscreen.readPixels(), options.width, options.height);
+    picture.stats.backend = backendName(options.backend);
+    picture.stats.clock = timer.clock();
+    return picture;
+}
+
+}  // namespace fbrdf::viewer

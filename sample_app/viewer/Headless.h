@@ -1,0 +1,20 @@
+// Headless.h - a picture drawn by the runtime without a display.
+#pragma once
+#include "World.h"
+
+namespace fbrdf::viewer {
+
+/// Makes a context, draws options.frames frames into an RGBA32F framebuffer and reads the last one
+/// back. Throws Error(gl) where there is no usable GL.
+Picture drawHeadless(const Options& options, World& world);
+
+/// Fills what a draw tells.
+void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scene::Stats& stats);
+
+/// Rows from the bottom, as GL reads them, to a picture.
+scene::Image imageFromBottomRows(const std::vector<float>& rgba, int width, int height);
+
+/// Pixels with coverage.
+int coveredPixels(const scene::Image& image);
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,34 @@
+// MaterialSlot.h - one --material: the truth it stands for, and the factored material drawn by GL.
+#pragma once
+#include <fbrdf/brdf/Material.h>
+#include <fbrdf/scene/Reference.h>
+#include <fbrdf/sources/Source.h>
+
+#include <optional>
+#include <string>
+
+namespace fbrdf::viewer {
+
+/// What is shown when no --material is given: brushed gold.
+extern const char* const kDefaultMaterial;
+
+class MaterialSlot {
+public:
+    /// `spec`: a material file, or a source (fbrdf/sources/Source.h). Throws what readMaterial and
+    /// openSource throw.
+    explicit MaterialSlot(const std::string& spec);
+
+    const std::string& name() const { return name_; }
+    /// The factored material; a source is fitted on the first call, which may throw Error(fit).
+    const Material& material();
+    /// f of the source where it is a function, else of the material (in double).
+    scene::Brdf truth();
+    bool truthIsSource() const { return source_ && source_->evaluate; }
+
+private:
+    std::string name_;
+    std::optional<Source> source_;
+    std::optional<Material> material_;
+};
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,34 @@
+// Options.h - the command line of fbrdf-viewer.
+#pragma once
+#include <fbrdf/headless/Context.h>
+#include <fbrdf/scene/Camera.h>
+#include <fbrdf/scene/Controls.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fbrdf::viewer {
+
+struct Options {
+    bool headless = false;
+    Backend backend = Backend::egl;
+    std::vector<std::string> materials;  ///< files or sources; empty: the default material
+    std::string mesh = "sphere";
+    std::string lights;  ///< path; empty: lightCount made ones
+    int lightCount = 5;
+    uint32_t seed = 0;
+    scene::ViewTechnique technique = scene::ViewTechnique::single;
+    std::optional<scene::Camera> camera;
+    int width = 512, height = 512;
+    float exposure = 1.0f;
+    std::string out, stats;     ///< paths; empty: nothing is written
+    std::optional<int> frames;  ///< unset: 1 headless, until closed in a window
+    std::string help;           ///< not empty: --help was asked for, and this is the answer
+};
+
+/// Throws Error(usage) for everything that is not as --help says.
+Options optionsFromArguments(int argc, const char* const* argv);
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,42 @@
+// Panel.h - the text on the screen: what is drawn, how fast, and the help. With Dear ImGui a panel
+// whose fields can be changed with the mouse (PanelImGui.cpp), else the window's title
+// (PanelTitle.cpp).
+#pragma once
+#include <fbrdf/scene/Controls.h>
+
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace fbrdf::viewer {
+
+/// What the panel tells besides the state.
+struct PanelFacts {
+    std::vector<std::string> materials, meshes;  ///< names, in the order of the state's numbers
+    int triangles = 0, passes = 0, maxLookups = 0;
+    double milliseconds = 0.0;
+    std::string renderer;  ///< of GL
+    std::string message;   ///< what happened last: "wrote ..."
+};
+
+class Panel {
+public:
+    /// `window` has a current GL context, and its own callbacks installed: the panel calls them on.
+    explicit Panel(GLFWwindow* window);
+    ~Panel();
+    Panel(const Panel&) = delete;
+    Panel& operator=(const Panel&) = delete;
+
+    /// True while the mouse is over the panel and not meant for the scene.
+    bool wantsMouse() const;
+    /// True while a field of the panel takes keys.
+    bool wantsKeys() const;
+    void draw(scene::ViewState& state, const PanelFacts& facts);
+
+private:
+    GLFWwindow* window_;
+    std::string title_;  ///< shown last; unused with Dear ImGui
+};
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,46 @@
+#include "Panel.h"
+
+#include <fmt/core.h>
+#include <GLFW/glfw3.h>
+
+namespace fbrdf::viewer {
+namespace {
+
+std::string titleOf(const scene::ViewState& state, const PanelFacts& facts)
+{
+    if (state.help) {
+        std::string text = "fbrdf:";
+        for (const scene::KeyHelp& line : scene::keyHelp())
+            text += fmt::format("  {} = {}", line.key, line.meaning);
+        return text;
+    }
+    const std::string& material = facts.materials[static_cast<size_t>(state.material)];
+    return fmt::format("fbrdf: {} | {} | {} lights | {} passes | {:.1f} ms | {}", material,
+                       viewTechniqueName(state.technique), state.lightCount, facts.passes,
+                       facts.milliseconds, facts.message.empty() ? "H: help" : facts.message);
+}
+
+}  // namespace
+
+Panel::Panel(GLFWwindow* window) : window_(window) {}
+Panel::~Panel() = default;
+
+bool Panel::wantsMouse() const
+{
+    return false;
+}
+
+bool Panel::wantsKeys() const
+{
+    return false;
+}
+
+void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
+{
+    const std::string title = titleOf(state, facts);
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,237 @@
+#include "WindowLoop.h"
+
+#include "FrameTimer.h"
+#include "GlfwWindow.h"
+#include "GlScene.h"
+#include "Headless.h"
+#include "Panel.h"
+#include "ToneMapper.h"
+
+#include <fmt/core.h>
+
+#include <fbrdf/brdf/Error.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace fbrdf::viewer {
+namespace {
+
+// While the view changes, the CPU draws one pixel in 4 x 4, so that the mouse stays responsive.
+constexpr int kCoarseStep = 4;
+constexpr size_t kKeptTimes = 240;  ///< frames whose times a window remembers
+
+/// What a picture depends on; a CPU picture is drawn anew only when it changes.
+struct Shown {
+    scene::Camera camera;
+    scene::ViewTechnique technique;
+    int material, mesh, lightCount, width, height;
+
+    bool operator==(const Shown& o) const
+    {
+        return camera.eye == o.camera.eye && camera.center == o.camera.center &&
+               technique == o.technique && material == o.material && mesh == o.mesh &&
+               lightCount == o.lightCount && width == o.width && height == o.height;
+    }
+};
+
+class WindowLoop {
+public:
+    WindowLoop(const Options& options, World& world)
+        : options_(options),
+          world_(world),
+          state_(initialState(options, world)),
+          window_(options.width, options.height, "fbrdf", state_),
+          panel_(window_.handle()),
+          timer_(GlfwWindow::loader()),
+          toneMapper_(GlfwWindow::loader()),
+          scene_(GlfwWindow::loader(), world),
+          stats_(statsOf(options, world))
+    {
+        window_.setFilter(
+            {[this] { return panel_.wantsMouse(); }, [this] { return panel_.wantsKeys(); }});
+        facts_.meshes = meshNames(options.mesh);
+        state_.meshCount = static_cast<int>(facts_.meshes.size());
+        for (const MaterialSlot& slot : world.materials) facts_.materials.push_back(slot.name());
+        facts_.renderer = scene_.renderer().glRenderer();
+    }
+
+    Picture run()
+    {
+        const int frames = options_.frames.value_or(0);
+        for (int frame = 0; !window_.shouldClose() && (frames == 0 || frame < frames); ++frame)
+            drawFrame();
+        finishStats();
+        return {picture(), stats_};
+    }
+
+private:
+    static scene::ViewState initialState(const Options& options, const World& world)
+    {
+        scene::ViewState state;
+        state.camera = state.home = options.camera ? world.camera : scene::Camera();
+        state.technique = options.technique;
+        state.materialCount = static_cast<int>(world.materials.size());
+        state.lightCount = static_cast<int>(world.lights.size());
+        state.madeLights = options.lights.empty();
+        state.exposure = options.exposure;
+        return state;
+    }
+
+    /// The mesh asked for, then the others.
+    static std::vector<std::string> meshNames(const std::string& first)
+    {
+        std::vector<std::string> names{first};
+        for (const char* name : {"sphere", "knot", "plane"})
+            if (name != first) names.emplace_back(name);
+        return names;
+    }
+
+    void drawFrame();
+    void followState();
+    void drawWithRuntime(GlfwWindow::Size size);
+    void drawWithCpu(const Shown& shown);
+    void saveScreenshot();
+    void finishStats();
+    scene::Image picture();
+
+    gl::View view(int width, int height) const
+    {
+        return viewFromCamera(state_.camera, static_cast<double>(width) / height,
+                              scene::boundsOf(world_.mesh));
+    }
+    scene::Instance instance() const { return {&world_.mesh, glm::mat4(1.0f), state_.material}; }
+    void remember(double milliseconds)
+    {
+        std::vector<double>& times = stats_.milliseconds;
+        if (!options_.frames && times.size() == kKeptTimes) times.erase(times.begin());
+        times.push_back(milliseconds);
+        facts_.milliseconds = scene::spreadOf(times).median;
+    }
+
+    const Options& options_;
+    World& world_;
+    scene::ViewState state_;
+    GlfwWindow window_;
+    Panel panel_;
+    FrameTimer timer_;
+    ToneMapper toneMapper_;
+    GlScene scene_;
+    scene::Stats stats_;
+    PanelFacts facts_;
+    int mesh_ = 0, screenshots_ = 0;
+    std::optional<Shown> drawn_;  ///< what the CPU's picture shows
+    bool coarse_ = false;
+    scene::Image cpuPicture_;
+};
+
+/// Brings mesh and lights in line with what keys and panel chose.
+void WindowLoop::followState()
+{
+    if (state_.mesh != mesh_) {
+        mesh_ = state_.mesh;
+        world_.mesh = scene::meshFromName(facts_.meshes[static_cast<size_t>(mesh_)]);
+        scene_.replaceMesh(world_.mesh);
+    }
+    if (state_.madeLights && state_.lightCount != static_cast<int>(world_.lights.size()))
+        world_.lights = spreadAround(scene::makeLights(state_.lightCount, options_.seed),
+                                     scene::boundsOf(world_.mesh));
+    facts_.triangles = static_cast<int>(world_.mesh.indices.size() / 3);
+}
+
+void WindowLoop::drawFrame()
+{
+    followState();
+    const GlfwWindow::Size size = window_.framebufferSize();
+    const Shown shown{state_.camera,
+                      state_.technique,
+                      state_.material,
+                      mesh_,
+                      static_cast<int>(world_.lights.size()),
+                      size.width,
+                      size.height};
+    if (isOnCpu(state_.technique))
+        drawWithCpu(shown);
+    else
+        drawWithRuntime(size);
+    toneMapper_.show(size.width, size.height, state_.exposure);
+    panel_.draw(state_, facts_);
+    if (state_.screenshot) saveScreenshot();
+    window_.present();
+}
+
+void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
+{
+    drawn_.reset();
+    timer_.begin();
+    const gl::Target target = toneMapper_.clearedTarget(size.width, size.height);
+    const gl::DrawStats drawn = scene_.draw(target, view(size.width, size.height), {instance()},
+                                            world_.lights, runtimeTechnique(state_.technique));
+    remember(timer_.end());
+    addDrawStats(drawn, scene_.renderer(), stats_);
+    stats_.clock = timer_.clock();
+    facts_.passes = drawn.passes;
+    facts_.maxLookups = drawn.maxLookups;
+}
+
+/// Coarse while things change, fine once they stand still, then nothing to do.
+void WindowLoop::drawWithCpu(const Shown& shown)
+{
+    const bool changed = !drawn_ || !(*drawn_ == shown);
+    if (!changed && !coarse_) return;
+    const bool last = options_.frames.has_value();  // a counted frame is worth its full size
+    coarse_ = changed && !last;
+    const int step = coarse_ ? kCoarseStep : 1;
+    const scene::PictureOptions size{std::max(1, shown.width / step),
+                                     std::max(1, shown.height / step)};
+    scene::Scene scene;
+    scene.instances = {instance()};
+    for (MaterialSlot& slot : world_.materials) scene.brdfs.push_back(slot.truth());
+    scene.lights = world_.lights;
+    scene.view = view(shown.width, shown.height);
+    const auto start = std::chrono::steady_clock::now();
+    cpuPicture_ = state_.technique == scene::ViewTechnique::vertex ? renderVertex(scene, size)
+                                                                   : renderReference(scene, size);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    remember(time.count());
+    stats_.clock = "cpu";
+    stats_.accumulation = "double";
+    toneMapper_.upload(cpuPicture_);
+    drawn_ = shown;
+}
+
+scene::Image WindowLoop::picture()
+{
+    if (!isOnCpu(state_.technique)) return toneMapper_.readTarget();
+    if (coarse_) drawWithCpu(*drawn_);
+    return cpuPicture_;
+}
+
+void WindowLoop::saveScreenshot()
+{
+    state_.screenshot = false;
+    const std::string path = fmt::format("fbrdf-viewer-{:03}.png", ++screenshots_);
+    try {
+        writeImage(picture(), path, state_.exposure);
+        facts_.message = "wrote " + path;
+    } catch (const Error& error) {
+        facts_.message = error.what();
+    }
+}
+
+void WindowLoop::finishStats()
+{
+    stats_.backend = "window";
+    stats_.technique = viewTechniqueName(state_.technique);
+    stats_.mesh = facts_.meshes[static_cast<size_t>(mesh_)];
+    stats_.lightsGiven = static_cast<int>(world_.lights.size());
+}
+
+}  // namespace
+
+Picture runWindow(const Options& options, World& world)
+{
+    return WindowLoop(options, world).run();
+}
+
+}  // namespace fbrdf::viewer

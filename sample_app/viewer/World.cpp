@@ -1,0 +1,89 @@
+#include "World.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace fbrdf::viewer {
+namespace {
+
+double aspectOf(const Options& options)
+{
+    return static_cast<double>(options.width) / options.height;
+}
+
+std::vector<Light> lightsOf(const Options& options, const scene::Bounds& bounds)
+{
+    if (!options.lights.empty()) return scene::readLights(options.lights);
+    return spreadAround(scene::makeLights(options.lightCount, options.seed), bounds);
+}
+
+scene::Scene cpuScene(const Options& options, World& world)
+{
+    scene::Scene scene;
+    scene.instances = world.instances;
+    for (MaterialSlot& slot : world.materials) scene.brdfs.push_back(slot.truth());
+    scene.lights = world.lights;
+    scene.view = viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances));
+    return scene;
+}
+
+double millisecondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+}  // namespace
+
+void loadWorld(const Options& options, World& world)
+{
+    std::vector<std::string> specs = options.materials;
+    if (specs.empty()) specs.emplace_back(kDefaultMaterial);
+    for (const std::string& spec : specs) world.materials.emplace_back(spec);
+    world.mesh = scene::meshFromName(options.mesh);
+    world.instances =
+        scene::arranged(world.mesh, static_cast<int>(specs.size()), aspectOf(options));
+    const scene::Bounds bounds = scene::boundsOf(world.instances);
+    world.lights = lightsOf(options, bounds);
+    // One object is seen by the standard camera, wherever its file puts it; several must fit.
+    world.camera =
+        specs.size() == 1 ? scene::Camera() : framed(scene::Camera(), bounds, aspectOf(options));
+    if (options.camera) world.camera = *options.camera;
+}
+
+scene::Stats statsOf(const Options& options, const World& world)
+{
+    scene::Stats stats;
+    stats.technique = viewTechniqueName(options.technique);
+    stats.mesh = options.mesh;
+    for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
+    stats.evaluated = "material";
+    stats.width = options.width;
+    stats.height = options.height;
+    stats.lightsGiven = static_cast<int>(world.lights.size());
+    return stats;
+}
+
+Picture drawOnCpu(const Options& options, World& world)
+{
+    Picture picture{{}, statsOf(options, world)};
+    const scene::Scene scene = cpuScene(options, world);
+    const scene::PictureOptions size{options.width, options.height};
+    const bool isVertex = options.technique == scene::ViewTechnique::vertex;
+    for (int frame = 0; frame < options.frames.value_or(1); ++frame) {
+        const auto start = std::chrono::steady_clock::now();
+        picture.image = isVertex ? renderVertex(scene, size) : renderReference(scene, size);
+        picture.stats.milliseconds.push_back(millisecondsSince(start));
+    }
+    scene::Stats& stats = picture.stats;
+    stats.backend = "cpu";
+    stats.clock = "cpu";
+    stats.accumulation = "double";
+    stats.lightsUsed = stats.lightsGiven;
+    if (std::all_of(world.materials.begin(), world.materials.end(),
+                    [](const MaterialSlot& slot) { return slot.truthIsSource(); }))
+        stats.evaluated = "source";
+    return picture;
+}
+
+}  // namespace fbrdf::viewer

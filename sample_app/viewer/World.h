@@ -1,0 +1,38 @@
+// World.h - everything that the options ask to see, loaded.
+#pragma once
+#include "MaterialSlot.h"
+#include "Options.h"
+
+#include <fbrdf/scene/Image.h>
+#include <fbrdf/scene/Layout.h>
+#include <fbrdf/scene/Lights.h>
+#include <fbrdf/scene/Stats.h>
+
+#include <deque>
+
+namespace fbrdf::viewer {
+
+struct World {
+    std::deque<MaterialSlot> materials;  ///< a deque, so that truth() may point into it
+    scene::Mesh mesh;
+    std::vector<scene::Instance> instances;  ///< of mesh, one a material
+    std::vector<Light> lights;
+    scene::Camera camera;
+};
+
+/// Throws Error for whatever cannot be loaded. The world must stay where it is made.
+void loadWorld(const Options& options, World& world);
+
+/// A finished picture and what was done for it.
+struct Picture {
+    scene::Image image;
+    scene::Stats stats;
+};
+
+/// The fields of the stats that do not depend on how the picture was drawn.
+scene::Stats statsOf(const Options& options, const World& world);
+
+/// Techniques `vertex` and `reference`, without any GL.
+Picture drawOnCpu(const Options& options, World& world);
+
+}  // namespace fbrdf::viewer
