@@ -1,0 +1,41 @@
+#include "NumberRows.h"
+
+#include <fbrdf/brdf/HalfDifference.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf {
+
+void parseNumbers(const InputFile& file, size_t line, const std::vector<std::string_view>& words,
+                  std::vector<double>& numbers)
+{
+    numbers.resize(words.size());
+    for (size_t i = 0; i < words.size(); ++i)
+        if (!parseNumber(words[i], numbers[i]))
+            throw lineError(file, line, "found " + quoted(words[i]) + ", expected a number");
+}
+
+void AngleRows::add(double theta_i, double phi_i, double theta_o, double phi_o, const Vec3d& f)
+{
+    rows_.push_back({theta_i, phi_i, theta_o, phi_o, f});
+    for (const double theta : {theta_i, theta_o})
+        if (std::isfinite(theta)) largest_ = std::max(largest_, std::abs(theta));
+}
+
+bool AngleRows::inDegrees() const
+{
+    constexpr double kRounding = 1e-3;  // pi written with few digits is still radians
+    return largest_ > kPi + kRounding;
+}
+
+void AngleRows::addTo(Source& source) const
+{
+    const double unit = inDegrees() ? kPi / 180.0 : 1.0;
+    for (const Row& row : rows_)
+        addRow({directionFromAngles(row.theta_o * unit, row.phi_o * unit),
+                directionFromAngles(row.theta_i * unit, row.phi_i * unit), row.f},
+               source.samples, source.report);
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,136 @@
+// Formats whose files do not say the unit of their angles: ASTM E1392 and headerless text.
+#include "ReaderTest.h"
+
+#include <fbrdf/brdf/HalfDifference.h>
+
+using namespace fbrdf;
+using namespace fbrdf::test;
+
+namespace {
+
+constexpr float kFloat = 1e-6f;
+
+Source read(const std::string& text, const std::string& name)
+{
+    const TempFolder folder;
+    return openSource(folder.write(name, text));
+}
+
+void expectRefused(const std::string& text, const std::string& part)
+{
+    const TempFolder folder;
+    expectInputError(folder.write("paint.astm", text), part);
+}
+
+std::string astm(const std::string& vars, const std::string& rows, int points)
+{
+    return "ASTM E1392\nTITLE \"a paint, blue\"\nNUM_POINTS " + std::to_string(points) + "\nVARS " +
+           vars + "\n" + rows;
+}
+
+const std::string kRgb = astm("theta_i,phi_i,theta_s,phi_s,R,G,B",
+                              "0.5,0.0,0.25,3.1415927,1,2,3\n0.5,0,1.7,0,1,1,1\n"
+                              "0.5,0,0.3,0,nan,1,1\n",
+                              3);
+
+}  // namespace
+
+TEST(Astm, ReadsRadiansAndColours)
+{
+    const Source source = read(kRgb, "paint.astm");
+    EXPECT_EQ(source.format, "astm");
+    ASSERT_EQ(source.samples.size(), 1u);
+    EXPECT_LT(glm::length(Vec3d(source.samples[0].wi) - directionFromAngles(0.5, 0)), 1e-6);
+    EXPECT_LT(glm::length(Vec3d(source.samples[0].wo) - directionFromAngles(0.25, kPi)), 1e-6);
+    EXPECT_EQ(source.samples[0].f, Vec3f(1, 2, 3));
+    EXPECT_EQ(source.report.belowHorizon, 1u);
+    EXPECT_EQ(source.report.nonFinite, 1u);
+}
+
+TEST(Astm, AnglesAbovePiAreDegrees)
+{
+    const Source source = read(
+        astm("theta_i,phi_i,theta_s,phi_s,Integrated[300..700]", "2,0,3,0,1\n30,90,60,0,0.5\n", 2),
+        "paint.astm");
+    ASSERT_EQ(source.samples.size(), 2u);
+    EXPECT_NEAR(source.samples[1].wi.y, 0.5f, kFloat);
+    EXPECT_NEAR(source.samples[1].wo.x, std::sqrt(0.75f), kFloat);
+    EXPECT_NE(source.description.find("degrees"), std::string::npos);
+}
+
+TEST(Astm, SpectraAndTristimulusBecomeColours)
+{
+    const Source flat = read(astm("theta_i,theta_s,phi_s,450nm,550nm,650nm",
+                                  "0.5,0.25,3,0.5,0.5,0.5\n0.5,0.25,3,0,1,0\n", 2),
+                             "paint.astm");
+    EXPECT_EQ(flat.samples.at(0).f, Vec3f(0.5f));
+    EXPECT_TRUE(flat.isotropic);
+    const Source white = read(astm("theta_i,phi_i,theta_s,phi_s,X,Y,Z",
+                                   "0.5,0,0.25,3,0.95047,1,1.08883\n0.5,0,0.25,3,0,1,0\n", 2),
+                              "paint.astm");
+    EXPECT_LT(glm::length(white.samples.at(0).f - Vec3f(1.0f)), 1e-4f);
+    EXPECT_EQ(white.report.outOfGamut, 1u);
+}
+
+TEST(Astm, RefusesWhatDoesNotAddUp)
+{
+    const std::string row = "0.5,0,0.25,3,1\n";
+    expectRefused(astm("theta_i,phi_i,theta_s,phi_s,I", row, 2),
+                  "found 1 rows, expected NUM_POINTS 2");
+    expectRefused(astm("theta_i,phi_i,theta_s,phi_s,I", row + row, 1), "found 2 rows");
+    expectRefused(astm("theta_i,phi_i,theta_s,phi_s,I", "0.5,0,0.25,3\n", 1), ":5: found 4 fields");
+    expectRefused(astm("theta_i,phi_i,theta_s,phi_s,I", "0.5,0,x,3,1\n", 1), ":5: found 'x'");
+    expectRefused(astm("theta_i,phi_i,theta_s,phi_s,A,B", "0,0,0,0,1,1\n", 1), "2 value columns");
+    expectRefused(astm("theta_i,phi_i,phi_s,A", "0,0,0,1\n", 1), "found no theta_i, theta_s");
+    expectRefused(astm("theta_i,theta_s,phi_s,600nm,500nm", "0,0,0,1,1\n", 1), "ascending");
+    expectRefused("KEY value\n", "found no VARS");
+}
+
+TEST(Astm, EveryPrefixIsRefused)
+{
+    // Without its last digit or line end the last row is still whole.
+    EXPECT_GE(refusedPrefixes("a.astm", kRgb), kRgb.size() - 2);
+    expectSurvivesDamage("a.astm", kRgb, 2);
+}
+
+TEST(Scattered, SevenColumnsAreAngles)
+{
+    const Source source =
+        read("# Ngan et al. 2005\n0.5 0.1 0.25 3 1 2 3\n0.2 0 0.1 0 0 0 1\n", "satin.txt");
+    EXPECT_EQ(source.format, "scattered");
+    ASSERT_EQ(source.samples.size(), 2u);
+    EXPECT_LT(glm::length(Vec3d(source.samples[0].wi) - directionFromAngles(0.5, 0.1)), 1e-6);
+    EXPECT_LT(glm::length(Vec3d(source.samples[0].wo) - directionFromAngles(0.25, 3)), 1e-6);
+    EXPECT_EQ(source.samples[0].f, Vec3f(1, 2, 3));
+    const Source degrees = read("30 90 60 0 1 2 3\n0 0 1 0 1 1 1\n", "satin.txt");
+    EXPECT_NEAR(degrees.samples.at(0).wi.y, 0.5f, kFloat);
+}
+
+TEST(Scattered, NineColumnsAreDirectionsLightFirst)
+{
+    const Source source = read("0.6,0,0.8,0,0,3,1,2,3\n0,0,-1,0,0,1,1,1,1\n", "velvet.txt");
+    ASSERT_EQ(source.samples.size(), 1u);
+    EXPECT_LT(glm::length(source.samples[0].wi - Vec3f(0.6f, 0, 0.8f)), kFloat);
+    EXPECT_LT(glm::length(source.samples[0].wo - Vec3f(0, 0, 1)), kFloat);
+    EXPECT_EQ(source.report.belowHorizon, 1u);
+}
+
+TEST(Scattered, RefusesRowsOfAnotherLength)
+{
+    const TempFolder folder;
+    const auto refuse = [&](const std::string& text, const std::string& part) {
+        expectInputError(folder.write("a.txt", text), part);
+    };
+    refuse("1 2 3 4 5 6 7\n1 2 3 4 5 6\n", ":2: found 6 numbers");
+    refuse("1 2 3 4 5 6 7\n1 2 3 4 5 6 7 8 9\n", ":2: found 9 numbers");
+    refuse("1 2 3 4 5 6 7\n1 2 3 4 5 6 seven\n", ":2: found 'seven'");
+    refuse("nan 2 3 4 5 6 7\n", "no usable sample");
+    refuse("1 2 3 4 5 6\n", "unknown format");
+}
+
+TEST(Scattered, EveryPrefixIsSoundOrRefused)
+{
+    const std::string text = "0.5 0.1 0.25 3 1 2 3\n0.2 0 0.1 0 0 -1 1\n1.7 0 0 0 nan 1 1\n";
+    EXPECT_GT(refusedPrefixes("a.txt", text), 10u);
+    expectSurvivesDamage("a.txt", text);
+}
