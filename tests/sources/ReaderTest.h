@@ -17,10 +17,15 @@ namespace fbrdf::test {
 /// A folder that is removed with its files.
 class TempFolder {
 public:
-    TempFolder()
+    enum class Place {
+        disk,
+        memory,  ///< where there is such a folder: for thousands of small files; may be short of
+                 ///< room
+    };
+    explicit TempFolder(Place place = Place::disk)
     {
         static int count = 0;
-        path_ = std::filesystem::temp_directory_path() /
+        path_ = root(place) /
                 ("fbrdf-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
         std::filesystem::create_directories(path_);
     }
@@ -40,6 +45,13 @@ public:
     }
 
 private:
+    static std::filesystem::path root(Place place)
+    {
+        const std::filesystem::path memory = "/dev/shm";
+        const bool usable = ::access(memory.c_str(), W_OK | X_OK) == 0;
+        return place == Place::memory && usable ? memory : std::filesystem::temp_directory_path();
+    }
+
     std::filesystem::path path_;
 };
 
@@ -159,7 +171,7 @@ inline void expectInputError(const std::string& spec, const std::string& part)
 /// were refused.
 inline size_t refusedPrefixes(const std::string& name, const std::string& bytes, size_t step = 1)
 {
-    const TempFolder folder;
+    const TempFolder folder(TempFolder::Place::memory);
     size_t refused = 0;
     for (size_t length = 0; length < bytes.size(); length += step) {
         const Outcome outcome = outcomeOf(folder.write(name, bytes.substr(0, length)));
@@ -173,7 +185,7 @@ inline size_t refusedPrefixes(const std::string& name, const std::string& bytes,
 /// Opens the file with each of its bytes replaced, every `step` bytes: sound or Error(input).
 inline void expectSurvivesDamage(const std::string& name, const std::string& bytes, size_t step = 1)
 {
-    const TempFolder folder;
+    const TempFolder folder(TempFolder::Place::memory);
     for (size_t i = 0; i < bytes.size(); i += step) {
         for (const char damage : {'\0', '\xff', '-', '9'}) {
             std::string damaged = bytes;

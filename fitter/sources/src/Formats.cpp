@@ -6,20 +6,27 @@
 namespace fbrdf {
 namespace {
 
-/// In the order in which they are tried: formats with an unmistakable beginning come first.
+/// In the order in which they are tried: a beginning that nothing else has, then a size that
+/// nothing else has, then text with marks of its own, and last what is only columns of numbers.
 constexpr Format kFormats[] = {
-    {"zemax", "", false, isZemax, readZemax},
-    {"lumos", "", false, isLumos, readLumos},
+    {"rgl", " bsdf ", false, isRgl, readRgl},
+    {"columns", " f32c ", false, isBinaryColumns, readBinaryColumns},
+    {"exr", " exr ", false, isExrTable, readExrTable},
+    {"merl", " binary ", false, isMerl, readMerl},
+    {"npf", "", true, isNpf, readNpf},
+    {"utia", " bin ", false, isUtia, readUtia},
+    {"nbrdf", " f32 ", true, isNbrdf, readNbrdf},
+    {"klems", " xml ", true, isKlems, readKlems},
     {"fred", "", false, isFred, readFred},
+    {"zemax", "", false, isZemax, readZemax},
+    {"alta", " alta dat ", false, isAlta, readAlta},
+    {"astm", " astm ", false, isAstm, readAstm},
+    {"lumos", "", false, isLumos, readLumos},
+    {"csv", " csv ", false, isCsv, readCsv},
     {"rt300s", "", false, isRt300s, readRt300s},
     {"nist", "", true, isNist, readNist},
-    {"columns", " f32c ", false, isBinaryColumns, readBinaryColumns},
-    {"rgl", " bsdf ", false, isRgl, readRgl},
-    {"npf", "  ", true, isNpf, readNpf},
-    {"nbrdf", " f32 ", true, isNbrdf, readNbrdf},
-    {"merl", " binary ", false, isMerl, readMerl},
-    {"csv", " csv ", false, isCsv, readCsv},
     {"cornell", " brdf ", false, isCornell, readCornell},
+    {"scattered", "", false, isScattered, readScattered},
 };
 
 bool hasExtension(const Format& format, const std::string& extension)

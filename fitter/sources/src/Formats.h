@@ -52,5 +52,17 @@ bool isLumos(const InputFile& file);
 Source readLumos(const FileRequest& request);
 bool isZemax(const InputFile& file);
 Source readZemax(const FileRequest& request);
+bool isAlta(const InputFile& file);
+Source readAlta(const FileRequest& request);
+bool isAstm(const InputFile& file);
+Source readAstm(const FileRequest& request);
+bool isScattered(const InputFile& file);
+Source readScattered(const FileRequest& request);
+bool isUtia(const InputFile& file);
+Source readUtia(const FileRequest& request);
+bool isKlems(const InputFile& file);
+Source readKlems(const FileRequest& request);
+bool isExrTable(const InputFile& file);
+Source readExrTable(const FileRequest& request);
 
 }  // namespace fbrdf
