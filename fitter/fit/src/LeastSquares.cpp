@@ -71,6 +71,9 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact)
     DataTraits traits;
     if (!exact) traits.floor = estimateNoiseFloor(samples);
     traits.sameWeights = true;
+    traits.grey = exact && std::all_of(samples.begin(), samples.end(), [](const Sample& s) {
+                      return s.f.x == s.f.y && s.f.y == s.f.z;
+                  });
     std::array<std::vector<float>, 3> logs;
     for (const Sample& s : samples) {
         bool usable = false;
@@ -328,7 +331,7 @@ std::vector<State> LeastSquares::steps(const State& x, const StepOptions& option
                         options.metric == Metric::log;
     const int channels = shared ? 3 : 1;
     std::vector<State> states(strengths.size(), x);
-    for (int first = 0; first < 3; first += channels) {
+    for (int first = 0; first < (traits_.grey ? 1 : 3); first += channels) {
         const Normal data = accumulate(x, options, scale, first, channels);
         for (size_t s = 0; s < strengths.size(); ++s) {
             Normal normal = data;
@@ -343,6 +346,9 @@ std::vector<State> LeastSquares::steps(const State& x, const StepOptions& option
                 states[s][static_cast<size_t>(first) * n + i] += normal.right[i];
         }
     }
+    if (traits_.grey && channels == 1)
+        for (State& state : states)
+            for (size_t i = n; i < 3 * n; ++i) state[i] = state[i - n];
     return states;
 }
 
