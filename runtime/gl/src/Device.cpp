@@ -58,11 +58,12 @@ Capabilities detected(const Functions& gl)
     c.maxUniformVectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) / 4;
     c.coreProfile = isCoreProfile(gl);
     const bool gl3 = gl.version >= 30;
-    c.framebufferObjects = (gl3 || gl.ARB_framebuffer_object) && gl.GenFramebuffers;
+    c.framebufferObjects = gl3 || gl.ARB_framebuffer_object;
     c.floatTextures = gl3 || gl.ARB_texture_float;
     c.floatTargets = gl3 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
-    c.vertexArrays = (gl3 || gl.ARB_vertex_array_object) && gl.GenVertexArrays;
-    c.debug = (gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup && gl.ObjectLabel;
+    c.vertexArrays = gl3 || gl.ARB_vertex_array_object;
+    c.debug = (gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup && gl.PopDebugGroup &&
+              gl.ObjectLabel;
     return c;
 }
 

@@ -19,6 +19,9 @@ constexpr Switch kSwitches[] = {
     {GL_COLOR_LOGIC_OP, 21, false},
     {GL_DITHER, 21, false},
     {GL_POLYGON_OFFSET_FILL, 21, false},
+    // Lines are not drawn, but with it Mesa 22.3 loses pixels of filled triangles.
+    {GL_POLYGON_OFFSET_LINE, 21, false},
+    {GL_POLYGON_OFFSET_POINT, 21, false},
     {GL_POLYGON_SMOOTH, 21, false},
     {GL_SAMPLE_ALPHA_TO_COVERAGE, 21, false},
     {GL_SAMPLE_ALPHA_TO_ONE, 21, false},

@@ -42,9 +42,11 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
                            const ProgramSpec& spec, int glsl)
 {
     const FragmentContext context{form, encodings, spec};
+    // Declared first: that is where what does not agree is refused.
+    const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
                             "projection.glsl", "lights.glsl"}) +
-           uniformDeclarations(context) + mainFunction(context);
+           uniforms + mainFunction(context);
 }
 
 // The viewer E is where the projection divides by zero: P E = (0, 0, k, 0). Towards smaller depth

@@ -34,7 +34,7 @@ void setRange(TextureImage& image, const Table& table)
     image.extent = upper - image.lower;
 }
 
-void encodeCodes(TextureImage& image, const Table& table)
+void encodeUnorm16(TextureImage& image, const Table& table)
 {
     const auto last = [&table](int c) { return table.channels == 1 ? 0 : c; };
     for (int c = 0; c < 3; ++c) {
@@ -43,7 +43,7 @@ void encodeCodes(TextureImage& image, const Table& table)
     }
     image.encoding.ranged = image.lower != Vec3f(0.0f) || image.extent != Vec3f(1.0f);
     image.words = converted(table, [&](int i, int c) {
-        return static_cast<uint16_t>(257 * codeOf(table, i, last(c)));
+        return static_cast<uint16_t>(unorm16Of(table, i, last(c)));
     });
 }
 
@@ -66,7 +66,7 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
     image.size = domainSize(table.domain);
     image.encoding.logarithmic = isLog(table.storage);
     if (table.storage == Storage::log8 || table.storage == Storage::linear8) {
-        encodeCodes(image, table);
+        encodeUnorm16(image, table);
     } else if (!capabilities.floatTextures) {
         encodeOverRange(image, table);
     } else if (table.storage == Storage::half) {

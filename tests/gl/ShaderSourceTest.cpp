@@ -1,0 +1,167 @@
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/shaders/ShaderSource.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fbrdf {
+namespace {
+
+constexpr double kTight = 1e-12;  // an inverse of a well-conditioned 4 x 4 matrix
+
+std::vector<TableEncoding> encodingsOf(const Form& form)
+{
+    return std::vector<TableEncoding>(form.tables.size(), TableEncoding{true, true});
+}
+
+ProgramSpec specOf(const Form& form, Technique technique, int lights, size_t pass = 0)
+{
+    PlanRequest request;
+    request.technique = technique;
+    request.lights = lights;
+    Capabilities c;
+    c.maxUniformVectors = 4096;
+    c.framebufferObjects = c.floatTargets = true;
+    return programSpec(planPasses(form, request, c).passes.at(pass), 2000);
+}
+
+std::string sourceOf(const Form& form, const ProgramSpec& spec, int glsl = 330)
+{
+    return fragmentSource(form, encodingsOf(form), spec, glsl);
+}
+
+TEST(ShaderSource, StartsWithTheVersion)
+{
+    for (const int glsl : {120, 140, 150, 330}) {
+        const std::string start = "#version " + std::to_string(glsl) + "\n";
+        EXPECT_EQ(vertexSource(glsl).rfind(start, 0), 0u);
+        EXPECT_EQ(sourceOf(formPqp(8, 0.5), specOf(formPqp(8, 0.5), Technique::single, 4), glsl)
+                      .rfind(start, 0),
+                  0u);
+    }
+}
+
+TEST(ShaderSource, RefusesOtherVersions)
+{
+    EXPECT_THROW(vertexSource(110), Error);
+    EXPECT_THROW(vertexSource(300), Error);
+}
+
+TEST(ShaderSource, IsTheSameForPassesThatDifferInTheirLights)
+{
+    const Form form = formPqp(8, 0.5);
+    const auto first = specOf(form, Technique::twoLookup, 9, 0),
+               fifth = specOf(form, Technique::twoLookup, 9, 4);
+    EXPECT_EQ(sourceOf(form, first), sourceOf(form, fifth));
+    EXPECT_EQ(sourceOf(form, specOf(form, Technique::single, 9)),
+              sourceOf(form, specOf(form, Technique::single, 60)));
+}
+
+TEST(ShaderSource, LightSlotsGrowInSteps)
+{
+    Pass pass;
+    pass.parts = {{0, {0}, true}};
+    const auto slots = [&pass](int lights, int most) {
+        pass.lightCount = lights;
+        return programSpec(pass, most).lightSlots;
+    };
+    EXPECT_EQ(slots(1, 2000), 1);
+    EXPECT_EQ(slots(2, 2000), 8);
+    EXPECT_EQ(slots(9, 2000), 64);
+    EXPECT_EQ(slots(256, 2000), 512);
+    EXPECT_EQ(slots(256, 300), 300);
+    EXPECT_EQ(slots(2000, 2000), 2000);
+}
+
+TEST(ShaderSource, NeedsNoTangentFrameForAnIsotropicForm)
+{
+    const Form hdio = formHdio(8, 8, 8), pqp = formPqp(8, 0.5);
+    const auto mainOf = [](const std::string& text) { return text.substr(text.find("void main")); };
+    EXPECT_EQ(mainOf(sourceOf(hdio, specOf(hdio, Technique::single, 4))).find("Tangent"),
+              std::string::npos);
+    EXPECT_NE(mainOf(sourceOf(pqp, specOf(pqp, Technique::single, 4))).find("Tangent"),
+              std::string::npos);
+}
+
+TEST(ShaderSource, TakesOneExponentialATermHoweverManyFactors)
+{
+    const Form form = formPqpr(8, 0.5, 16);
+    const std::string text = sourceOf(form, specOf(form, Technique::single, 4));
+    size_t count = 0;
+    for (size_t at = text.find("exp2("); at != std::string::npos; at = text.find("exp2(", at + 1))
+        ++count;
+    EXPECT_EQ(count, 1u);
+}
+
+TEST(ShaderSource, RefusesWhatDoesNotAgree)
+{
+    const Form form = formPqp(8, 0.5);
+    ProgramSpec spec = specOf(form, Technique::single, 4);
+    EXPECT_THROW(fragmentSource(form, {}, spec, 330), Error);
+    spec.lightSlots = 0;
+    EXPECT_THROW(sourceOf(form, spec), Error);
+}
+
+TEST(CountLookups, TellsFetchesInTheLoopFromOthers)
+{
+    const Form form = formPqp(8, 0.5);
+    const std::string text = sourceOf(form, specOf(form, Technique::single, 9));
+    const LookupCount all = countLookups(text, {"fbrdfTable0", "fbrdfTable1"});
+    EXPECT_EQ(all.once, 1);
+    EXPECT_EQ(all.perLight, 2);
+}
+
+TEST(CountLookups, LeavesOutSamplersThatTheLinkerRemoved)
+{
+    const Form form = formPqp(8, 0.5);
+    const std::string text = sourceOf(form, specOf(form, Technique::single, 9));
+    const LookupCount some = countLookups(text, {"fbrdfTable1"});
+    EXPECT_EQ(some.once, 0);
+    EXPECT_EQ(some.perLight, 1);
+    const LookupCount none = countLookups(text, {});
+    EXPECT_EQ(none.once + none.perLight, 0);
+}
+
+TEST(CountLookups, SeesWhatIsWrittenByHand)
+{
+    const LookupCount count = countLookups(
+        "void other() { FBRDF_TEXTURE2(a, x); }\n"
+        "void main() { FBRDF_TEXTURE2(a, x); for (;;) { if (y) { FBRDF_TEXTURE3(b, x); } "
+        "FBRDF_TEXTURE2(a, x); } FBRDF_TEXTURE2(a, z); }",
+        {"a", "b"});
+    EXPECT_EQ(count.once, 2);
+    EXPECT_EQ(count.perLight, 2);
+    EXPECT_EQ(countLookups("no main here", {"a"}).once, 0);
+}
+
+TEST(Eye, IsTheOriginOfAPerspective)
+{
+    for (const auto& p :
+         {glm::perspective(0.6, 1.3, 0.1, 100.0), glm::frustum(-0.1, 0.3, -0.2, 0.1, 0.2, 50.0)}) {
+        const glm::dvec4 eye = eyeFromProjection(p);
+        EXPECT_NEAR(glm::length(eye - glm::dvec4(0.0, 0.0, 0.0, 1.0)), 0.0, kTight);
+    }
+}
+
+TEST(Eye, IsBehindTheCameraOfAParallelProjection)
+{
+    const glm::dvec4 eye = eyeFromProjection(glm::ortho(-1.0, 2.0, -1.0, 1.0, 0.5, 20.0));
+    EXPECT_EQ(eye.w, 0.0);
+    EXPECT_NEAR(glm::length(glm::normalize(eye) - glm::dvec4(0.0, 0.0, 1.0, 0.0)), 0.0, kTight);
+}
+
+TEST(Eye, FollowsAnObliqueParallelProjection)
+{
+    // Rays along (0.3, 0, -1): x shifts with z.
+    glm::dmat4 shear(1.0);
+    shear[2][0] = 0.3;
+    const glm::dvec4 eye =
+        glm::normalize(eyeFromProjection(glm::ortho(-1.0, 1.0, -1.0, 1.0, 0.5, 20.0) * shear));
+    const glm::dvec4 expected = glm::normalize(glm::dvec4(-0.3, 0.0, 1.0, 0.0));
+    EXPECT_NEAR(glm::length(eye - expected), 0.0, kTight);
+}
+
+}  // namespace
+}  // namespace fbrdf

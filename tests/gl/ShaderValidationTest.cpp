@@ -1,0 +1,113 @@
+// Every program that the test materials can need, in every version, through glslangValidator.
+#include <fbrdf/shaders/ShaderSource.h>
+#include <fbrdf/shaders/TextureImage.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "support/DataDir.h"
+#include "support/gl/Scenes.h"
+#include "support/TemporaryDir.h"
+
+namespace fbrdf {
+namespace {
+
+Capabilities capable()
+{
+    Capabilities c;
+    c.maxUniformVectors = 4096;
+    c.framebufferObjects = c.floatTargets = c.floatTextures = true;
+    return c;
+}
+
+std::vector<TableEncoding> encodingsOf(const Material& material)
+{
+    std::vector<TableEncoding> encodings;
+    for (const Table& table : material.tables)
+        encodings.push_back(textureImage(table, capable()).encoding);
+    return encodings;
+}
+
+/// Fragment shaders of all passes that any technique, limit and target leads to.
+void addSources(const Material& material, int glsl, std::map<std::string, std::string>& sources)
+{
+    for (const Technique technique : {Technique::single, Technique::batched, Technique::twoLookup})
+        for (const int lights : {0, 1, 20})
+            for (const int lookups : {0, 1, 3})
+                for (const ColourFormat target : {ColourFormat::rgba32f, ColourFormat::rgba8}) {
+                    const PlanRequest request{technique, lights, 8, lookups, target, true};
+                    const Plan plan = planPasses(material.form, request, capable());
+                    for (const Pass& pass : plan.passes) {
+                        const auto text = fragmentSource(material.form, encodingsOf(material),
+                                                         programSpec(pass, 2000), glsl);
+                        sources.emplace(text, std::to_string(sources.size()) + ".frag");
+                    }
+                }
+}
+
+int validate(const std::string& arguments)
+{
+    return std::system(("'" FBRDF_GLSLANG "' " + arguments + " > /dev/null 2>&1").c_str());
+}
+
+class ShaderValidation : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        if (std::string(FBRDF_GLSLANG).find("NOTFOUND") == std::string::npos) return;
+        if (test::dataIsMandatory()) FAIL() << "CI=true, but no glslangValidator";
+        GTEST_SKIP() << "needs glslangValidator (glslang-tools)";
+    }
+
+    std::string write(const std::string& name, const std::string& text)
+    {
+        const std::string path = directory_.file(name);
+        std::ofstream(path) << text;
+        return path;
+    }
+
+    test::TemporaryDir directory_;
+};
+
+TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
+{
+    size_t count = 0;
+    for (const int glsl : {120, 140, 150, 330}) {
+        std::map<std::string, std::string> sources;
+        for (const Material& material : test::testMaterials()) addSources(material, glsl, sources);
+        std::string files = write("surface.vert", vertexSource(glsl));
+        for (const auto& [text, name] : sources) files += " " + write(name, text);
+        count += sources.size();
+        if (validate(files) == 0) continue;
+        for (const auto& [text, name] : sources)
+            if (validate(write(name, text)) != 0) ADD_FAILURE() << glsl << "\n" << text;
+        ADD_FAILURE() << "GLSL " << glsl;
+    }
+    EXPECT_GT(count, 200u);
+}
+
+TEST_F(ShaderValidation, LinksTheStages)
+{
+    for (const int glsl : {140, 330}) {  // glslang links neither GLSL 1.20 varyings nor built-ins
+        std::map<std::string, std::string> sources;
+        addSources(test::testMaterials().front(), glsl, sources);
+        const std::string vertex = write("surface.vert", vertexSource(glsl));
+        for (const auto& [text, name] : sources)
+            EXPECT_EQ(validate("-l " + vertex + " " + write(name, text)), 0) << text;
+    }
+}
+
+TEST_F(ShaderValidation, RejectsABrokenProgram)
+{
+    std::map<std::string, std::string> sources;
+    addSources(test::testMaterials().front(), 330, sources);
+    std::string text = sources.begin()->first;
+    text.replace(text.find("vec4(total"), 4, "vec3");
+    EXPECT_NE(validate(write("broken.frag", text)), 0);
+}
+
+}  // namespace
+}  // namespace fbrdf

@@ -1,0 +1,174 @@
+// Whatever state the host has: the picture is the same, and the state is the host's again after.
+#include "StateList.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <gtest/gtest.h>
+
+#include "support/gl/GlTest.h"
+#include "support/gl/Scenes.h"
+
+#include <algorithm>
+
+namespace fbrdf::test {
+namespace {
+
+constexpr int kSize = 32;
+constexpr unsigned kSeeds = 24;
+
+class State : public GlTest {
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
+        scrambler_ = std::make_unique<StateScrambler>(gl(), isCore());
+    }
+    void TearDown() override
+    {
+        scrambler_.reset();
+        renderer_.reset();
+        GlTest::TearDown();
+    }
+    bool isCore() const { return !GetParam().legacy; }
+    StateSnapshot now() const { return snapshot(gl(), isCore()); }
+
+    /// Scrambles, acts, compares; leaves defaults.
+    template <class Act>
+    void expectKept(unsigned seed, Act act)
+    {
+        scrambler_->scramble(seed);
+        const StateSnapshot before = now();
+        act();
+        EXPECT_EQ(difference(before, now()), "") << "seed " << seed;
+        scrambler_->setDefaults();
+    }
+
+    std::unique_ptr<gl::Renderer> renderer_;
+    std::unique_ptr<StateScrambler> scrambler_;
+};
+
+TEST_P(State, DrawingPutsBackWhatItFindsAndIsNotDisturbedByIt)
+{
+    const auto mesh = renderer_->createMesh(knotMesh(48, 8));
+    const auto material = renderer_->createMaterial(testMaterials()[4]);
+    const auto lights = testLights(3);
+    const gl::View view = perspectiveView();
+    for (const OffscreenFormat format : {OffscreenFormat::rgba32f, OffscreenFormat::rgba8})
+        for (const Technique technique : {Technique::single, Technique::twoLookup}) {
+            Offscreen offscreen = makeOffscreen(kSize, format);
+            const gl::Target target{offscreen.framebuffer(), kSize, kSize};
+            const auto draw = [&] {
+                renderer_->draw(target, view, {{material.get(), mesh.get()}}, lights,
+                                {technique, 8, 0});
+            };
+            draw();
+            const auto expected = offscreen.readPixels();
+            for (unsigned seed = 0; seed < kSeeds; ++seed) {
+                offscreen.clear();
+                expectKept(seed, draw);
+                ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
+            }
+        }
+}
+
+TEST_P(State, MakingThingsPutsBackWhatItFindsAndIsNotDisturbedByIt)
+{
+    Offscreen offscreen = makeOffscreen(kSize);
+    const gl::Target target{offscreen.framebuffer(), kSize, kSize};
+    const auto lights = testLights(3);
+    std::vector<float> expected;
+    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+        std::shared_ptr<gl::GpuMaterial> material;
+        std::shared_ptr<gl::GpuMesh> mesh;
+        if (seed == 0) {
+            material = renderer_->createMaterial(everythingMaterial());
+            mesh = renderer_->createMesh(sphereMesh(8));
+        } else {
+            expectKept(seed, [&] { material = renderer_->createMaterial(everythingMaterial()); });
+            expectKept(seed, [&] { mesh = renderer_->createMesh(sphereMesh(8)); });
+        }
+        offscreen.clear();
+        renderer_->draw(target, perspectiveView(), {{material.get(), mesh.get()}}, lights);
+        if (seed == 0) expected = offscreen.readPixels();
+        ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
+    }
+}
+
+TEST_P(State, PreparingPutsBackWhatItFinds)
+{
+    const auto material = renderer_->createMaterial(testMaterials()[0]);
+    for (unsigned seed = 0; seed < 4; ++seed)
+        expectKept(seed, [&] { renderer_->prepare(*material, {Technique::twoLookup, 8, 0}, 3); });
+}
+
+TEST_P(State, ADrawThatIsRefusedPutsBackWhatItFinds)
+{
+    Offscreen flat(context().loader(), {8, 8, OffscreenFormat::rgba32f, false});
+    for (unsigned seed = 0; seed < kSeeds; ++seed)
+        expectKept(seed, [&] {
+            EXPECT_THROW(renderer_->draw({flat.framebuffer(), 8, 8}, perspectiveView(), {}, {}),
+                         Error);
+        });
+}
+
+TEST_P(State, AnUnusedTextureUnitIsLeftAlone)
+{
+    gl::RendererOptions options = rendererOptions();
+    options.firstTextureUnit = 3;
+    gl::Renderer renderer(options);
+    const auto material = renderer.createMaterial(testMaterials()[0]);
+    const auto mesh = renderer.createMesh(sphereMesh(8));
+    Offscreen offscreen = makeOffscreen(kSize);
+    const gl::Target target{offscreen.framebuffer(), kSize, kSize};
+    const auto lights = testLights(3);
+    renderer.draw(target, perspectiveView(), {{material.get(), mesh.get()}}, lights);
+    const auto expected = offscreen.readPixels();
+    expectKept(1, [&] {
+        renderer.draw(target, perspectiveView(), {{material.get(), mesh.get()}}, lights);
+    });
+    EXPECT_EQ(offscreen.readPixels(), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, State, ::testing::ValuesIn(allVariants()), variantName);
+
+// The tester: a host call that leaves something behind is noticed, and scrambling scrambles.
+class StateTester : public State {};
+
+TEST_P(StateTester, NoticesEveryKindOfChange)
+{
+    const StateSnapshot before = now();
+    const auto changed = [&](auto act) {
+        act();
+        const bool seen = !difference(before, now()).empty();
+        scrambler_->setDefaults();
+        return seen;
+    };
+    const auto& g = gl();
+    EXPECT_FALSE(changed([] {}));
+    EXPECT_TRUE(changed([&] { g.Enable(GL_CULL_FACE); }));
+    EXPECT_TRUE(changed([&] { g.DepthFunc(GL_EQUAL); }));
+    EXPECT_TRUE(changed([&] { g.ColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE); }));
+    EXPECT_TRUE(changed([&] { g.ActiveTexture(GL_TEXTURE3); }));
+    EXPECT_TRUE(changed([&] { g.Viewport(1, 2, 3, 4); }));
+    EXPECT_TRUE(changed([&] { g.PixelStorei(GL_UNPACK_ALIGNMENT, 2); }));
+}
+
+TEST_P(StateTester, ScramblingChangesMostOfIt)
+{
+    const StateSnapshot before = now();
+    size_t lines = 0;
+    for (unsigned seed = 0; seed < 4; ++seed) {
+        scrambler_->scramble(seed);
+        const std::string text = difference(before, now());
+        lines += static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
+        scrambler_->setDefaults();
+    }
+    EXPECT_GT(lines, 4u * 50u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, StateTester, ::testing::ValuesIn(allVariants()), variantName);
+
+}  // namespace
+}  // namespace fbrdf::test

@@ -1,0 +1,309 @@
+// GLSL functions against their C++ twins in float, on grids of inputs: the inputs go in as a
+// texture, the outputs come back as pixels.
+#include "EmbeddedShaders.h"
+
+#include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/plan/Light.h>
+
+#include <gtest/gtest.h>
+
+#include "support/gl/GlTest.h"
+
+#include <cmath>
+#include <functional>
+
+namespace fbrdf::test {
+namespace {
+
+constexpr float kRounding = 2e-6f;  // a dozen operations in float, values of order 1
+constexpr float kTexels = 1e-4f;    // positions are up to 32 texels, and sqrt near 0 doubles errors
+
+using Vec4 = glm::vec4;
+
+/// What one evaluation takes and gives.
+struct Inputs {
+    Vec4 a{0.0f}, b{0.0f};
+};
+
+class Twin : public GlTest {
+protected:
+    /// Runs `statements` (which read vec4 a, b and set vec4 result) for all inputs.
+    std::vector<Vec4> run(const std::string& statements, const std::vector<Inputs>& inputs);
+
+    void compare(const std::string& statements, const std::vector<Inputs>& inputs,
+                 const std::function<Vec4(const Inputs&)>& twin, float tolerance)
+    {
+        const auto found = run(statements, inputs);
+        for (size_t i = 0; i < inputs.size(); ++i) {
+            const Vec4 expected = twin(inputs[i]);
+            for (int c = 0; c < 4; ++c)
+                ASSERT_NEAR(found[i][c], expected[c],
+                            tolerance * std::max(1.0f, std::abs(expected[c])))
+                    << statements << "\na = " << inputs[i].a.x << " " << inputs[i].a.y << " "
+                    << inputs[i].a.z << " " << inputs[i].a.w << "\nb = " << inputs[i].b.x << " "
+                    << inputs[i].b.y << " " << inputs[i].b.z << " " << inputs[i].b.w
+                    << "\ncomponent " << c;
+        }
+    }
+};
+
+std::string twinFragment(const std::string& statements)
+{
+    std::string text = "#version 140\n";
+    for (const char* file :
+         {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl"})
+        text += embeddedShader(file);
+    return text +
+           "uniform sampler2D inputs;\nout vec4 result;\nvoid main()\n{\n"
+           "    vec4 a = texelFetch(inputs, ivec2(int(gl_FragCoord.x), 0), 0);\n"
+           "    vec4 b = texelFetch(inputs, ivec2(int(gl_FragCoord.x), 1), 0);\n" +
+           statements + "\n}\n";
+}
+
+std::vector<Vec4> Twin::run(const std::string& statements, const std::vector<Inputs>& inputs)
+{
+    const auto& g = gl();
+    const auto count = static_cast<GLsizei>(inputs.size());
+    std::vector<Vec4> rows;
+    for (const Inputs& i : inputs) rows.push_back(i.a);
+    for (const Inputs& i : inputs) rows.push_back(i.b);
+    GLuint texture = 0, array = 0;
+    g.GenTextures(1, &texture);
+    g.BindTexture(GL_TEXTURE_2D, texture);
+    g.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    g.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, count, 2, 0, GL_RGBA, GL_FLOAT, rows.data());
+    g.GenVertexArrays(1, &array);
+    g.BindVertexArray(array);
+    Offscreen offscreen(context().loader(), {count, 1, OffscreenFormat::rgba32f, false});
+    g.BindFramebuffer(GL_FRAMEBUFFER, offscreen.framebuffer());
+    g.Viewport(0, 0, count, 1);
+    const GLuint program =
+        linkProgram(g,
+                    "#version 140\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                    "gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n",
+                    twinFragment(statements));
+    g.UseProgram(program);
+    g.DrawArrays(GL_TRIANGLES, 0, 3);
+    const auto pixels = offscreen.readPixels();
+    g.UseProgram(0);
+    g.DeleteProgram(program);
+    g.DeleteTextures(1, &texture);
+    g.BindVertexArray(0);
+    g.DeleteVertexArrays(1, &array);
+    g.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    std::vector<Vec4> results;
+    for (size_t i = 0; i < inputs.size(); ++i)
+        results.emplace_back(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2],
+                             pixels[4 * i + 3]);
+    return results;
+}
+
+/// Pairs on a grid of half and difference angles, both above the horizon: a = wo, b = wi.
+std::vector<Inputs> pairs()
+{
+    std::vector<Inputs> result;
+    for (const double theta_h : {0.0, 1e-4, 0.05, 0.4, 0.9, 1.4})
+        for (const double theta_d : {0.0, 1e-3, 0.2, 0.8, 1.3})
+            for (int i = 0; i < 8; ++i) {
+                const auto pair = pairFromHalfDifference({theta_h, 0.7, theta_d, 0.8 * i});
+                if (pair.wo.z <= 0.0 || pair.wi.z <= 0.0) continue;
+                result.push_back({Vec4(pair.wo, 0.0), Vec4(pair.wi, 0.0)});
+            }
+    return result;
+}
+
+PairGeometry<float> geometryOf(const Inputs& i)
+{
+    return PairGeometry<float>({Vec3f(i.a), Vec3f(i.b)});
+}
+
+Vec4 angles(const PairGeometry<float>& g, Angle first, Angle second)
+{
+    const auto i = static_cast<size_t>(first), j = static_cast<size_t>(second);
+    return {g.cosine[i], g.complement[i], g.cosine[j], g.complement[j]};
+}
+
+TEST_P(Twin, HalfVector)
+{
+    compare(
+        "result = vec4(fbrdfHalf(a.xyz, b.xyz), 1.0);", pairs(),
+        [](const Inputs& i) { return Vec4(geometryOf(i).h, 1.0f); }, kRounding);
+}
+
+TEST_P(Twin, ZenithAngles)
+{
+    compare(
+        "result = vec4(fbrdfZenith(b.xyz), fbrdfZenith(a.xyz));", pairs(),
+        [](const Inputs& i) { return angles(geometryOf(i), Angle::theta_i, Angle::theta_o); },
+        kRounding);
+}
+
+TEST_P(Twin, HalfAndDifferenceAngles)
+{
+    compare(
+        "result = vec4(fbrdfZenith(fbrdfHalf(a.xyz, b.xyz)), fbrdfDifference(a.xyz, b.xyz));",
+        pairs(),
+        [](const Inputs& i) { return angles(geometryOf(i), Angle::theta_h, Angle::theta_d); },
+        kRounding);
+}
+
+// The same angles without a tangent frame: the pair and the normal turned together.
+TEST_P(Twin, AnglesAboutANormal)
+{
+    const Vec3f normal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
+    const auto frame = shadingFrame(normal, Vec3f(1.0f, 0.2f, 0.0f));
+    const auto turned = [&frame](const Vec4& v) {
+        return Vec4(frame.t * v.x + frame.s * v.y + frame.n * v.z, 0.0f);
+    };
+    std::vector<Inputs> inputs = pairs();
+    for (Inputs& i : inputs) i = {turned(i.a), turned(i.b)};
+    compare(
+        "vec3 n = normalize(vec3(0.3, -0.5, 0.8)); result = vec4(fbrdfZenithAbout(n, "
+        "fbrdfHalf(a.xyz, b.xyz)), fbrdfZenithAbout(n, b.xyz));",
+        inputs,
+        [&frame](const Inputs& i) {
+            const Inputs local{Vec4(frame.local(Vec3f(i.a)), 0.0f),
+                               Vec4(frame.local(Vec3f(i.b)), 0.0f)};
+            return angles(geometryOf(local), Angle::theta_h, Angle::theta_i);
+        },
+        kRounding);
+}
+
+TEST_P(Twin, ComplementKeepsItsDigitsNearThePole)
+{
+    // 1 - cos of 1e-3 is 5e-7: the difference to 1 would have one digit left.
+    const Inputs pair{Vec4(std::sin(1e-3f), 0.0f, std::cos(1e-3f), 0.0f), Vec4(0.0f)};
+    const auto found = run("result = vec4(fbrdfZenith(a.xyz), 0.0, 0.0);", {pair});
+    EXPECT_NEAR(found[0].y / 5e-7f, 1.0f, 1e-5f);
+}
+
+TEST_P(Twin, Axes)
+{
+    std::vector<Inputs> inputs;
+    for (int i = 0; i <= 200; ++i) {
+        const float angle = static_cast<float>(kPi / 2.0) * static_cast<float>(i) / 200.0f;
+        const float half = std::sin(0.5f * angle);
+        inputs.push_back({Vec4(std::cos(angle), 2.0f * half * half, 0.0f, 0.0f), {}});
+    }
+    for (const double exponent : {1.0, 0.5, 0.25, 0.7})
+        for (const bool cosine : {false, true}) {
+            const AxisMap map{cosine ? AxisMap::From::cosine : AxisMap::From::oneMinusCosine,
+                              exponent};
+            // Below 0 by rounding, cosine^exponent is not a number in either language.
+            const std::string call = std::string("fbrdfAxis(") + (cosine ? "true" : "false") +
+                                     ", " + std::to_string(exponent) + ", max(a.x, 0.0), a.y)";
+            compare(
+                "result = vec4(" + call + ");", inputs,
+                [&map](const Inputs& i) {
+                    return Vec4(axisCoordinate(map, std::max(i.a.x, 0.0f), i.a.y));
+                },
+                kTexels);
+        }
+}
+
+TEST_P(Twin, Discs)
+{
+    std::vector<Inputs> inputs = pairs();
+    inputs.push_back({Vec4(0.0f, 0.0f, 1.0f, 0.0f), {}});
+    inputs.push_back({Vec4(1.0f, 0.0f, 0.0f, 0.0f), {}});
+    inputs.push_back({Vec4(0.0f, 0.6f, -0.8f, 0.0f), {}});  // below the horizon: still finite
+    for (const DiscDomain& disc :
+         {DiscDomain{32, 1.0, 14.0}, DiscDomain{32, 0.5, 15.5}, DiscDomain{9, 0.8, 4.0}})
+        compare(
+            "result = vec4(fbrdfDisc(" + std::to_string(disc.size) + ".0, " +
+                std::to_string(disc.gamma) + ", " + std::to_string(disc.radius) +
+                ", a.xyz), 0.0, 0.0);",
+            inputs,
+            [&disc](const Inputs& i) { return Vec4(discPosition(disc, Vec3f(i.a)), 0.0f, 0.0f); },
+            kTexels);
+}
+
+TEST_P(Twin, Falloff)
+{
+    std::vector<Inputs> inputs;
+    for (const float radius : {0.0f, 0.5f, 3.0f})
+        for (float d2 = 0.01f; d2 < 20.0f; d2 *= 1.3f)
+            inputs.push_back({Vec4(d2, radius, 0.0f, 0.0f), {}});
+    inputs.push_back({Vec4(0.0f, 0.0f, 0.0f, 0.0f), {}});
+    compare(
+        "result = vec4(fbrdfFalloff(a.x, a.y));", inputs,
+        [](const Inputs& i) { return Vec4(falloff(i.a.x, i.a.y)); }, kRounding);
+}
+
+TEST_P(Twin, Frames)
+{
+    std::vector<Inputs> inputs;
+    for (const Vec3f normal : {Vec3f(0.0f, 0.0f, 1.0f), Vec3f(0.9f, 0.1f, -0.2f),
+                               Vec3f(-2.0f, 1.0f, 0.5f), Vec3f(1.0f, 0.0f, 0.0f)})
+        for (const Vec3f tangent : {Vec3f(1.0f, 0.0f, 0.0f), Vec3f(0.3f, 0.4f, -2.0f), Vec3f(0.0f),
+                                    Vec3f(1.8f, 0.2f, -0.4f)})
+            inputs.push_back({Vec4(normal, 0.0f), Vec4(tangent, 0.0f)});
+    // A tangent parallel to its normal, up to rounding, may go either way; keep to exact ones.
+    for (int row = 0; row < 3; ++row)
+        compare(
+            "FbrdfFrame f = fbrdfFrame(a.xyz, b.xyz); result = vec4(" +
+                std::string(row == 0   ? "f.t"
+                            : row == 1 ? "f.s"
+                                       : "f.n") +
+                ", 0.0);",
+            inputs,
+            [row](const Inputs& i) {
+                const auto f = shadingFrame(Vec3f(i.a), Vec3f(i.b));
+                return Vec4(row == 0 ? f.t : row == 1 ? f.s : f.n, 0.0f);
+            },
+            kRounding);
+}
+
+TEST_P(Twin, LocalDirections)
+{
+    const auto frame = shadingFrame(Vec3f(0.3f, -0.5f, 0.8f), Vec3f(1.0f, 0.2f, 0.0f));
+    compare(
+        "FbrdfFrame f = fbrdfFrame(vec3(0.3, -0.5, 0.8), vec3(1.0, 0.2, 0.0)); result = "
+        "vec4(fbrdfLocal(f, a.xyz), 0.0);",
+        pairs(), [&frame](const Inputs& i) { return Vec4(frame.local(Vec3f(i.a)), 0.0f); },
+        kRounding);
+}
+
+TEST_P(Twin, IrradianceOfAPointLight)
+{
+    std::vector<Inputs> inputs;
+    for (float z = 0.5f; z < 4.0f; z += 0.25f)
+        inputs.push_back({Vec4(1.0f, -2.0f, z, 1.0f), Vec4(0.5f, 1.0f, 2.0f, 5.0f)});
+    compare(
+        "vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec3(0.1, 0.2, 0.0), wi), wi.y);", inputs,
+        [](const Inputs& i) {
+            const Vec3f d = Vec3f(i.a) - Vec3f(0.1f, 0.2f, 0.0f);
+            const float squared = glm::dot(d, d);
+            return Vec4(Vec3f(i.b) * falloff(squared, i.b.w), d.y / std::sqrt(squared));
+        },
+        kRounding);
+}
+
+TEST_P(Twin, IrradianceOfADirectionalLight)
+{
+    const Inputs light{Vec4(0.6f, 0.0f, 0.8f, 0.0f), Vec4(0.5f, 1.0f, 2.0f, 0.0f)};
+    const auto found = run(
+        "vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec3(7.0, 2.0, 0.0), wi), wi.x);", {light});
+    EXPECT_NEAR(found[0].z, 2.0f, kRounding);
+    EXPECT_NEAR(found[0].w, 0.6f, kRounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Twin, ::testing::ValuesIn(modernVariants()), variantName);
+
+// The tester: a twin with a wrong exponent is noticed.
+class WrongTwin : public Twin {};
+
+TEST_P(WrongTwin, IsNoticed)
+{
+    const auto found = run("result = vec4(fbrdfAxis(false, 0.5, a.x, a.y));",
+                           {{Vec4(0.5f, 0.5f, 0.0f, 0.0f), {}}});
+    EXPECT_GT(std::abs(found[0].x -
+                       axisCoordinate(AxisMap{AxisMap::From::oneMinusCosine, 0.25}, 0.5f, 0.5f)),
+              100.0f * kTexels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, WrongTwin, ::testing::ValuesIn(modernVariants()), variantName);
+
+}  // namespace
+}  // namespace fbrdf::test

@@ -1,0 +1,92 @@
+#include "GlTest.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include "support/DataDir.h"
+
+namespace fbrdf::test {
+namespace {
+
+void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
+                            const GLchar* text, const void*)
+{
+    const bool bad = type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH ||
+                     severity == GL_DEBUG_SEVERITY_MEDIUM;
+    if (bad) ADD_FAILURE() << "GL: " << std::string(text, static_cast<size_t>(length));
+}
+
+HeadlessOptions contextOptions(const GlVariant& variant)
+{
+    using Profile = HeadlessOptions::Profile;
+    if (variant.legacy) return {variant.backend, Profile::compatibility, 2, 1, true};
+    return {variant.backend, Profile::core, 3, 3, true};
+}
+
+}  // namespace
+
+std::string variantName(const ::testing::TestParamInfo<GlVariant>& info)
+{
+    return std::string(backendName(info.param.backend)) + (info.param.legacy ? "_legacy" : "");
+}
+
+std::vector<GlVariant> allVariants()
+{
+    return {{Backend::egl, false},
+            {Backend::osmesa, false},
+            {Backend::egl, true},
+            {Backend::osmesa, true}};
+}
+
+std::vector<GlVariant> modernVariants()
+{
+    return {{Backend::egl, false}, {Backend::osmesa, false}};
+}
+
+void failOnGlMessages(const GladGLContext& gl)
+{
+    if (!gl.KHR_debug) return;
+    gl.Enable(GL_DEBUG_OUTPUT);
+    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    gl.DebugMessageCallback(onMessage, nullptr);
+}
+
+void GlTest::SetUp()
+{
+    try {
+        context_ = std::make_unique<HeadlessContext>(contextOptions(GetParam()));
+    } catch (const Error& error) {
+        if (dataIsMandatory()) FAIL() << error.what();
+        GTEST_SKIP() << error.what();
+    }
+    gl_ = loadGl(context_->loader());
+    failOnGlMessages(gl_);
+}
+
+void GlTest::TearDown()
+{
+    if (!context_) return;
+    context_->makeCurrent();
+    EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+gl::RendererOptions GlTest::rendererOptions()
+{
+    gl::RendererOptions options;
+    options.load = context_->loader();
+    options.log = [this](gl::Severity, const std::string& text) { log.push_back(text); };
+    if (!GetParam().legacy) return options;
+    Capabilities old = gl::Renderer(options).capabilities();
+    old.glsl = 120;
+    old.vertexArrays = false;
+    options.capabilities = old;
+    return options;
+}
+
+Offscreen GlTest::makeOffscreen(int size, OffscreenFormat format)
+{
+    Offscreen result(context_->loader(), {size, size, format, true});
+    result.clear();
+    return result;
+}
+
+}  // namespace fbrdf::test

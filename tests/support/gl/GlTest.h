@@ -1,0 +1,53 @@
+// GlTest.h - the fixture of tests that need a GL context: on every backend, and once as an old
+// context would be used (GLSL 1.20, no vertex arrays). Any error that GL reports fails the test.
+#pragma once
+#include "Gl.h"
+
+#include <fbrdf/gl/Renderer.h>
+#include <fbrdf/headless/Offscreen.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fbrdf::test {
+
+struct GlVariant {
+    Backend backend = Backend::egl;
+    bool legacy = false;  ///< compatibility context, GLSL 1.20, no vertex arrays
+};
+std::string variantName(const ::testing::TestParamInfo<GlVariant>& info);
+/// EGL and OSMesa, each modern and legacy.
+std::vector<GlVariant> allVariants();
+/// EGL and OSMesa, modern.
+std::vector<GlVariant> modernVariants();
+
+/// Reports every GL error message of the current context as a test failure.
+void failOnGlMessages(const GladGLContext& gl);
+
+class GlTest : public ::testing::TestWithParam<GlVariant> {
+protected:
+    /// Skips where the backend is missing; with CI=true in the environment that fails.
+    void SetUp() override;
+    void TearDown() override;
+
+    HeadlessContext& context() { return *context_; }
+    const GladGLContext& gl() const { return gl_; }
+    /// For a renderer of this variant; messages go to `log`.
+    gl::RendererOptions rendererOptions();
+    gl::Renderer makeRenderer() { return gl::Renderer(rendererOptions()); }
+    Offscreen makeOffscreen(int size = 64, OffscreenFormat format = OffscreenFormat::rgba32f);
+
+    /// The driver itself tells what the test provokes, as of a shader that does not compile.
+    void expectMessages() const { gl_.Disable(GL_DEBUG_OUTPUT); }
+
+    std::vector<std::string> log;
+
+private:
+    std::unique_ptr<HeadlessContext> context_;
+    GladGLContext gl_{};
+};
+
+}  // namespace fbrdf::test

@@ -1,0 +1,156 @@
+#include "Hooks.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace fbrdf::test {
+namespace {
+
+Hooks* active = nullptr;  // hooked functions have no user pointer of their own
+
+void count(const char* kind, int change)
+{
+    active->alive[kind] += change;
+    (change > 0 ? active->made : active->deleted) += std::abs(change);
+}
+
+#define FBRDF_HOOK_OBJECTS(Kind)                                   \
+    void GLAD_API_PTR gen##Kind(GLsizei n, GLuint* names)          \
+    {                                                              \
+        active->real.Gen##Kind(n, names);                          \
+        count(#Kind, n);                                           \
+    }                                                              \
+    void GLAD_API_PTR delete##Kind(GLsizei n, const GLuint* names) \
+    {                                                              \
+        active->real.Delete##Kind(n, names);                       \
+        count(#Kind, -n);                                          \
+    }
+FBRDF_HOOK_OBJECTS(Textures)
+FBRDF_HOOK_OBJECTS(Buffers)
+FBRDF_HOOK_OBJECTS(VertexArrays)
+FBRDF_HOOK_OBJECTS(Framebuffers)
+FBRDF_HOOK_OBJECTS(Renderbuffers)
+#undef FBRDF_HOOK_OBJECTS
+
+GLuint GLAD_API_PTR createShader(GLenum stage)
+{
+    count("Shader", 1);
+    return active->real.CreateShader(stage);
+}
+
+void GLAD_API_PTR deleteShader(GLuint shader)
+{
+    count("Shader", -1);
+    active->real.DeleteShader(shader);
+}
+
+GLuint GLAD_API_PTR createProgram()
+{
+    count("Program", 1);
+    return active->real.CreateProgram();
+}
+
+void GLAD_API_PTR deleteProgram(GLuint program)
+{
+    count("Program", -1);
+    active->real.DeleteProgram(program);
+}
+
+void GLAD_API_PTR shaderSource(GLuint shader, GLsizei n, const GLchar* const* text,
+                               const GLint* length)
+{
+    const GLchar* const broken = "#version 120\nthis is no shader\n";
+    if (active->corruptShaders)
+        active->real.ShaderSource(shader, 1, &broken, nullptr);
+    else
+        active->real.ShaderSource(shader, n, text, length);
+}
+
+GLenum GLAD_API_PTR checkFramebufferStatus(GLenum target)
+{
+    GLint type = GL_NONE;
+    active->real.GetFramebufferAttachmentParameteriv(target, GL_COLOR_ATTACHMENT0,
+                                                     GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (active->refuseFramebuffers && type == GL_TEXTURE) return GL_FRAMEBUFFER_UNSUPPORTED;
+    return active->real.CheckFramebufferStatus(target);
+}
+
+GLenum GLAD_API_PTR getError()
+{
+    if (active->nextError != GL_NO_ERROR && active->errorAfter-- <= 0)
+        return std::exchange(active->nextError, static_cast<GLenum>(GL_NO_ERROR));
+    return active->real.GetError();
+}
+
+void GLAD_API_PTR drawElements(GLenum mode, GLsizei n, GLenum type, const void* indices)
+{
+    const GladGLContext& gl = active->real;
+    if (!active->countSamples) return gl.DrawElements(mode, n, type, indices);
+    GLuint query = 0, samples = 0;
+    gl.GenQueries(1, &query);
+    gl.BeginQuery(GL_SAMPLES_PASSED, query);
+    gl.DrawElements(mode, n, type, indices);
+    gl.EndQuery(GL_SAMPLES_PASSED);
+    gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
+    gl.DeleteQueries(1, &query);
+    active->samples.push_back(samples);
+}
+
+template <class Function>
+void* pointer(Function function)
+{
+    return reinterpret_cast<void*>(function);
+}
+
+void* hooked(const std::string& name)
+{
+    static const std::map<std::string, void*> functions{
+        {"glGenTextures", pointer(genTextures)},
+        {"glDeleteTextures", pointer(deleteTextures)},
+        {"glGenBuffers", pointer(genBuffers)},
+        {"glDeleteBuffers", pointer(deleteBuffers)},
+        {"glGenVertexArrays", pointer(genVertexArrays)},
+        {"glDeleteVertexArrays", pointer(deleteVertexArrays)},
+        {"glGenFramebuffers", pointer(genFramebuffers)},
+        {"glDeleteFramebuffers", pointer(deleteFramebuffers)},
+        {"glGenRenderbuffers", pointer(genRenderbuffers)},
+        {"glDeleteRenderbuffers", pointer(deleteRenderbuffers)},
+        {"glCreateShader", pointer(createShader)},
+        {"glDeleteShader", pointer(deleteShader)},
+        {"glCreateProgram", pointer(createProgram)},
+        {"glDeleteProgram", pointer(deleteProgram)},
+        {"glShaderSource", pointer(shaderSource)},
+        {"glCheckFramebufferStatus", pointer(checkFramebufferStatus)},
+        {"glGetError", pointer(getError)},
+        {"glDrawElements", pointer(drawElements)},
+    };
+    const auto found = functions.find(name);
+    return found == functions.end() ? nullptr : found->second;
+}
+
+HeadlessContext::Load realLoad = nullptr;
+
+}  // namespace
+
+Hooks::Hooks(HeadlessContext::Load loader) : real(loadGl(loader))
+{
+    if (active) throw std::logic_error("one Hooks at a time");
+    active = this;
+    realLoad = loader;
+}
+
+Hooks::~Hooks()
+{
+    active = nullptr;
+}
+
+void* Hooks::load(void* user, const char* name)
+{
+    Hooks& hooks = *static_cast<Hooks*>(user);
+    hooks.asked.insert(name);
+    if (hooks.hidden.count(name)) return nullptr;
+    void* const replacement = hooked(name);
+    return replacement ? replacement : realLoad(nullptr, name);
+}
+
+}  // namespace fbrdf::test

@@ -1,0 +1,37 @@
+// Hooks.h - a loader that stands between the renderer and GL: counts objects, hides functions,
+// breaks things on request. One at a time in a process.
+#pragma once
+#include "Gl.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fbrdf::test {
+
+class Hooks {
+public:
+    explicit Hooks(HeadlessContext::Load real);
+    ~Hooks();
+    Hooks(const Hooks&) = delete;
+    Hooks& operator=(const Hooks&) = delete;
+
+    /// Fits gl::LoadFunction, with the Hooks as user.
+    static void* load(void* hooks, const char* name);
+
+    std::set<std::string> hidden;      ///< functions for which null is returned
+    std::set<std::string> asked;       ///< functions that were asked for
+    std::map<std::string, int> alive;  ///< objects made less objects deleted, by kind
+    int made = 0, deleted = 0;         ///< objects of all kinds
+    bool corruptShaders = false;       ///< sources no longer compile
+    bool refuseFramebuffers = false;   ///< framebuffers with a texture are never complete
+    GLenum nextError = GL_NO_ERROR;    ///< what glGetError tells once
+    int errorAfter = 0;                ///< calls of glGetError that still tell the truth
+    bool countSamples = false;         ///< measure every draw call
+    std::vector<GLuint> samples;       ///< samples that passed, one for each draw call
+
+    GladGLContext real{};
+};
+
+}  // namespace fbrdf::test
