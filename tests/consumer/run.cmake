@@ -1,0 +1,17 @@
+# Fits a material, runs the consumer with it, and checks that README.md shows the lines it was compiled from.
+execute_process(COMMAND ${FBRDF} fit lambert:albedo=0.5 -o ${WORK}/grey.fbrdf --form hdio --resolution 8 --quiet
+  RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "fbrdf fit ended with ${status}")
+endif()
+execute_process(COMMAND ${CONSUMER} ${WORK}/grey.fbrdf RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "the consumer ended with ${status}")
+endif()
+file(READ ${MAIN} main)
+string(REGEX MATCH "// README begins\n(.*)// README ends" unused "${main}")
+file(READ ${README} readme)
+string(FIND "${readme}" "${CMAKE_MATCH_1}" found)
+if(found EQUAL -1)
+  message(FATAL_ERROR "README.md does not show the lines of tests/consumer/main.cpp")
+endif()
