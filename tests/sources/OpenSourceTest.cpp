@@ -1,6 +1,9 @@
 // What openSource does before a reader is chosen: files against models, and files that are none.
 #include "ReaderTest.h"
 
+#include <fbrdf/io/MaterialFile.h>
+#include "support/DataDir.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -107,4 +110,43 @@ TEST(OpenSource, UnknownModelsAreUsageErrors)
 {
     EXPECT_EQ(outcomeOf("no-such-model:alpha=1").kind, int(ErrorKind::usage));
     EXPECT_EQ(outcomeOf("").kind, int(ErrorKind::usage));
+}
+
+TEST(OpenSource, MaterialsAreSourcesThatEvaluate)
+{
+    Material material;
+    material.form = formHdio(8, 6, 4);
+    for (const TableSpec& spec : material.form.tables) {
+        Table table;
+        table.name = spec.name;
+        table.domain = spec.domain;
+        for (int i = 0; i < 3 * texelCount(spec.domain); ++i)
+            table.texels.push_back(0.25f * float(i % 7));
+        material.tables.push_back(table);
+    }
+    material.scales = {Vec3f(0.5f, 1.0f, 2.0f)};
+    const TempFolder folder;
+    writeMaterial(material, folder.path("paint.fbrdf"));
+    const Source source = openSource(folder.path("paint.fbrdf"));
+    EXPECT_EQ(source.format, "material");
+    EXPECT_TRUE(source.isotropic);
+    EXPECT_FALSE(hasSamples(source));
+    const Vec3d wo(0.0, 0.6, 0.8), wi(0.6, 0.0, 0.8);
+    EXPECT_LT(glm::length(source.evaluate(wo, wi) - evaluate<double>(material, wo, wi)), 1e-12);
+}
+
+TEST(OpenSource, ReadsThe2001MapsFromTheirTextOrTheirFolder)
+{
+    FBRDF_NEEDS_DATA("waterloo_hf/garnetred/garnetred64.txt");
+    const Source maps = openSource(dataPath("waterloo_hf/garnetred/garnetred64.txt"));
+    EXPECT_EQ(maps.format, "material");
+    EXPECT_GT(maps.evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
+    expectSound(openSource(dataPath("waterloo_hf/satin")));
+}
+
+TEST(OpenSource, ModelsAreSourcesThatEvaluate)
+{
+    const Source model = openSource("lambert:albedo=0.5");
+    EXPECT_NEAR(model.evaluate({0, 0, 1}, {0.6, 0, 0.8}).x, 0.5 / kPi, 1e-12);
+    EXPECT_TRUE(model.isotropic);
 }

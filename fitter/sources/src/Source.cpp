@@ -4,14 +4,12 @@
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/Model.h>
 
 #include <algorithm>
 #include <filesystem>
 
 namespace fbrdf {
-
-Source makeModelSource(const std::string& spec);
-
 namespace {
 
 bool pathExists(const std::string& path)
