@@ -281,5 +281,6 @@ TEST(Rgl, AgreesWithTheReferenceEvaluator)
                      {3.323166307, 2.125394015, 2.436405798}},
                     kReference);
     EXPECT_TRUE(satin.isotropic);
+    EXPECT_EQ(satin.description.find("TeckWrap vinyl wrapping film (Rosaline"), 0u);
     expectSound(satin);
 }

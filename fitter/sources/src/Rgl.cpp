@@ -16,11 +16,13 @@
 #include "RglWarp.h"
 #include "SampleRow.h"
 #include "Tensor.h"
+#include "Text.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/Spectrum.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace fbrdf {
@@ -250,6 +252,19 @@ std::shared_ptr<const RglData> readData(const InputFile& file, const TensorField
     return data;
 }
 
+/// What the file says of itself, as one line; empty when it says nothing.
+std::string ownDescription(const InputFile& file, const TensorFields& fields)
+{
+    constexpr int kBytes = 1;  // type of text: unsigned bytes
+    const auto found = fields.find("description");
+    if (found == fields.end() || found->second.type != kBytes) return "";
+    std::string text(
+        file.bytes().substr(found->second.offset, std::min<size_t>(found->second.count, 200)));
+    for (char& c : text)
+        if (!std::isprint(static_cast<unsigned char>(c))) c = ' ';
+    return std::string(trimmed(text)) + "; ";
+}
+
 }  // namespace
 
 bool isRgl(const InputFile& file)
@@ -264,7 +279,7 @@ Source readRgl(const FileRequest& request)
     const std::shared_ptr<const RglData> data = readData(file, fields);
     Source source;
     source.isotropic = data->isotropic;
-    source.description = std::string("EPFL RGL tensor, ") +
+    source.description = ownDescription(file, fields) + "EPFL RGL tensor, " +
                          (fields.count("spectra") ? "spectra to linear sRGB" : "linear sRGB") +
                          ", 1/sr";
     source.evaluate = [data](const Vec3d& wo, const Vec3d& wi) {
