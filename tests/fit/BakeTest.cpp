@@ -36,6 +36,25 @@ TEST(Bake, TheGaugeMovesConstantsIntoTheScaleAndKeepsTheValue)
     }
 }
 
+TEST(Bake, LinearMapsFillZeroToOne)
+{
+    const Material wave = test::waveMaterial(formPqp(16, 1.0));
+    const Layout layout(wave.form);
+    const Material baked = bake(wave.form, layout, stateOf(wave, layout), Storage::linear8);
+    for (const Table& table : baked.tables) {
+        float largest = 0.0f;
+        for (int i = 0; i < texelCount(table.domain); ++i)
+            largest = std::max(largest, table.texel(i, 0));
+        EXPECT_EQ(largest, 1.0f) << table.name;
+    }
+    for (const auto& pair : uniformPairs(200, 2)) {
+        const Vec3d expected = evaluate(wave, pair.wo, pair.wi) / Vec3d(wave.scales[0]);
+        const Vec3d found = evaluate(baked, pair.wo, pair.wi);
+        // Three 8-bit factors that stay above 1/8: half a code of each.
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / expected[c], 1.0, 3 * 8 * 0.5 / 255);
+    }
+}
+
 TEST(Bake, TexelsThatNoPositionReachesDoNotWidenTheRange)
 {
     const Form form = formPqp(16, 0.5);

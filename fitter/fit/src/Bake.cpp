@@ -22,10 +22,11 @@ struct Range {
     int count = 0;
 };
 
-// Subtracts the mean of the reachable texels and returns it.
-Vec3d centred(Table& table)
+// Subtracts the mean of the reachable texels, or their maximum where the storage holds no more than
+// 1; returns it.
+Vec3d normalised(Table& table, Storage storage)
 {
-    Vec3d means(0.0);
+    Vec3d levels(0.0);
     const int texels = texelCount(table.domain);
     for (int c = 0; c < 3; ++c) {
         Range range;
@@ -40,12 +41,12 @@ Vec3d centred(Table& table)
             range.sum += value;
             ++range.count;
         }
-        means[c] = range.sum / range.count;
+        levels[c] = isLog(storage) ? range.sum / range.count : range.upper;
         for (int t = 0; t < texels; ++t)
             at(t) = static_cast<float>(
-                std::clamp(static_cast<double>(at(t)), range.lower, range.upper) - means[c]);
+                std::clamp(static_cast<double>(at(t)), range.lower, range.upper) - levels[c]);
     }
-    return means;
+    return levels;
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ Material bake(const Form& form, const Layout& layout, const State& x, Storage st
     Material material;
     material.form = form;
     const auto n = static_cast<size_t>(layout.unknowns());
-    std::vector<Vec3d> means;
+    std::vector<Vec3d> levels;
     for (size_t t = 0; t < form.tables.size(); ++t) {
         Table table;
         table.name = form.tables[t].name;
@@ -64,13 +65,13 @@ Material bake(const Form& form, const Layout& layout, const State& x, Storage st
             for (size_t c = 0; c < 3; ++c)
                 table.texels.push_back(
                     static_cast<float>(x[c * n + static_cast<size_t>(layout.unknownOf(t, i))]));
-        means.push_back(centred(table));
+        levels.push_back(normalised(table, storage));
         material.tables.push_back(quantized(table, storage));
     }
     for (const Term& term : form.terms) {
         Vec3d logScale(0.0);
         for (const Factor& factor : term.factors)
-            logScale += means[static_cast<size_t>(factor.table)];
+            logScale += levels[static_cast<size_t>(factor.table)];
         material.scales.push_back(
             Vec3f(Vec3d(std::exp2(logScale.x), std::exp2(logScale.y), std::exp2(logScale.z))));
     }

@@ -13,6 +13,7 @@
 #include "Feed.h"
 #include "Rows.h"
 #include "Solver.h"
+#include "Traits.h"
 
 #include <fbrdf/fit/Fit.h>
 
@@ -30,18 +31,6 @@ struct StepOptions {
     bool robust = false;         ///< Tukey biweight at the current state
     double damping = 0.0;        ///< Levenberg-Marquardt, relative to the diagonal
 };
-
-/// What the samples are like, found before anything is fitted.
-struct DataTraits {
-    Vec3f floor{0.0f};         ///< noise floor, 1/sr
-    Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
-    Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
-    bool sameWeights = false;  ///< no channel of any probed sample is at or below the floor
-    bool grey = false;  ///< the channels of every probed sample are equal: one is solved for all
-    size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
-};
-/// Looks at `samples`, a fair part of the data.
-DataTraits traitsOf(const std::vector<Sample>& samples, bool exact);
 
 class LeastSquares {
 public:

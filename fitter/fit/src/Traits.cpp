@@ -1,0 +1,65 @@
+#include "Traits.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/NoiseFloor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fbrdf {
+
+float quantile(std::vector<float>& values, double fraction)
+{
+    if (values.empty()) return 0.0f;
+    const auto rank = std::min(values.size() - 1,
+                               static_cast<size_t>(fraction * static_cast<double>(values.size())));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+Observed observe(float f, float floor, float sampleWeight)
+{
+    if (f > 0.0f && f > 0.5f * floor)
+        return {std::log2(f), sampleWeight * (f * f) / (f * f + floor * floor), false};
+    // Without an estimate of the floor a zero says nothing about how small f is.
+    if (floor > 0.0f) return {std::log2(floor), 0.5f * sampleWeight, true};
+    return {0.0f, 0.0f, true};
+}
+
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact)
+{
+    DataTraits traits;
+    if (!exact) traits.floor = estimateNoiseFloor(samples);
+    traits.sameWeights = true;
+    traits.grey = exact && std::all_of(samples.begin(), samples.end(), [](const Sample& s) {
+                      return s.f.x == s.f.y && s.f.y == s.f.z;
+                  });
+    std::array<std::vector<float>, 3> logs;
+    for (const Sample& s : samples) {
+        bool usable = false;
+        for (int c = 0; c < 3; ++c) {
+            const Observed o = observe(s.f[c], traits.floor[c], s.weight);
+            if (o.censored) {
+                traits.sameWeights = false;
+                continue;
+            }
+            logs[static_cast<size_t>(c)].push_back(o.logValue);
+            usable = usable || o.weight > 0.0f;
+        }
+        traits.usable += usable ? 1 : 0;
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (traits.floor[c] > 0.0f) traits.sameWeights = false;
+        traits.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
+        traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
+    }
+    if (traits.usable == 0)
+        throw Error(ErrorKind::fit, "samples",
+                    "found " + std::to_string(samples.size()) +
+                        " samples, none with a value above the noise floor; expected some");
+    return traits;
+}
+
+}  // namespace fbrdf

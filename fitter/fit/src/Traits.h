@@ -1,0 +1,36 @@
+// Traits.h - what the samples are like, found before anything is fitted, and what one value says in
+// the light of it.
+//
+// A value weighs f^2 / (f^2 + floor^2). One below the noise floor is censored: known to lie below,
+// no more.
+#pragma once
+#include <fbrdf/sources/Source.h>
+
+#include <vector>
+
+namespace fbrdf {
+
+struct DataTraits {
+    Vec3f floor{0.0f};         ///< noise floor, 1/sr
+    Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
+    Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
+    bool sameWeights = false;  ///< no channel of any probed sample is at or below the floor
+    bool grey = false;  ///< the channels of every probed sample are equal: one is solved for all
+    size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
+};
+/// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
+/// Throws Error(fit) when no value lies above the noise floor.
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact);
+
+/// One channel of one sample.
+struct Observed {
+    float logValue;  ///< log2 f, or log2 of the floor where censored
+    float weight;    ///< the sample's own times that of the noise; 0: says nothing
+    bool censored;
+};
+Observed observe(float f, float floor, float sampleWeight);
+
+/// The value below which `fraction` of the values lie; 0 of none. Reorders them.
+float quantile(std::vector<float>& values, double fraction);
+
+}  // namespace fbrdf
