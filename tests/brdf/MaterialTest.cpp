@@ -48,7 +48,7 @@ const Form kForms[] = {formPqp(16, 0.5), formPqpr(16, 1.0, 9), formHdio(12, 6, 8
 
 TEST(Material, TheFillingOfSymmetricTablesIsSymmetric)  // the tester of the next test
 {
-    const Table& t2 = filled(formHdio(12, 6, 8), Storage::float32).tables[1];
+    const Table t2 = filled(formHdio(12, 6, 8), Storage::float32).tables[1];
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) ASSERT_EQ(t2.texel(x + 8 * y, 1), t2.texel(y + 8 * x, 1));
 }
@@ -95,13 +95,13 @@ TEST(Material, IsZeroBelowTheHorizon)
     }
 }
 
-TEST(Material, NotANumberComesOutAsOneAndDoesNoHarm)
+TEST(Material, DirectionsThatAreNoNumbersReadSomeTexel)
 {
     const Vec3d up = directionFromAngles(0.5, 1.0), none(std::nan(""), 0.0, 0.5);
     for (const Form& form : kForms) {
         const Material material = filled(form, Storage::log8);
-        EXPECT_NO_FATAL_FAILURE(evaluate<double>(material, none, up));
-        EXPECT_NO_FATAL_FAILURE(evaluate<float>(material, Vec3f(up), Vec3f(none)));
+        EXPECT_TRUE(std::isfinite(evaluate<double>(material, none, up).x));
+        EXPECT_TRUE(std::isfinite(evaluate<float>(material, Vec3f(up), Vec3f(none)).x));
     }
 }
 

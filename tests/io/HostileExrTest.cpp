@@ -97,7 +97,7 @@ TEST(HostileExr, DamagedBytesNeverCrashOrPrint)
     for (const Form& form : test::testForms())
         for (const Storage storage : {Storage::log8, Storage::float32}) {
             const std::string bytes = bytesOf(test::testMaterial(form, storage));
-            for (int i = 0; i < 150; ++i) {
+            for (int i = 0; i < 60; ++i) {
                 std::string damaged = bytes;
                 for (unsigned k = 0; k < 1 + random() % 3; ++k)
                     damaged[random() % damaged.size()] = static_cast<char>(random());
@@ -106,11 +106,11 @@ TEST(HostileExr, DamagedBytesNeverCrashOrPrint)
         }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-    EXPECT_GT(refused, 300) << "the damage does not reach what is checked";
-    EXPECT_GT(read, 100) << "the damage never reaches what cannot be checked";
+    EXPECT_GT(refused, 120) << "the damage does not reach what is checked";
+    EXPECT_GT(read, 40) << "the damage never reaches what cannot be checked";
 }
 
-// Each byte of the header set to the values that most often break parsers.
+// Each byte of the header set, in turn, to one of the values that most often break parsers.
 TEST(HostileExr, EveryHeaderByteMayBeExtreme)
 {
     const TemporaryDir folder;
@@ -118,12 +118,12 @@ TEST(HostileExr, EveryHeaderByteMayBeExtreme)
     const long before = peakMemoryKiB();
     testing::internal::CaptureStderr();
     const size_t headers = bytes.find("screenWindowWidth");
-    for (size_t i = 0; i < headers; ++i)
-        for (const char value : {'\0', '\x7f', '\xff'}) {
-            std::string damaged = bytes;
-            damaged[i] = value;
-            readsOrRefuses(damaged);
-        }
+    const char extremes[] = {'\0', '\x7f', '\xff'};
+    for (size_t i = 0; i < headers; ++i) {
+        std::string damaged = bytes;
+        damaged[i] = extremes[i % 3];
+        readsOrRefuses(damaged);
+    }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_LT(peakMemoryKiB() - before, kMemoryKiB);
 }

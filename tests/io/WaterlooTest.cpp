@@ -268,20 +268,34 @@ TEST(Waterloo, ReadsUnixAndDosLinesAndNoGain)
     }
 }
 
-TEST(Waterloo, BrokenDescriptionsAreNotTaken)
+struct BrokenText {
+    const char *text, *says;
+};
+
+TEST(Waterloo, BrokenDescriptionsAreNamedByLine)
 {
+    const BrokenText broken[] = {
+        {"", "m.txt:1: found the end of the file, expected title, kind, alpha"},
+        {"title", "m.txt:2: found the end of the file"},
+        {"title\n0", "m.txt:3: found the end of the file"},
+        {"title\n3\n1 1 1\n", "m.txt:2: found '3', expected kind 0, 1 or 2"},
+        {"title\n0\n1 1\n", "m.txt:3: found '1 1', expected three numbers >= 0"},
+        {"title\n0\n1 1 1 1\n", "m.txt:3: found '1 1 1 1'"},
+        {"title\n0\n1 -1 1\n", "m.txt:3"},
+        {"title\n0\n1 nan 1\n", "m.txt:3"},
+        {"title\n0\n1e99 1 1\n", "m.txt:3"},
+        {"title\n0\n1 1 1\nx\n", "m.txt:4: found 'x', expected a number >= 0"},
+        {"title\n0\n1 1 1\n1\nmore\n", "m.txt:5: found 'more', expected no more than four lines"},
+        {"ti\ttle\n0\n1 1 1\n", "m.txt:1: found 'ti?tle', expected a title"}};
     Pair pair;
-    for (const char* text : {"", "title", "title\n0", "title\n3\n1 1 1\n", "title\n0\n1 1\n",
-                             "title\n0\n1 1 1 1\n", "title\n0\n1 -1 1\n", "title\n0\n1 nan 1\n",
-                             "title\n0\n1 1 1\nx\n", "title\n0\n1 1 1\n1\nmore\n", "0.5\n0.5\n",
-                             "ti\ttle\n0\n1 1 1\n", "title\n0\n1e99 1 1\n"}) {
-        pair.describe(text);
-        EXPECT_FALSE(isMaterialFile(pair.path())) << text;
-        pair.expectRefused("m.txt");
+    for (const BrokenText& each : broken) {
+        pair.describe(each.text);
+        EXPECT_FALSE(isMaterialFile(pair.path())) << each.text;
+        pair.expectRefused(each.says);
     }
     std::string padded = "title\n0\n1 1 1\n";
     pair.describe(padded.append(5000, '\n'));
-    pair.expectRefused("found another kind of file");
+    pair.expectRefused("found 5014 bytes, expected at most 4096");
 }
 
 TEST(Waterloo, BrokenMapsAreNamed)

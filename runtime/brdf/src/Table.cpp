@@ -36,11 +36,13 @@ void setRange(Table& table, int channel)
         low = std::min(low, table.texel(i, channel));
         high = std::max(high, table.texel(i, channel));
     }
-    // Rounding to half a stride, at most 259 of 65535, must not lead out of the range.
-    constexpr float kMargin = 0.004f;
-    const float range = high > low ? high - low : 1.0f;
-    table.lower[channel] = low - kMargin * range;
-    table.upper[channel] = high + (high > low ? kMargin : 1.0f) * range;
+    // Rounding to half a stride, at most 259 of 65535, must not lead out of the range. A constant
+    // is the lower end itself and needs no rounding.
+    const float margin = high > low ? 0.004f : 0.0f;
+    const float least = kLeastRange * std::max(std::abs(low), std::abs(high));
+    const float range = std::max(high - low, least > 0.0f ? least : 1.0f);
+    table.lower[channel] = low - margin * range;
+    table.upper[channel] = low + (1.0f + margin) * range;
 }
 
 // The smallest stride at which every difference fits 8 bits. Two codes are kept free: what is coded

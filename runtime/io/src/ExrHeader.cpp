@@ -1,5 +1,7 @@
 #include "ExrHeader.h"
 
+#include "Printable.h"
+
 #include <fbrdf/brdf/Error.h>
 
 #include <algorithm>
@@ -236,14 +238,6 @@ const ExrAttribute* ExrPart::find(const std::string& name) const
     const auto found = std::find_if(attributes.begin(), attributes.end(),
                                     [&](const ExrAttribute& a) { return a.name == name; });
     return found == attributes.end() ? nullptr : &*found;
-}
-
-std::string printable(const std::string& text)
-{
-    std::string line = text.substr(0, 60);
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-    return line;
 }
 
 bool looksLikeExr(const std::string& bytes)

@@ -24,9 +24,6 @@ struct ExrPart {
     const ExrAttribute* find(const std::string& name) const;
 };
 
-/// The text with '?' for every control character, and at most 60 bytes: for one-line messages.
-std::string printable(const std::string& text);
-
 /// First bytes of every OpenEXR file.
 bool looksLikeExr(const std::string& bytes);
 

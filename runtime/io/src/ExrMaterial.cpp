@@ -4,6 +4,7 @@
 #include "ExrCodec.h"
 #include "Files.h"
 #include "FormJson.h"
+#include "Printable.h"
 
 #include <fbrdf/brdf/Error.h>
 

@@ -29,7 +29,9 @@ Material readMaterial(const std::string& path)
     const std::string bytes = readFile(path), beginning = bytes.substr(0, kBeginning);
     if (looksLikeExrMaterial(beginning)) return readExrMaterial(bytes, path);
     if (looksLikeManifest(beginning)) return readManifest(bytes, path);
-    if (looksLikeWaterloo(path)) return readWaterloo(path);
+    // Nothing else is called .txt: the reader can say which line is wrong.
+    if (looksLikeWaterloo(path) || std::filesystem::path(path).extension() == ".txt")
+        return readWaterloo(path);
     throw Error(ErrorKind::input, path,
                 "found another kind of file, expected a .fbrdf, the NAME.txt of factor maps of "
                 "2001, or a JSON manifest of fbrdf");

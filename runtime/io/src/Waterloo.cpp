@@ -3,6 +3,7 @@
 #include "Codes.h"
 #include "Files.h"
 #include "Png.h"
+#include "Printable.h"
 
 #include <fbrdf/brdf/Error.h>
 
@@ -34,7 +35,7 @@ struct Lines {
     [[noreturn]] void fail(size_t line, const std::string& expected) const
     {
         const std::string found =
-            line < text.size() ? "'" + text[line].substr(0, 40) + "'" : "the end of the file";
+            line < text.size() ? "'" + printable(text[line]) + "'" : "the end of the file";
         throw Error(ErrorKind::input, where + ":" + std::to_string(line + 1),
                     "found " + found + ", expected " + expected);
     }
@@ -82,8 +83,9 @@ Description parseDescription(const Lines& lines)
             parseNumbers(lines.text[c], 1, &d.alpha[static_cast<int>(c)]);
         return d;
     }
-    if (lines.text.size() < 3 || lines.text.size() > 4)
+    if (lines.text.size() < 3)
         lines.fail(lines.text.size(), "title, kind, alpha and at most one more line");
+    if (lines.text.size() > 4) lines.fail(4, "no more than four lines");
     if (std::any_of(lines.text[0].begin(), lines.text[0].end(),
                     [](char c) { return static_cast<unsigned char>(c) < 32; }))
         lines.fail(0, "a title");
@@ -225,8 +227,9 @@ bool looksLikeWaterloo(const std::string& path)
 
 Material readWaterloo(const std::string& path)
 {
-    const std::string file = descriptionOf(path), base = baseOf(file);
+    const std::string file = descriptionOf(path);
     const Description description = readDescription(file);
+    const std::string base = baseOf(file);
     Material material;
     material.name =
         description.title.empty() ? fs::path(base).filename().string() : description.title;
