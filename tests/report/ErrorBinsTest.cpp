@@ -87,16 +87,24 @@ TEST(WeakestPlaces, NamesThePlantedError)
                         "15\xC2\xB0"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("1.39 over 8 samples"), std::string::npos) << text;  // ln 4
+    EXPECT_NE(text.find("1.39 (samples: 8)"), std::string::npos) << text;  // ln 4
 }
 
-TEST(WeakestPlaces, SaysNothingOfAPerfectFitOrOfTooFewSamples)
+TEST(WeakestPlaces, SaysNothingOfAPerfectFit)
 {
-    ComparisonSet perfect, sparse;
-    for (int i = 0; i < 8; ++i) add(perfect, 0.1, 2.0, 1.0f);
-    add(sparse, 0.1, 2.0, 9.0f);
-    EXPECT_EQ(weakestPlaces(errorBins(perfect, Vec3f(0.0f))), "");
-    EXPECT_EQ(weakestPlaces(errorBins(sparse, Vec3f(0.0f))), "");
+    ComparisonSet set;
+    for (int i = 0; i < 8; ++i) add(set, 0.1, 2.0, 1.0f);
+    EXPECT_EQ(weakestPlaces(errorBins(set, Vec3f(0.0f))), "");
+}
+
+TEST(WeakestPlaces, TheMedianOfOneAmongManyIsNotNamed)
+{
+    ComparisonSet set;
+    add(set, 30.0, 12.0, 4.0f);
+    EXPECT_NE(weakestPlaces(errorBins(set, Vec3f(0.0f))).find("1.39 (samples: 1)"),
+              std::string::npos);
+    for (int i = 0; i < 5000; ++i) add(set, 0.1, 2.0, 1.1f);
+    EXPECT_EQ(weakestPlaces(errorBins(set, Vec3f(0.0f))).find("1.39"), std::string::npos);
 }
 
 }  // namespace

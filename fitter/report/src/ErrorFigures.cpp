@@ -151,20 +151,28 @@ std::string figureOf(const ErrorBins& bins, const Quantity& quantity)
 
 using Places = std::pair<int, int>;
 
-// Bin of the largest value among those with enough samples to say so; {-1, -1} when there is none.
-Places worst(const ErrorBins& bins, const std::function<double(const ErrorBin&)>& value)
+// Bin of the largest value among those with at least `fewest` samples; {-1, -1} when there is none.
+Places worst(const ErrorBins& bins, size_t fewest,
+             const std::function<double(const ErrorBin&)>& value)
 {
-    constexpr size_t kFewest = 5;
     Places place{-1, -1};
     double largest = 0.0;
     for (int d = 0; d < kErrorBins; ++d)
         for (int h = 0; h < kErrorBins; ++h) {
             const double v = value(bins.at(h, d));
-            if (bins.at(h, d).samples < kFewest || !(v > largest)) continue;
+            if (bins.at(h, d).samples < fewest || !(v > largest)) continue;
             largest = v;
             place = {h, d};
         }
     return place;
+}
+
+// A median of one or two samples says little, where there are enough to ask for more.
+size_t fewestForMedian(const ErrorBins& bins)
+{
+    size_t samples = 0;
+    for (const ErrorBin& bin : bins.bins) samples += bin.samples;
+    return std::clamp<size_t>(samples / 1000, 1, 5);
 }
 
 std::string placeMarkup(const Places& place)
@@ -193,14 +201,15 @@ std::string errorFigures(const ErrorBins& bins)
 std::string weakestPlaces(const ErrorBins& bins)
 {
     std::string sentences;
-    const Places relative = worst(bins, [](const ErrorBin& bin) { return bin.median; });
+    const Places relative =
+        worst(bins, fewestForMedian(bins), [](const ErrorBin& bin) { return bin.median; });
     if (relative.first >= 0) {
         const ErrorBin& bin = bins.at(relative.first, relative.second);
         sentences +=
-            fmt::format("The relative error is largest at {}: median |ln g/f| {} over {} samples. ",
+            fmt::format("The relative error is largest at {}: median |ln g/f| {} (samples: {}). ",
                         placeMarkup(relative), number(bin.median), grouped(bin.samples));
     }
-    const Places absolute = worst(bins, [](const ErrorBin& bin) { return bin.share; });
+    const Places absolute = worst(bins, 1, [](const ErrorBin& bin) { return bin.share; });
     if (absolute.first >= 0) {
         const ErrorBin& bin = bins.at(absolute.first, absolute.second);
         sentences += fmt::format("Of the squared error, {} % lies at {}.",

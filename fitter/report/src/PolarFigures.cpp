@@ -78,6 +78,14 @@ Vec2<double> position(double theta_o, double radius)
             kCentreY - radius * std::cos(theta_o * kDegree)};
 }
 
+// Powers beyond what fits between two rings are written as such.
+std::string decadeText(int decade)
+{
+    if (std::abs(decade) <= 2) return fmt::format("{:g}", std::pow(10.0, decade));
+    return fmt::format("10<tspan class=\"sub\" dy=\"-4\">{}{}</tspan>",
+                       decade < 0 ? "\xE2\x88\x92" : "", std::abs(decade));
+}
+
 std::string ringsOf(const LogScale& scale)
 {
     std::string shapes;
@@ -90,8 +98,7 @@ std::string ringsOf(const LogScale& scale)
         const double r = scale.radius(std::pow(10.0, decade));
         if (r < 12.0) continue;
         if (r < kRadius - 6.0) shapes += half(r);  // the rim is drawn anyway
-        shapes += svg::text(kCentreX + r, kCentreY + 14, "middle",
-                            fmt::format("{:g}", std::pow(10.0, decade)));
+        shapes += svg::text(kCentreX + r, kCentreY + 14, "middle", decadeText(decade));
     }
     return shapes + half(kRadius);
 }
