@@ -1,0 +1,106 @@
+// fbrdf-osg-knot: a torus knot of a measured material under 200 lights, as OpenSceneGraph draws it.
+//   fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt]      with a second name the scene is saved, not
+//   shown
+#include <osgFbrdf/FactorizedBrdf.h>
+#include <osgFbrdf/PointLights.h>
+
+#include <osg/Geometry>
+#include <osgDB/WriteFile>
+#include <osgViewer/Viewer>
+
+#include <cmath>
+#include <iostream>
+
+namespace {
+
+constexpr int kSegments = 400, kSides = 32, kLights = 200;
+constexpr float kTube = 0.3f;
+
+/// The (2, 5) torus knot.
+osg::Vec3f centreLine(double u)
+{
+    const double r = 1.0 + 0.4 * std::cos(5.0 * u);
+    return {static_cast<float>(r * std::cos(2.0 * u)), static_cast<float>(r * std::sin(2.0 * u)),
+            static_cast<float>(0.4 * std::sin(5.0 * u))};
+}
+
+void addRing(osg::Geometry& knot, double u)
+{
+    auto& positions = static_cast<osg::Vec3Array&>(*knot.getVertexArray());
+    auto& normals = static_cast<osg::Vec3Array&>(*knot.getNormalArray());
+    auto& tangents =
+        static_cast<osg::Vec3Array&>(*knot.getVertexAttribArray(osgFbrdf::kTangentAttribute));
+    osg::Vec3f along = centreLine(u + 1e-3) - centreLine(u - 1e-3);
+    along.normalize();
+    osg::Vec3f side = along ^ osg::Vec3f(0.0f, 0.0f, 1.0f);
+    side.normalize();
+    const osg::Vec3f up = side ^ along;
+    for (int j = 0; j <= kSides; ++j) {
+        const double a = 2.0 * osg::PI * j / kSides;
+        const osg::Vec3f normal =
+            side * static_cast<float>(std::cos(a)) + up * static_cast<float>(std::sin(a));
+        positions.push_back(centreLine(u) + normal * (0.5f * kTube));
+        normals.push_back(normal);
+        tangents.push_back(along);
+    }
+}
+
+osg::ref_ptr<osg::Geometry> knotOf()
+{
+    osg::ref_ptr<osg::Geometry> knot = new osg::Geometry;
+    knot->setVertexArray(new osg::Vec3Array);
+    knot->setNormalArray(new osg::Vec3Array, osg::Array::BIND_PER_VERTEX);
+    knot->setVertexAttribArray(osgFbrdf::kTangentAttribute, new osg::Vec3Array,
+                               osg::Array::BIND_PER_VERTEX);
+    for (int i = 0; i <= kSegments; ++i) addRing(*knot, 2.0 * osg::PI * i / kSegments);
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    for (unsigned int i = 0; i < kSegments; ++i)
+        for (unsigned int j = 0; j < kSides; ++j) {
+            const unsigned int a = i * (kSides + 1) + j, b = a + kSides + 1;
+            for (const unsigned int index : {a, b, b + 1, a, b + 1, a + 1})
+                triangles->push_back(index);
+        }
+    knot->addPrimitiveSet(triangles);
+    return knot;
+}
+
+/// Lights evenly over a sphere (golden angle), in all hues.
+osg::ref_ptr<osgFbrdf::PointLights> lightsAround()
+{
+    osg::ref_ptr<osgFbrdf::PointLights> lights = new osgFbrdf::PointLights;
+    for (int i = 0; i < kLights; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / kLights, r = std::sqrt(1.0 - z * z),
+                     phi = i * osg::PI * (3.0 - std::sqrt(5.0));
+        const auto hue = [phi](double offset) {
+            return static_cast<float>(0.5 * (1.0 + 0.6 * std::cos(phi + offset)));
+        };
+        lights->addPoint(osg::Vec3f(static_cast<float>(r * std::cos(phi)),
+                                    static_cast<float>(r * std::sin(phi)), static_cast<float>(z)) *
+                             4.0f,
+                         {hue(0.0), hue(2.1), hue(4.2)});
+    }
+    return lights;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 2 || argc > 3) {
+        std::cerr << "usage: fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt]\n";
+        return 2;
+    }
+    // 1. The material over the model.
+    osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
+    if (!effect->setMaterialFile(argv[1])) return 3;
+    effect->addChild(knotOf());
+    // 2. The lights, anywhere in the scene.
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(effect);
+    scene->addChild(lightsAround());
+    // 3. Saved, or shown.
+    if (argc == 3) return osgDB::writeNodeFile(*scene, argv[2]) ? 0 : 5;
+    osgViewer::Viewer viewer;
+    viewer.setSceneData(scene);
+    return viewer.run();
+}

@@ -1,0 +1,104 @@
+// FactorizedBrdf.h - the effect: everything below it is drawn with one factored material, lit by
+// every osgFbrdf::PointLights and every osg::LightSource of the scene.
+//
+// Techniques, best first: "single pass", "batched", "two look-ups per pass", "diffuse fallback".
+// Each needs less than the one before, so a choice that suits one context suits a lesser one;
+// selectTechnique() forces one. Plans and shaders are the runtime's (fbrdf/plan, fbrdf/shaders).
+//
+// Lights. osg::Light's diffuse colour is read so that a white Lambertian looks as it does in fixed
+// function; its attenuation is taken where the middle of the object is. Spot cones are ignored.
+// Where the scene has no light, the light of the osg::View is used (osgViewer's headlight). Output
+// is linear radiance times exposure, alpha 1. Tangents (anisotropic materials) are vertex attribute
+// kTangentAttribute; where the model has none the frame is arbitrary.
+#pragma once
+#include <osgFbrdf/MaterialObject.h>
+
+#include <osgDB/Options>
+#include <osgFX/Effect>
+
+#include <OpenThreads/Mutex>
+
+#include <atomic>
+#include <string>
+
+namespace osgFbrdf {
+
+constexpr unsigned int kTangentAttribute = 6;  ///< where osgFX::BumpMapping has tangents too
+
+/// Order of the techniques of an effect.
+enum TechniqueIndex { kSinglePass, kBatched, kTwoLookups, kDiffuseFallback };
+
+/// What the last cull of an effect did.
+struct DrawReport {
+    std::string technique;  ///< techniqueName() of what was drawn
+    std::string reason;     ///< why that is not the one selected; empty when it is
+    int passes = 0;
+    int lightsUsed = 0, lightsDropped = 0;
+    int maxLookups = 0;  ///< in any pass
+};
+
+class FactorizedBrdf : public osgFX::Effect {
+public:
+    FactorizedBrdf();
+    FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
+    META_Effect(osgFbrdf, FactorizedBrdf, "Factorized BRDF",
+                "Measured reflectance as a product of small positive maps, lit by any number of "
+                "lights, with as few as two texture look-ups per pass.",
+                "fbrdf")
+
+        /// Reads the file (.fbrdf, or what else osgdb_fbrdf reads) by osgDB's search paths. A file
+        /// that cannot be read gives a warning with the reason and leaves the fallback; the name is
+        /// kept.
+        bool setMaterialFile(const std::string& file, const osgDB::Options* options = nullptr);
+    const std::string& getMaterialFile() const { return materialFile_; }
+    /// Reads the file again. When that fails the material stays as it is.
+    bool reloadMaterial(const osgDB::Options* options = nullptr);
+    /// A material from memory or shared with other effects; null: the fallback.
+    void setMaterial(MaterialObject* material);
+    MaterialObject* getMaterial() const { return material_.get(); }
+
+    void setExposure(float exposure) { exposure_ = exposure; }  ///< >= 0, times radiance
+    float getExposure() const { return exposure_; }
+    void setLightsPerPass(int lights);  ///< "batched" only, >= 1
+    int getLightsPerPass() const { return lightsPerPass_; }
+    void setLookupsPerPass(int lookups);  ///< limit in any pass; 0: what the technique says
+    int getLookupsPerPass() const { return lookupsPerPass_; }
+    void setFirstTextureUnit(int unit);  ///< the maps take this unit and those after it
+    int getFirstTextureUnit() const { return firstTextureUnit_; }
+    /// True when the colour buffer is RGBA32F: then passes add up in it exactly, and a sum may wait
+    /// there for its last factor. In others (a window's) such plans are refused, with the reason.
+    void setFloatTarget(bool isFloat);
+    bool getFloatTarget() const { return floatTarget_; }
+
+    DrawReport lastReport() const;
+    void report(const DrawReport& report);  ///< called by the techniques
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    void resizeGLObjectBuffers(unsigned int maxSize) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
+protected:
+    ~FactorizedBrdf() override;
+    bool define_techniques() override;
+
+private:
+    void changed();
+    void cull(osg::NodeVisitor& visitor);
+
+    std::string materialFile_;
+    osg::ref_ptr<MaterialObject> material_;
+    float exposure_ = 1.0f;
+    int lightsPerPass_ = 8, lookupsPerPass_ = 0, firstTextureUnit_ = 0;
+    bool floatTarget_ = false;
+    std::atomic<bool> defined_{false};
+    OpenThreads::Mutex definition_;
+    mutable OpenThreads::Mutex reporting_;
+    DrawReport report_;
+};
+
+/// Reads a material file through the osgdb_fbrdf plugin; null, with a warning through osg::notify
+/// that names file and reason, where that fails.
+osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
+                                                const osgDB::Options* options = nullptr);
+
+}  // namespace osgFbrdf

@@ -1,0 +1,38 @@
+// PointLights.h - any number of point and directional lights in a scene graph. Every
+// FactorizedBrdf in the same scene is lit by all of them; nothing else is: osg::Light ends at
+// eight.
+#pragma once
+#include <fbrdf/plan/Light.h>
+
+#include <osg/Group>
+#include <osg/Vec3f>
+
+#include <vector>
+
+namespace osgFbrdf {
+
+/// Lights in the coordinates of the node: transforms above move positions and turn directions,
+/// intensity and radius stay (world units). Change them in the update traversal. A light that is
+/// not valid (fbrdf/plan/Light.h) lights nothing and is reported as dropped.
+class PointLights : public osg::Group {
+public:
+    PointLights() = default;
+    PointLights(const PointLights& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgFbrdf, PointLights)
+
+        /// intensity: W/sr, falls off as 1 / r^2; radius: of influence, 0: unlimited.
+        void addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius = 0.0f);
+    /// toLight: need not be unit; irradiance on a surface that faces the light.
+    void addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& irradiance);
+
+    void setLights(const std::vector<fbrdf::Light>& lights) { lights_ = lights; }
+    const std::vector<fbrdf::Light>& getLights() const { return lights_; }
+
+protected:
+    ~PointLights() override = default;
+
+private:
+    std::vector<fbrdf::Light> lights_;
+};
+
+}  // namespace osgFbrdf

@@ -1,0 +1,204 @@
+#include "PassTechnique.h"
+
+#include "DiffuseTechnique.h"
+#include "MaterialStates.h"
+#include "SceneLights.h"
+
+#include <osg/GLExtensions>
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+
+namespace osgFbrdf {
+namespace {
+
+// Beside lights and knots: as in the planner, generous.
+constexpr int kOtherUniformVectors = 24;
+// Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
+constexpr int kEffectBin = 1;
+
+osg::StateSet* nestingState()
+{
+    auto* state = new osg::StateSet;
+    state->setRenderBinDetails(kEffectBin, "RenderBin");
+    return state;
+}
+
+int limitOf(GLenum name)
+{
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
+{
+    if (kind == fbrdf::Technique::single) return assumedCapabilities().maxUniformVectors;
+    const int lights = kind == fbrdf::Technique::batched ? effect.getLightsPerPass() : 1;
+    const fbrdf::Form& form = effect.getMaterial()->material().form;
+    int vectors = kOtherUniformVectors + 2 * lights + 2 * static_cast<int>(form.tables.size());
+    for (const fbrdf::TableSpec& table : form.tables)
+        if (table.uniform) vectors += fbrdf::texelCount(table.domain);
+    return std::min(vectors, assumedCapabilities().maxUniformVectors);
+}
+
+osg::Vec4f eyeOf(const osg::Matrixd& projection)
+{
+    glm::dmat4 matrix;  // both store what multiplies a row vector from the right by rows
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) matrix[i][j] = projection(i, j);
+    const glm::vec4 eye(fbrdf::eyeFromProjection(matrix));
+    return {eye.x, eye.y, eye.z, eye.w};
+}
+
+/// Two vectors a light, see lights.glsl.
+osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
+                                        const fbrdf::Pass& pass)
+{
+    osg::ref_ptr<osg::Uniform> uniform =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC4, "fbrdfLights", 2 * pass.lightCount);
+    for (int i = 0; i < pass.lightCount; ++i) {
+        const fbrdf::Light& light = lights[static_cast<size_t>(pass.firstLight + i)];
+        const float w = light.type == fbrdf::Light::Type::point ? 1.0f : 0.0f;
+        const auto at = static_cast<unsigned int>(2 * i);
+        uniform->setElement(at,
+                            osg::Vec4f(light.position.x, light.position.y, light.position.z, w));
+        uniform->setElement(at + 1, osg::Vec4f(light.intensity.x, light.intensity.y,
+                                               light.intensity.z, light.radius));
+    }
+    return uniform;
+}
+
+/// What changes with frame and view. Fresh each time: the last one may still be being drawn.
+class FrameStates {
+public:
+    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
+                std::vector<fbrdf::Light> lights)
+        : lights_(std::move(lights)), eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
+    {
+        const auto& scales = effect.getMaterial()->material().scales;
+        for (size_t t = 0; t < scales.size(); ++t) {
+            const fbrdf::Vec3f scale = scales[t] * effect.getExposure();
+            const std::string name = "fbrdfScale" + std::to_string(t);
+            scales_.push_back(
+                new osg::Uniform(name.c_str(), osg::Vec3f(scale.x, scale.y, scale.z)));
+        }
+    }
+
+    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const
+    {
+        osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+        state->addUniform(eye_);
+        for (const fbrdf::Part& part : pass.parts)
+            if (part.scaled) state->addUniform(scales_[static_cast<size_t>(part.term)]);
+        if (pass.lightCount > 0) {
+            state->addUniform(lightUniform(lights_, pass));
+            state->addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
+        }
+        return state;
+    }
+
+private:
+    std::vector<fbrdf::Light> lights_;
+    osg::ref_ptr<osg::Uniform> eye_;
+    std::vector<osg::ref_ptr<osg::Uniform>> scales_;
+};
+
+}  // namespace
+
+PassTechnique::PassTechnique(FactorizedBrdf& effect, fbrdf::Technique kind)
+    : effect_(effect), kind_(kind)
+{
+}
+
+const char* PassTechnique::techniqueName()
+{
+    switch (kind_) {
+        case fbrdf::Technique::single: return "single pass";
+        case fbrdf::Technique::batched: return "batched";
+        case fbrdf::Technique::twoLookup: return "two look-ups per pass";
+    }
+    return "";
+}
+
+const char* PassTechnique::techniqueDescription()
+{
+    switch (kind_) {
+        case fbrdf::Technique::single: return "All lights in one pass; GLSL 1.20.";
+        case fbrdf::Technique::batched: return "A few lights in each pass; GLSL 1.20.";
+        case fbrdf::Technique::twoLookup:
+            return "One light and at most two texture look-ups in each pass; GLSL 1.20.";
+    }
+    return "";
+}
+
+bool PassTechnique::validate(osg::State& state) const
+{
+    if (!effect_.getMaterial() || !effect_.getMaterial()->valid()) return false;
+    const auto* extensions = state.get<osg::GLExtensions>();
+    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return false;
+    if (extensions->glVersion < 3.0f &&
+        !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
+        return false;
+    const int units =
+        effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
+    return units <= limitOf(GL_MAX_TEXTURE_IMAGE_UNITS) &&
+           4 * uniformVectorsNeeded(effect_, kind_) <=
+               limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) &&
+           plan(2).feasible();
+}
+
+fbrdf::Plan PassTechnique::plan(int lights) const
+{
+    fbrdf::PlanRequest request;
+    request.technique = kind_;
+    request.lights = lights;
+    request.lightsPerPass = effect_.getLightsPerPass();
+    request.maxLookups = effect_.getLookupsPerPass();
+    request.target =
+        effect_.getFloatTarget() ? fbrdf::ColourFormat::rgba32f : fbrdf::ColourFormat::rgba8;
+    request.offscreen = false;  // OSG's surfaces are the host's
+    return fbrdf::planPasses(effect_.getMaterial()->states()->form(), request,
+                             assumedCapabilities());
+}
+
+void PassTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
+{
+    if (auto* cull = visitor.asCullVisitor())
+        this->cull(*cull);
+    else
+        effect->inherited_traverse(visitor);
+}
+
+void PassTechnique::cull(osgUtil::CullVisitor& visitor)
+{
+    SceneLights& scene = sceneLights(visitor);
+    ++scene.techniqueTraversals;
+    if (!effect_.getMaterial() || !effect_.getMaterial()->valid())
+        return cullDiffuse(visitor, effect_, "no material");
+    const osg::Vec3d centre =
+        osg::Vec3d(effect_.getBound().center()) * *visitor.getModelViewMatrix();
+    auto lights = lightsInEye(scene, worldToEye(visitor), centre);
+    const int count = static_cast<int>(lights.size());
+    const fbrdf::Plan plan = this->plan(count);
+    if (!plan.feasible()) return cullDiffuse(visitor, effect_, plan.reason);
+    effect_.report({techniqueName(), "", static_cast<int>(plan.passes.size()), count, scene.dropped,
+                    plan.maxLookups});
+
+    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights));
+    const osg::ref_ptr<osg::StateSet> nesting = nestingState();
+    visitor.pushStateSet(nesting);
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        const osg::ref_ptr<osg::StateSet> state = effect_.getMaterial()->states()->stateOf(
+            plan.passes[i], {static_cast<int>(i) + 1, effect_.getFirstTextureUnit()});
+        visitor.pushStateSet(state);
+        const osg::ref_ptr<osg::StateSet> varying = frame.stateOf(plan.passes[i]);
+        visitor.pushStateSet(varying);
+        effect_.inherited_traverse(visitor);
+        visitor.popStateSet();
+        visitor.popStateSet();
+    }
+    visitor.popStateSet();
+}
+
+}  // namespace osgFbrdf

@@ -1,0 +1,42 @@
+// PassTechnique.h - draws an effect by a plan of the runtime: each pass is a state set under which
+// the children are culled once. Passes live in bins inside one bin, so that any number of them is
+// drawn before what comes after the effect (OSG's bin 10 holds what is transparent).
+#pragma once
+#include <osgFbrdf/FactorizedBrdf.h>
+
+#include <fbrdf/plan/Plan.h>
+
+#include <osgFX/Technique>
+
+#include <memory>
+
+namespace osgUtil {
+class CullVisitor;
+}
+
+namespace osgFbrdf {
+
+class PassTechnique : public osgFX::Technique {
+public:
+    PassTechnique(FactorizedBrdf& effect, fbrdf::Technique kind);
+
+    const char* techniqueName() override;
+    const char* techniqueDescription() override;
+    bool validate(osg::State& state) const override;
+    void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
+
+    /// The plan for so many lights, or its reason for being none.
+    fbrdf::Plan plan(int lights) const;
+
+protected:
+    ~PassTechnique() override = default;
+    void define_passes() override {}  // they depend on the lights: see traverse
+
+private:
+    void cull(osgUtil::CullVisitor& visitor);
+
+    FactorizedBrdf& effect_;  ///< owns this
+    fbrdf::Technique kind_;
+};
+
+}  // namespace osgFbrdf

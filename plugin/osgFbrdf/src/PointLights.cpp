@@ -1,0 +1,28 @@
+#include <osgFbrdf/PointLights.h>
+
+namespace osgFbrdf {
+namespace {
+
+fbrdf::Vec3f toVec3(const osg::Vec3f& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+PointLights::PointLights(const PointLights& other, const osg::CopyOp& op)
+    : osg::Group(other, op), lights_(other.lights_)
+{
+}
+
+void PointLights::addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius)
+{
+    lights_.push_back({fbrdf::Light::Type::point, toVec3(position), toVec3(intensity), radius});
+}
+
+void PointLights::addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& irradiance)
+{
+    lights_.push_back({fbrdf::Light::Type::directional, toVec3(toLight), toVec3(irradiance), 0.0f});
+}
+
+}  // namespace osgFbrdf

@@ -1,0 +1,189 @@
+#include "SceneLights.h"
+
+#include <osgFbrdf/PointLights.h>
+
+#include <osg/Camera>
+#include <osg/LightSource>
+#include <osg/Transform>
+#include <osg/View>
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+
+namespace osgFbrdf {
+namespace {
+
+constexpr const char* kKey = "osgFbrdf::SceneLights";
+
+bool isView(const osg::Node& node)
+{
+    const auto* transform = node.asTransform();
+    return node.asCamera() && transform->getReferenceFrame() != osg::Transform::RELATIVE_RF;
+}
+
+fbrdf::Vec3f toVec3(const osg::Vec3d& v)
+{
+    return fbrdf::Vec3f(fbrdf::Vec3d(v.x(), v.y(), v.z()));
+}
+
+fbrdf::Light moved(fbrdf::Light light, const osg::Matrixd& matrix)
+{
+    const osg::Vec3d p(static_cast<double>(light.position.x), static_cast<double>(light.position.y),
+                       static_cast<double>(light.position.z));
+    if (light.type == fbrdf::Light::Type::point) {
+        light.position = toVec3(p * matrix);
+        return light;
+    }
+    osg::Vec3d direction = osg::Matrixd::transform3x3(p, matrix);
+    direction.normalize();
+    light.position = toVec3(direction);
+    return light;
+}
+
+/// Collects lights with the matrices above them; cameras with a view of their own are left out.
+class Collector : public osg::NodeVisitor {
+public:
+    explicit Collector(SceneLights& scene)
+        : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN), scene_(scene)
+    {
+    }
+
+    void apply(osg::Group& group) override
+    {
+        if (const auto* lights = dynamic_cast<const PointLights*>(&group)) add(*lights);
+        traverse(group);
+    }
+    void apply(osg::Transform& transform) override
+    {
+        const osg::Matrixd above = matrix_;
+        transform.computeLocalToWorldMatrix(matrix_, this);
+        traverse(transform);
+        matrix_ = above;
+    }
+    void apply(osg::Camera& camera) override
+    {
+        if (!isView(camera)) apply(static_cast<osg::Transform&>(camera));
+    }
+    void apply(osg::LightSource& source) override
+    {
+        if (source.getLight())
+            scene_.plain.push_back({source.getLight(), matrix_,
+                                    source.getReferenceFrame() != osg::LightSource::RELATIVE_RF});
+        traverse(source);
+    }
+    // Nothing that lights is below a drawable.
+    void apply(osg::Drawable&) override {}
+    void apply(osg::Geode&) override {}
+
+private:
+    void add(const PointLights& lights)
+    {
+        for (const fbrdf::Light& light : lights.getLights()) {
+            const fbrdf::Light placed = fbrdf::isValid(light) ? moved(light, matrix_) : light;
+            if (fbrdf::isValid(placed))
+                scene_.lights.push_back(placed);
+            else
+                ++scene_.dropped;
+        }
+    }
+
+    SceneLights& scene_;
+    osg::Matrixd matrix_;
+};
+
+/// Where the coordinates of the lights begin: below the last camera with a view of its own.
+size_t rootOf(const osg::NodePath& path)
+{
+    for (size_t i = path.size(); i-- > 0;)
+        if (isView(*path[i])) return std::min(i + 1, path.size() - 1);
+    return 0;
+}
+
+void addViewLight(SceneLights& scene, const osg::Camera* camera)
+{
+    const osg::View* view = camera ? camera->getView() : nullptr;
+    if (!view || !view->getLight() || view->getLightingMode() == osg::View::NO_LIGHT) return;
+    scene.plain.push_back({view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT});
+}
+
+/// The light that stands for an osg::Light at a place: same direction, same irradiance.
+fbrdf::Light standIn(const PlainLight& plain, const osg::Matrixd& toEye, const osg::Vec3d& centre)
+{
+    const osg::Light& source = *plain.light;
+    const osg::Vec4d position =
+        osg::Vec4d(source.getPosition()) * (plain.inEye ? plain.toWorld : plain.toWorld * toEye);
+    const osg::Vec4f& diffuse = source.getDiffuse();
+    fbrdf::Light light;
+    // A white Lambertian (1 / pi) then reflects `diffuse`, as in fixed function.
+    light.intensity =
+        static_cast<float>(fbrdf::kPi) * fbrdf::Vec3f(diffuse.r(), diffuse.g(), diffuse.b());
+    osg::Vec3d place(position.x(), position.y(), position.z());
+    if (position.w() == 0.0) {
+        light.type = fbrdf::Light::Type::directional;
+        place.normalize();
+    } else {
+        place /= position.w();
+        const double d = (place - centre).length();
+        const double attenuation = static_cast<double>(source.getConstantAttenuation()) +
+                                   static_cast<double>(source.getLinearAttenuation()) * d +
+                                   static_cast<double>(source.getQuadraticAttenuation()) * d * d;
+        if (attenuation > 0.0) light.intensity *= static_cast<float>(d * d / attenuation);
+    }
+    light.position = toVec3(place);
+    return light;
+}
+
+}  // namespace
+
+SceneLights& sceneLights(osgUtil::CullVisitor& visitor)
+{
+    osg::UserDataContainer* container = visitor.getOrCreateUserDataContainer();
+    auto* scene = dynamic_cast<SceneLights*>(container->getUserObject(kKey));
+    if (!scene) {
+        scene = new SceneLights;
+        scene->setName(kKey);
+        container->addUserObject(scene);
+    }
+    const osg::NodePath& path = visitor.getNodePath();
+    osg::Node* root = path[rootOf(path)];
+    const unsigned int frame =
+        visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
+    if (scene->filled_ && visitor.getFrameStamp() && scene->root_ == root && scene->frame_ == frame)
+        return *scene;
+    scene->lights.clear();
+    scene->plain.clear();
+    scene->dropped = 0;
+    scene->fallbackPlaced = false;
+    scene->root_ = root;
+    scene->frame_ = frame;
+    scene->filled_ = true;
+    Collector collector(*scene);
+    root->accept(collector);
+    if (scene->lights.empty() && scene->plain.empty())
+        addViewLight(*scene, visitor.getCurrentCamera());
+    return *scene;
+}
+
+osg::Matrixd worldToEye(osgUtil::CullVisitor& visitor)
+{
+    return osg::Matrixd::inverse(osg::computeLocalToWorld(visitor.getNodePath())) *
+           *visitor.getModelViewMatrix();
+}
+
+std::vector<fbrdf::Light> pointLightsInEye(const SceneLights& scene, const osg::Matrixd& toEye)
+{
+    std::vector<fbrdf::Light> lights;
+    lights.reserve(scene.lights.size() + scene.plain.size());
+    for (const fbrdf::Light& light : scene.lights) lights.push_back(moved(light, toEye));
+    return lights;
+}
+
+std::vector<fbrdf::Light> lightsInEye(const SceneLights& scene, const osg::Matrixd& toEye,
+                                      const osg::Vec3d& centre)
+{
+    std::vector<fbrdf::Light> lights = pointLightsInEye(scene, toEye);
+    for (const PlainLight& plain : scene.plain) lights.push_back(standIn(plain, toEye, centre));
+    return lights;
+}
+
+}  // namespace osgFbrdf

@@ -1,0 +1,66 @@
+// SceneLights.h - the lights that a cull traversal sees, found once a frame and view.
+//
+// The lights may come after the objects in the graph, and the number of passes depends on the
+// number of lights, so OSG's own road for positional state (known when drawing begins) is too late.
+// They are kept with the CullVisitor, which belongs to one view and one thread at a time: nothing
+// is shared.
+#pragma once
+#include <fbrdf/plan/Light.h>
+
+#include <osg/Light>
+#include <osg/Matrixd>
+#include <osg/Object>
+#include <osg/Vec4f>
+
+#include <vector>
+
+namespace osgUtil {
+class CullVisitor;
+}
+
+namespace osgFbrdf {
+
+/// An osg::LightSource. `toWorld` ends in the coordinates of the root, or of the eye.
+struct PlainLight {
+    osg::ref_ptr<const osg::Light> light;
+    osg::Matrixd toWorld;
+    bool inEye = false;
+};
+
+class SceneLights : public osg::Object {
+public:
+    SceneLights() = default;
+    SceneLights(const SceneLights& other, const osg::CopyOp& op) : osg::Object(other, op) {}
+    META_Object(osgFbrdf, SceneLights)
+
+        std::vector<fbrdf::Light> lights;  ///< of PointLights, valid ones, world
+    std::vector<PlainLight> plain;
+    int dropped = 0;
+    int techniqueTraversals = 0;  ///< counted by techniques, see FactorizedBrdf::traverse
+    bool fallbackPlaced = false;  ///< DiffuseTechnique placed GL's lights in this frame
+
+protected:
+    ~SceneLights() override = default;
+
+private:
+    friend SceneLights& sceneLights(osgUtil::CullVisitor& visitor);
+    const osg::Node* root_ = nullptr;
+    unsigned int frame_ = 0;
+    bool filled_ = false;
+};
+
+/// The lights of the scene that the visitor is in; valid until its next frame.
+SceneLights& sceneLights(osgUtil::CullVisitor& visitor);
+
+/// From the coordinates of the lights to those of the eye.
+osg::Matrixd worldToEye(osgUtil::CullVisitor& visitor);
+
+/// Lights of PointLights in eye coordinates.
+std::vector<fbrdf::Light> pointLightsInEye(const SceneLights& scene, const osg::Matrixd& toEye);
+
+/// All lights in eye coordinates (as fbrdf::Light, whose window and fall-off are the runtime's).
+/// osg::Light has other laws of attenuation: theirs is taken at `centre` (eye).
+std::vector<fbrdf::Light> lightsInEye(const SceneLights& scene, const osg::Matrixd& toEye,
+                                      const osg::Vec3d& centre);
+
+}  // namespace osgFbrdf

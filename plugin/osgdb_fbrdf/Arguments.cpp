@@ -1,0 +1,105 @@
+#include "Arguments.h"
+
+#include <osgFbrdf/FactorizedBrdf.h>
+
+#include <osgDB/FileNameUtils>
+
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+namespace osgFbrdf {
+namespace {
+
+bool setTechnique(FactorizedBrdf& effect, const std::string& name)
+{
+    static const std::map<std::string, int> kIndices{{"auto", osgFX::Effect::AUTO_DETECT},
+                                                     {"single", kSinglePass},
+                                                     {"batched", kBatched},
+                                                     {"two-lookup", kTwoLookups},
+                                                     {"diffuse", kDiffuseFallback}};
+    const auto found = kIndices.find(name);
+    if (found != kIndices.end()) effect.selectTechnique(found->second);
+    return found != kIndices.end();
+}
+
+/// True for a whole number not below `least`.
+bool integer(const std::string& text, int least, int& value)
+{
+    char* end = nullptr;
+    const long number = std::strtol(text.c_str(), &end, 10);
+    value = static_cast<int>(number);
+    return !text.empty() && *end == '\0' && number >= least && number <= 1000000;
+}
+
+bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::string& text,
+                 bool& known)
+{
+    int number = 0;
+    if (name == "technique") return setTechnique(effect, text);
+    if (name == "exposure") {
+        char* end = nullptr;
+        const float value = std::strtof(text.c_str(), &end);
+        if (text.empty() || *end != '\0' || !(value >= 0.0f)) return false;
+        effect.setExposure(value);
+    } else if (name == "lightsPerPass") {
+        if (!integer(text, 1, number)) return false;
+        effect.setLightsPerPass(number);
+    } else if (name == "lookupsPerPass") {
+        if (!integer(text, 0, number)) return false;
+        effect.setLookupsPerPass(number);
+    } else if (name == "firstTextureUnit") {
+        if (!integer(text, 0, number)) return false;
+        effect.setFirstTextureUnit(number);
+    } else if (name == "floatTarget") {
+        if (text != "0" && text != "1") return false;
+        effect.setFloatTarget(text == "1");
+    } else {
+        known = false;
+    }
+    return true;
+}
+
+}  // namespace
+
+PseudoName pseudoName(const std::string& file)
+{
+    const std::string rest = osgDB::getNameLessExtension(file);
+    if (!rest.empty() && rest.back() == ']') {
+        const size_t open = rest.rfind(".[");
+        if (open == std::string::npos || open == 0) return {};
+        return {rest.substr(0, open), rest.substr(open + 2, rest.size() - open - 3)};
+    }
+    // MODEL.EXT.NAME: only where MODEL has an extension itself, or a material called "a.b.fbrdf"
+    // would never be found.
+    const std::string model = osgDB::getNameLessExtension(rest);
+    if (model == rest || osgDB::getFileExtension(model).empty()) return {};
+    return {model, osgDB::getFileExtension(rest) + ".fbrdf"};
+}
+
+std::vector<OptionText> optionTexts()
+{
+    return {
+        {"exposure=<number>", "Times radiance; default 1"},
+        {"technique=auto|single|batched|two-lookup|diffuse", "Default auto"},
+        {"lightsPerPass=<n>", "Of the technique batched; default 8"},
+        {"lookupsPerPass=<n>", "Texture look-ups in any pass; default 0: as the technique says"},
+        {"firstTextureUnit=<n>", "The maps take it and those after it; default 0"},
+        {"floatTarget=0|1", "The colour buffer is RGBA32F; default 0"}};
+}
+
+std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options)
+{
+    std::vector<std::string> problems;
+    std::istringstream words(options);
+    for (std::string word; words >> word;) {
+        const size_t equals = word.find('=');
+        if (equals == std::string::npos) continue;
+        bool known = true;
+        if (!applyOption(effect, word.substr(0, equals), word.substr(equals + 1), known))
+            problems.push_back("option '" + word + "': found a value out of range");
+    }
+    return problems;
+}
+
+}  // namespace osgFbrdf

@@ -1,0 +1,90 @@
+// osgdb_fbrdf: materials for osgDB. FILE.fbrdf as an object is the material, as a node it is a
+// sphere of that material; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it.
+#include "Arguments.h"
+#include "Sphere.h"
+
+#include <osgFbrdf/FactorizedBrdf.h>
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/io/MaterialFile.h>
+
+#include <osg/Notify>
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/ReadFile>
+#include <osgDB/Registry>
+
+namespace osgFbrdf {
+namespace {
+
+class ReaderWriterFbrdf : public osgDB::ReaderWriter {
+public:
+    ReaderWriterFbrdf()
+    {
+        supportsExtension("fbrdf",
+                          "Factored BRDF; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it");
+        for (const OptionText& option : optionTexts()) supportsOption(option.name, option.text);
+    }
+
+    const char* className() const override { return "Factored BRDF reader"; }
+
+    ReadResult readObject(const std::string& file, const Options* options) const override
+    {
+        const std::string path = osgDB::findDataFile(file, options);
+        if (path.empty()) return notFound(file);
+        if (!fbrdf::isMaterialFile(path)) return ReadResult::FILE_NOT_HANDLED;
+        try {
+            return new MaterialObject(fbrdf::readMaterial(path), file);
+        } catch (const fbrdf::Error& error) {
+            return ReadResult(std::string(error.what()));
+        }
+    }
+
+    ReadResult readNode(const std::string& file, const Options* options) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
+            return ReadResult::FILE_NOT_HANDLED;
+        const PseudoName name = pseudoName(file);
+        if (!name.model.empty()) return readModel(name, options);
+        const ReadResult material = readObject(file, options);
+        if (!material.success()) return material;
+        osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
+        effect->setMaterialFile(file, options);
+        effect->addChild(unitSphere());
+        return effect.get();
+    }
+
+private:
+    static ReadResult notFound(const std::string& file)
+    {
+        return ReadResult(file + ": found no such file, expected a material");
+    }
+
+    /// The effect with what the option string says; what it does not say stays the default.
+    static osg::ref_ptr<FactorizedBrdf> newEffect(const Options* options)
+    {
+        osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
+        for (const std::string& problem :
+             applyOptions(*effect, options ? options->getOptionString() : ""))
+            OSG_WARN << "osgdb_fbrdf: " << problem << std::endl;
+        return effect;
+    }
+
+    static ReadResult readModel(const PseudoName& name, const Options* options)
+    {
+        osg::ref_ptr<osg::Node> model = osgDB::readRefNodeFile(name.model, options);
+        if (!model) return ReadResult(name.model + ": found no model that can be read");
+        osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
+        effect->setName(name.model);
+        // Without its material the model is drawn by the fallback.
+        effect->setMaterialFile(name.material, options);
+        effect->addChild(model);
+        return effect.get();
+    }
+};
+
+}  // namespace
+}  // namespace osgFbrdf
+
+using osgFbrdf::ReaderWriterFbrdf;
+REGISTER_OSGPLUGIN(fbrdf, ReaderWriterFbrdf)

@@ -1,0 +1,77 @@
+// The material is saved by the name of its file; it is found again by osgDB's search paths, the
+// folder of the scene file among them.
+#include <osgFbrdf/FactorizedBrdf.h>
+
+#include <osg/Notify>
+#include <osgDB/InputStream>
+#include <osgDB/ObjectWrapper>
+#include <osgDB/OutputStream>
+
+namespace {
+
+using osgFbrdf::FactorizedBrdf;
+
+bool checkMaterialFile(const FactorizedBrdf& effect)
+{
+    const bool named = !effect.getMaterialFile().empty();
+    if (effect.getMaterial() && !named) {
+        OSG_WARN << "osgFbrdf: material '" << effect.getMaterial()->getName()
+                 << "' is not saved: found no file name, expected one" << std::endl;
+    }
+    return named;
+}
+
+bool readMaterialFile(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    std::string file;
+    stream.readWrappedString(file);
+    // A missing material has been warned of; the model is worth having without it.
+    effect.setMaterialFile(file, stream.getOptions());
+    return true;
+}
+
+bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    stream.writeWrappedString(effect.getMaterialFile());
+    stream << std::endl;
+    return true;
+}
+
+bool checkTechnique(const FactorizedBrdf& effect)
+{
+    return effect.getSelectedTechnique() != osgFX::Effect::AUTO_DETECT;
+}
+
+bool readTechnique(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    int index = osgFX::Effect::AUTO_DETECT;
+    stream >> index;
+    if (index >= osgFX::Effect::AUTO_DETECT && index <= osgFbrdf::kDiffuseFallback) {
+        effect.selectTechnique(index);
+        return true;
+    }
+    OSG_WARN << "osgFbrdf: found technique " << index << ", expected -1 to "
+             << osgFbrdf::kDiffuseFallback << std::endl;
+    return true;
+}
+
+bool writeTechnique(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    stream << effect.getSelectedTechnique() << std::endl;
+    return true;
+}
+
+}  // namespace
+
+REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
+                        osgFbrdf::FactorizedBrdf,
+                        "osg::Object osg::Node osg::Group osgFX::Effect osgFbrdf::FactorizedBrdf")
+{
+    ADD_USER_SERIALIZER(MaterialFile);
+    ADD_FLOAT_SERIALIZER(Exposure, 1.0f);
+    ADD_INT_SERIALIZER(LightsPerPass, 8);
+    ADD_INT_SERIALIZER(LookupsPerPass, 0);
+    ADD_INT_SERIALIZER(FirstTextureUnit, 0);
+    ADD_BOOL_SERIALIZER(FloatTarget, false);
+    ADD_USER_SERIALIZER(Technique);
+}

@@ -1,0 +1,7 @@
+// Wrapper classes are named here for programs that link the library statically.
+#include <osgDB/Registry>
+
+USE_SERIALIZER_WRAPPER(osgFbrdf_FactorizedBrdf)
+USE_SERIALIZER_WRAPPER(osgFbrdf_PointLights)
+
+extern "C" void wrapper_serializer_library_osgFbrdf(void) {}
