@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
-# Installs what is missing of the Debian packages that fbrdf builds and tests with. Does nothing, and asks for no
-# rights, where all are there. Usage: install-packages.sh LOGFILE
+# Installs what is missing of the Debian packages that fbrdf builds (or is tested) with. Does nothing, and asks for no
+# rights, where all are there. Usage: install-packages.sh build|tests LOGFILE
 set -euo pipefail
-log=${1:?usage: install-packages.sh LOGFILE}
+purpose=${1:?usage: install-packages.sh build|tests LOGFILE}
+log=${2:?usage: install-packages.sh build|tests LOGFILE}
 
 packages=(
   g++ cmake ninja-build pkg-config ccache python3 python3-glad
-  libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev
+  libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libpng-dev
   libglm-dev libglfw3-dev libimgui-dev libegl-dev libegl1 libgl1-mesa-dri libosmesa6-dev
-  libopenimageio-dev libpng-dev libgtest-dev libopenmpi-dev openmpi-bin
-  glslang-tools xvfb xauth
+  libopenimageio-dev
 )
+if [ "$purpose" = tests ]; then
+  packages+=(libgtest-dev libopenmpi-dev openmpi-bin glslang-tools xvfb xauth libopenscenegraph-dev openscenegraph)
+fi
 
 missing=()
 for package in "${packages[@]}"; do

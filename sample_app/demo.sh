@@ -10,7 +10,7 @@ out=build/demo
 log=$out/demo.log
 : >"$log"
 
-bash cmake/install-packages.sh "$log" || { echo "fbrdf: set-up failed; the log is $root/$log" >&2; exit 1; }
+bash cmake/install-packages.sh build "$log" || { echo "fbrdf: set-up failed; the log is $root/$log" >&2; exit 1; }
 step "configuring" "$log" cmake --preset release -DFBRDF_TESTS=OFF
 step "building" "$log" cmake --build build --parallel "$(build_jobs)" --target fbrdf fbrdf-viewer
 

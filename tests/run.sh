@@ -7,7 +7,7 @@ mkdir -p build-debug
 log=build-debug/run.log
 : >"$log"
 
-bash cmake/install-packages.sh "$log" || { echo "fbrdf: set-up failed; the log is $root/$log" >&2; exit 1; }
+bash cmake/install-packages.sh tests "$log" || { echo "fbrdf: set-up failed; the log is $root/$log" >&2; exit 1; }
 werror=OFF
 [ "${CI:-}" != true ] || werror=ON
 step "configuring" "$log" cmake --preset debug -DFBRDF_WARNINGS_AS_ERRORS=$werror
