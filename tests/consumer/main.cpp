@@ -1,8 +1,6 @@
 // A host program: it owns the context, the target and the camera; fbrdf draws one object. The lines
 // between the two marks are those of README.md; run.cmake compares them.
-#include <glad/gl.h>
-
-#include <fbrdf/headless/Context.h>
+#include "support/gl/Gl.h"
 
 // README begins
 #include <fbrdf/gl/Renderer.h>
@@ -65,14 +63,7 @@ int main(int argc, char** argv)
     if (argc != 2) return 2;
     try {
         const fbrdf::HeadlessContext context({});
-        GladGLContext gl{};
-        gladLoadGLContextUserPtr(
-            &gl,
-            [](void*, const char* name) {
-                return reinterpret_cast<GLADapiproc>(
-                    fbrdf::HeadlessContext::loadEgl(nullptr, name));
-            },
-            nullptr);
+        const GladGLContext gl = fbrdf::test::loadGl(context.loader());
         fbrdf::gl::Renderer renderer = makeRenderer(context.loader());
         const auto material = renderer.createMaterial(fbrdf::readMaterial(argv[1]));
         const auto mesh = renderer.createMesh(triangle());
