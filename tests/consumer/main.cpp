@@ -70,7 +70,9 @@ int main(int argc, char** argv)
         fbrdf::Light light;
         light.type = fbrdf::Light::Type::directional;
         light.position = {0, 0, 1};
-        drawFrame(renderer, {material.get(), mesh.get()}, {makeFramebuffer(gl), kSize, kSize}, {},
+        fbrdf::gl::View view;
+        view.projection[2][2] = -1.0f;  // orthographic, looking along -z
+        drawFrame(renderer, {material.get(), mesh.get()}, {makeFramebuffer(gl), kSize, kSize}, view,
                   {light});
         float pixel[4] = {};
         gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_FLOAT, pixel);
