@@ -2,6 +2,7 @@
 // code.
 #include "src/Commands.h"
 #include "src/Output.h"
+#include "src/UsageMessage.h"
 #include "src/Version.h"
 
 #include <fbrdf/brdf/Error.h>
@@ -43,17 +44,11 @@ void addCommands(CLI::App& app, fbrdf::tool::Action& action)
     addFormsCommand(app, action);
 }
 
-// "fit" in "fbrdf: fit: ..." for a line that was wrong after its command.
-std::string where(const CLI::App& app)
-{
-    const auto used = app.get_subcommands();
-    return (used.empty() ? std::string("command line") : used.front()->get_name()) + ": ";
-}
-
 // --help and --version arrive as errors without a failure.
-int reportParse(const CLI::App& app, const CLI::ParseError& error)
+int reportParse(const CLI::App& app, const CLI::ParseError& error, const char* first)
 {
-    if (error.get_exit_code() != 0) return report(ErrorKind::usage, where(app) + error.what());
+    if (error.get_exit_code() != 0)
+        return report(ErrorKind::usage, fbrdf::tool::usageMessage(app, error, first));
     const auto used = app.get_subcommands();
     const bool version = error.get_name() == "CallForVersion";
     const std::string help = used.empty() ? app.help() : used.front()->help(app.get_name());
@@ -70,7 +65,7 @@ int parseAndRun(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return reportParse(app, error);
+        return reportParse(app, error, argc > 1 ? argv[1] : nullptr);
     }
     return action();
 }

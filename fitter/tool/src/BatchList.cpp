@@ -12,7 +12,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, size_t line, const std::string& what)
 {
-    throw Error(ErrorKind::input, path + ": line " + std::to_string(line), what);
+    throw Error(ErrorKind::input, path + ":" + std::to_string(line), what);
 }
 
 // A plain name cannot leave the output folder, nor hide there.

@@ -44,8 +44,8 @@ void convertMaterial(const ConvertCommand& command, const Source& source)
 
 int run(const ConvertCommand& command)
 {
-    const Target target = targetOf(command.output);
     requireWritable(command.output);
+    const Target target = targetOf(command.output);
     Progress progress(true);
     progress.phase("reading " + command.input);
     const Source source = openSource(command.input, command.sourceOptions);

@@ -134,8 +134,8 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
 
 int run(const FitCommand& command)
 {
-    requireMaterialExtension(command.output);
     requireWritable(command.output);
+    requireMaterialExtension(command.output);
     if (!command.report.empty()) requireWritable(command.report);
     Progress progress(!command.quiet);
     const FitOutcome outcome = runFitJob(command.job, progress);

@@ -25,8 +25,8 @@ public:
 
     /// The path, or "standard input".
     const std::string& name() const { return name_; }
-    /// "NAME: line N"
-    std::string where(size_t line) const { return name_ + ": line " + std::to_string(line); }
+    /// "NAME:N"
+    std::string where(size_t line) const { return name_ + ":" + std::to_string(line); }
     /// Bytes read, and bytes in all; 0 where that is not known (a pipe).
     uint64_t bytesRead() const { return bytesRead_; }
     uint64_t size() const { return size_; }

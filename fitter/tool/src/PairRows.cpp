@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kUnused = -1;
 constexpr std::array<std::string_view, 6> kNames{"wo_x", "wo_y", "wo_z", "wi_x", "wi_y", "wi_z"};
-constexpr size_t kShown = 40;  // characters of a field in a message
+constexpr size_t kShown = 60;  // characters of a field in a message
 
 std::string_view trimmed(std::string_view text)
 {
@@ -56,9 +56,13 @@ bool normalise(Vec3d& v)
     return true;
 }
 
+// Bytes that are not printable ASCII become '?': a header may be anything, even a picture.
 std::string quoted(std::string_view text)
 {
-    return "'" + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "") + "'";
+    std::string shown(text.substr(0, kShown));
+    for (char& c : shown)
+        if (c < ' ' || c > '~') c = '?';
+    return "'" + shown + (text.size() > kShown ? "..." : "") + "'";
 }
 
 size_t countFields(std::string_view line)
