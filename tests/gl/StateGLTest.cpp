@@ -1,5 +1,6 @@
 // Whatever state the host has: the picture is the same, and the state is the host's again after.
 #include "StateList.h"
+#include "StateScrambler.h"
 
 #include <fbrdf/brdf/Error.h>
 

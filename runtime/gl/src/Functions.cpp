@@ -20,77 +20,86 @@ struct Loader {
 
 // What this library calls, and when. eglGetProcAddress returns a pointer for any name, so a pointer
 // proves nothing; but a null one proves that a call would crash.
-void checkAll(const Functions& gl)
-{
-    const bool always = true, gl30 = gl.version >= 30, gl33 = gl.version >= 33,
-               gl40 = gl.version >= 40, gl41 = gl.version >= 41, gl45 = gl.version >= 45,
-               framebuffers = gl30 || gl.ARB_framebuffer_object,
-               vertexArrays = gl30 || gl.ARB_vertex_array_object;
 #define FBRDF_NEEDS(when, name)                                                                  \
     if (when && !gl.name)                                                                        \
         fail("found no gl" #name " in a context of version " + std::to_string(gl.version / 10) + \
              "." + std::to_string(gl.version % 10) + ", expected one");
-    FBRDF_NEEDS(always, ActiveTexture)
-    FBRDF_NEEDS(always, AttachShader)
-    FBRDF_NEEDS(always, BindAttribLocation)
-    FBRDF_NEEDS(always, BindBuffer)
-    FBRDF_NEEDS(always, BindTexture)
-    FBRDF_NEEDS(always, BlendEquationSeparate)
-    FBRDF_NEEDS(always, BlendFuncSeparate)
-    FBRDF_NEEDS(always, BufferData)
-    FBRDF_NEEDS(always, BufferSubData)
-    FBRDF_NEEDS(always, Clear)
-    FBRDF_NEEDS(always, ClearDepth)
-    FBRDF_NEEDS(always, ColorMask)
-    FBRDF_NEEDS(always, CompileShader)
-    FBRDF_NEEDS(always, CreateProgram)
-    FBRDF_NEEDS(always, CreateShader)
-    FBRDF_NEEDS(always, DeleteBuffers)
-    FBRDF_NEEDS(always, DeleteProgram)
-    FBRDF_NEEDS(always, DeleteShader)
-    FBRDF_NEEDS(always, DeleteTextures)
-    FBRDF_NEEDS(always, DepthFunc)
-    FBRDF_NEEDS(always, DepthMask)
-    FBRDF_NEEDS(always, DepthRange)
-    FBRDF_NEEDS(always, Disable)
-    FBRDF_NEEDS(always, DisableVertexAttribArray)
-    FBRDF_NEEDS(always, DrawElements)
-    FBRDF_NEEDS(always, Enable)
-    FBRDF_NEEDS(always, EnableVertexAttribArray)
-    FBRDF_NEEDS(always, GenBuffers)
-    FBRDF_NEEDS(always, GenTextures)
-    FBRDF_NEEDS(always, GetActiveUniform)
-    FBRDF_NEEDS(always, GetBooleanv)
-    FBRDF_NEEDS(always, GetDoublev)
-    FBRDF_NEEDS(always, GetError)
-    FBRDF_NEEDS(always, GetFloatv)
-    FBRDF_NEEDS(always, GetIntegerv)
-    FBRDF_NEEDS(always, GetProgramInfoLog)
-    FBRDF_NEEDS(always, GetProgramiv)
-    FBRDF_NEEDS(always, GetShaderInfoLog)
-    FBRDF_NEEDS(always, GetShaderiv)
-    FBRDF_NEEDS(always, GetString)
-    FBRDF_NEEDS(always, GetUniformLocation)
-    FBRDF_NEEDS(always, GetVertexAttribPointerv)
-    FBRDF_NEEDS(always, GetVertexAttribiv)
-    FBRDF_NEEDS(always, IsEnabled)
-    FBRDF_NEEDS(always, IsProgram)
-    FBRDF_NEEDS(always, LinkProgram)
-    FBRDF_NEEDS(always, PixelStorei)
-    FBRDF_NEEDS(always, PolygonMode)
-    FBRDF_NEEDS(always, ShaderSource)
-    FBRDF_NEEDS(always, TexImage2D)
-    FBRDF_NEEDS(always, TexImage3D)
-    FBRDF_NEEDS(always, TexParameteri)
-    FBRDF_NEEDS(always, Uniform1i)
-    FBRDF_NEEDS(always, Uniform2f)
-    FBRDF_NEEDS(always, Uniform3fv)
-    FBRDF_NEEDS(always, Uniform4fv)
-    FBRDF_NEEDS(always, UniformMatrix3fv)
-    FBRDF_NEEDS(always, UniformMatrix4fv)
-    FBRDF_NEEDS(always, UseProgram)
-    FBRDF_NEEDS(always, VertexAttribPointer)
-    FBRDF_NEEDS(always, Viewport)
+
+void checkPrograms(const Functions& gl)
+{
+    FBRDF_NEEDS(true, AttachShader)
+    FBRDF_NEEDS(true, BindAttribLocation)
+    FBRDF_NEEDS(true, CompileShader)
+    FBRDF_NEEDS(true, CreateProgram)
+    FBRDF_NEEDS(true, CreateShader)
+    FBRDF_NEEDS(true, DeleteProgram)
+    FBRDF_NEEDS(true, DeleteShader)
+    FBRDF_NEEDS(true, GetActiveUniform)
+    FBRDF_NEEDS(true, GetProgramInfoLog)
+    FBRDF_NEEDS(true, GetProgramiv)
+    FBRDF_NEEDS(true, GetShaderInfoLog)
+    FBRDF_NEEDS(true, GetShaderiv)
+    FBRDF_NEEDS(true, GetUniformLocation)
+    FBRDF_NEEDS(true, IsProgram)
+    FBRDF_NEEDS(true, LinkProgram)
+    FBRDF_NEEDS(true, ShaderSource)
+    FBRDF_NEEDS(true, Uniform1i)
+    FBRDF_NEEDS(true, Uniform2f)
+    FBRDF_NEEDS(true, Uniform3fv)
+    FBRDF_NEEDS(true, Uniform4fv)
+    FBRDF_NEEDS(true, UniformMatrix3fv)
+    FBRDF_NEEDS(true, UniformMatrix4fv)
+    FBRDF_NEEDS(true, UseProgram)
+}
+
+void checkBasics(const Functions& gl)
+{
+    FBRDF_NEEDS(true, ActiveTexture)
+    FBRDF_NEEDS(true, BindBuffer)
+    FBRDF_NEEDS(true, BindTexture)
+    FBRDF_NEEDS(true, BlendEquationSeparate)
+    FBRDF_NEEDS(true, BlendFuncSeparate)
+    FBRDF_NEEDS(true, BufferData)
+    FBRDF_NEEDS(true, BufferSubData)
+    FBRDF_NEEDS(true, Clear)
+    FBRDF_NEEDS(true, ClearDepth)
+    FBRDF_NEEDS(true, ColorMask)
+    FBRDF_NEEDS(true, DeleteBuffers)
+    FBRDF_NEEDS(true, DeleteTextures)
+    FBRDF_NEEDS(true, DepthFunc)
+    FBRDF_NEEDS(true, DepthMask)
+    FBRDF_NEEDS(true, DepthRange)
+    FBRDF_NEEDS(true, Disable)
+    FBRDF_NEEDS(true, DisableVertexAttribArray)
+    FBRDF_NEEDS(true, DrawElements)
+    FBRDF_NEEDS(true, Enable)
+    FBRDF_NEEDS(true, EnableVertexAttribArray)
+    FBRDF_NEEDS(true, GenBuffers)
+    FBRDF_NEEDS(true, GenTextures)
+    FBRDF_NEEDS(true, GetBooleanv)
+    FBRDF_NEEDS(true, GetDoublev)
+    FBRDF_NEEDS(true, GetError)
+    FBRDF_NEEDS(true, GetFloatv)
+    FBRDF_NEEDS(true, GetIntegerv)
+    FBRDF_NEEDS(true, GetString)
+    FBRDF_NEEDS(true, GetVertexAttribPointerv)
+    FBRDF_NEEDS(true, GetVertexAttribiv)
+    FBRDF_NEEDS(true, IsEnabled)
+    FBRDF_NEEDS(true, PixelStorei)
+    FBRDF_NEEDS(true, PolygonMode)
+    FBRDF_NEEDS(true, TexImage2D)
+    FBRDF_NEEDS(true, TexImage3D)
+    FBRDF_NEEDS(true, TexParameteri)
+    FBRDF_NEEDS(true, VertexAttribPointer)
+    FBRDF_NEEDS(true, Viewport)
+}
+
+void checkNewer(const Functions& gl)
+{
+    const bool gl30 = gl.version >= 30, gl33 = gl.version >= 33, gl40 = gl.version >= 40,
+               gl41 = gl.version >= 41, gl45 = gl.version >= 45,
+               framebuffers = gl30 || gl.ARB_framebuffer_object,
+               vertexArrays = gl30 || gl.ARB_vertex_array_object;
     FBRDF_NEEDS(framebuffers, BindFramebuffer)
     FBRDF_NEEDS(framebuffers, BindRenderbuffer)
     FBRDF_NEEDS(vertexArrays, BindVertexArray)
@@ -116,8 +125,8 @@ void checkAll(const Functions& gl)
     FBRDF_NEEDS(gl41, DepthRangeIndexed)
     FBRDF_NEEDS(gl41, ViewportIndexedf)
     FBRDF_NEEDS(gl45, ClipControl)
-#undef FBRDF_NEEDS
 }
+#undef FBRDF_NEEDS
 
 }  // namespace
 
@@ -139,7 +148,9 @@ Functions loadFunctions(LoadFunction load, void* user)
     gl.version = 10 * GLAD_VERSION_MAJOR(version) + GLAD_VERSION_MINOR(version);
     if (text.compare(0, 9, "OpenGL ES") == 0 || gl.version < 21)
         fail("found version '" + text + "', expected OpenGL 2.1 or newer");
-    checkAll(gl);
+    checkBasics(gl);
+    checkPrograms(gl);
+    checkNewer(gl);
     return gl;
 }
 

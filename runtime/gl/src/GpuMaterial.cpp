@@ -57,7 +57,6 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
     const UploadGuard guard(*device_);
     for (size_t i = 0; i < material.tables.size(); ++i) {
         const Table& table = material.tables[i];
-        form_.tables[i].domain = table.domain;
         if (form_.tables[i].uniform) {
             encodings_.push_back({isLog(table.storage), false});
             tables_.emplace_back();
@@ -66,7 +65,6 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
             addTexture(table);
         }
     }
-    validate(form_, "material '" + name_ + "'");
     checkErrors(*device_, "material '" + name_ + "'");
 }
 

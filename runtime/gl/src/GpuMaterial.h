@@ -34,7 +34,7 @@ private:
     DevicePtr device_;
     uint64_t id_;
     std::string name_;
-    Form form_;  ///< with the domains of the tables as they are
+    Form form_;
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;
