@@ -17,7 +17,7 @@ namespace {
 constexpr size_t kFunctionSamples = 131072;  // taken from a source that is only a function
 constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
 constexpr size_t kProbeSamples = 200000;     // that traits and sample errors are taken from
-constexpr size_t kTrialSamples = 100000;     // that auto compares forms on
+constexpr size_t kTrialSamples = 32768;      // that auto compares forms on
 constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
 constexpr size_t kAutoBytes = 32768;         // of auto without --max-bytes
 // auto keeps the smaller of two materials unless the larger is better by this: a byte must earn its
