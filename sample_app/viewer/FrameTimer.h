@@ -1,29 +1,34 @@
-// FrameTimer.h - how long the GL commands of a frame took.
+// FrameTimer.h - how long a frame takes: wall clock from finished GL commands to finished GL
+// commands. Not timer queries: they leave out what a pass costs before it reaches the GPU, and on
+// llvmpipe they leave out the vertices (it processes them before the query that precedes them).
 #pragma once
-#include <fbrdf/gl/Renderer.h>
+#include "GlFunctions.h"
 
 #include <chrono>
-#include <memory>
 
 namespace fbrdf::viewer {
 
-/// Timer queries where the context has them (OpenGL 3.3), else the wall clock around finished
-/// frames. Belongs to the context that is current when it is made.
+/// Belongs to the context that is current when it is made.
 class FrameTimer {
 public:
-    explicit FrameTimer(gl::LoadFunction load);
-    ~FrameTimer();
-    FrameTimer(const FrameTimer&) = delete;
-    FrameTimer& operator=(const FrameTimer&) = delete;
+    explicit FrameTimer(gl::LoadFunction load) : gl_(loadGlFunctions(load)) {}
 
-    void begin();
+    void begin()
+    {
+        gl_.Finish();
+        start_ = Clock::now();
+    }
     /// Milliseconds since begin(). Waits until the commands in between have ended.
-    double end();
-    const char* clock() const;  ///< "gpu" or "cpu"
+    double end()
+    {
+        gl_.Finish();
+        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    }
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    using Clock = std::chrono::steady_clock;
+    GladGLContext gl_;
+    Clock::time_point start_;
 };
 
 }  // namespace fbrdf::viewer

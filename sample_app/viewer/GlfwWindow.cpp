@@ -65,7 +65,8 @@ gl::LoadFunction GlfwWindow::loader()
 void GlfwWindow::installCallbacks()
 {
     glfwSetWindowUserPointer(window_, this);
-    // By character and not by key, so that every keyboard layout works; escape has no character.
+    // By character and not by key, so that every keyboard layout works; escape and F1 have no
+    // character.
     glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned code) {
         GlfwWindow& self = *windowOf(handle);
         const bool taken = self.filter_.takesKeys && self.filter_.takesKeys();
@@ -73,7 +74,9 @@ void GlfwWindow::installCallbacks()
             applyKey(self.state_, static_cast<char>(std::tolower(static_cast<int>(code))));
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
-        if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) applyKey(windowOf(handle)->state_, 27);
+        if (action != GLFW_PRESS) return;
+        if (key == GLFW_KEY_ESCAPE) applyKey(windowOf(handle)->state_, 27);
+        if (key == GLFW_KEY_F1) applyKey(windowOf(handle)->state_, 'h');
     });
     glfwSetCursorPosCallback(
         window_, [](GLFWwindow* handle, double x, double y) { windowOf(handle)->drag(x, y); });

@@ -1,13 +1,16 @@
 #include "MaterialSlot.h"
 
-#include <fbrdf/fit/Fit.h>
 #include <fbrdf/io/MaterialFile.h>
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <utility>
 
 namespace fbrdf::viewer {
 
-const char* const kDefaultMaterial = "ggx:alpha_x=0.12,alpha_y=0.38,f0=1.0/0.71/0.29,kd=0";
-
-MaterialSlot::MaterialSlot(const std::string& spec) : name_(spec)
+MaterialSlot::MaterialSlot(const std::string& spec, FitOptions options)
+    : name_(spec), options_(std::move(options))
 {
     if (isMaterialFile(spec))
         material_ = readMaterial(spec);
@@ -17,7 +20,10 @@ MaterialSlot::MaterialSlot(const std::string& spec) : name_(spec)
 
 const Material& MaterialSlot::material()
 {
-    if (!material_) material_ = fitMaterial(*source_).material;
+    if (!material_) {
+        if (isatty(STDERR_FILENO)) fmt::print(stderr, "fitting {} ...\n", name_);
+        material_ = fitMaterial(*source_, options_).material;
+    }
     return *material_;
 }
 

@@ -1,6 +1,7 @@
 // MaterialSlot.h - one --material: the truth it stands for, and the factored material drawn by GL.
 #pragma once
 #include <fbrdf/brdf/Material.h>
+#include <fbrdf/fit/Fit.h>
 #include <fbrdf/scene/Reference.h>
 #include <fbrdf/sources/Source.h>
 
@@ -9,14 +10,11 @@
 
 namespace fbrdf::viewer {
 
-/// What is shown when no --material is given: brushed gold.
-extern const char* const kDefaultMaterial;
-
 class MaterialSlot {
 public:
     /// `spec`: a material file, or a source (fbrdf/sources/Source.h). Throws what readMaterial and
-    /// openSource throw.
-    explicit MaterialSlot(const std::string& spec);
+    /// openSource throw. `options`: how a source will be fitted.
+    explicit MaterialSlot(const std::string& spec, FitOptions options = {});
 
     const std::string& name() const { return name_; }
     /// The factored material; a source is fitted on the first call, which may throw Error(fit).
@@ -27,6 +25,7 @@ public:
 
 private:
     std::string name_;
+    FitOptions options_;
     std::optional<Source> source_;
     std::optional<Material> material_;
 };

@@ -39,6 +39,8 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
                    "model like ggx:alpha=0.2. Repeatable: one object each")
         ->type_name("FILE|SOURCE")
         ->allow_extra_args(false);
+    app.add_option("--form", options.form, "The form in which sources are fitted")
+        ->capture_default_str();
     app.add_option("--mesh", options.mesh, "sphere, knot, plane or an OBJ file")
         ->type_name("NAME|FILE.obj")
         ->capture_default_str();

@@ -15,6 +15,7 @@ struct Options {
     bool headless = false;
     Backend backend = Backend::egl;
     std::vector<std::string> materials;  ///< files or sources; empty: the default material
+    std::string form = "auto";           ///< in which sources are fitted
     std::string mesh = "sphere";
     std::string lights;  ///< path; empty: lightCount made ones
     int lightCount = 5;

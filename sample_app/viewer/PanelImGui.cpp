@@ -49,8 +49,8 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
     if (isOnCpu(state.technique))
         line(fmt::format("{:.1f} ms on the CPU, in double", facts.milliseconds));
     else
-        line(fmt::format("{:.2f} ms, {} passes, {} look-ups", facts.milliseconds, facts.passes,
-                         facts.maxLookups));
+        line(fmt::format("{:.2f} ms, {} pass{}, {} look-ups", facts.milliseconds, facts.passes,
+                         facts.passes == 1 ? "" : "es", facts.maxLookups));
     line(fmt::format("{} triangles", facts.triangles));
     ImGui::TextWrapped("%s", facts.renderer.c_str());
     if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 namespace fbrdf::viewer {
 namespace {
@@ -35,6 +36,13 @@ struct Shown {
     }
 };
 
+/// A file without its folders; a model as it is.
+std::string shortName(const std::string& spec)
+{
+    const std::filesystem::path path(spec);
+    return std::filesystem::exists(path) ? path.filename().string() : spec;
+}
+
 class WindowLoop {
 public:
     WindowLoop(const Options& options, World& world)
@@ -52,7 +60,8 @@ public:
             {[this] { return panel_.wantsMouse(); }, [this] { return panel_.wantsKeys(); }});
         facts_.meshes = meshNames(options.mesh);
         state_.meshCount = static_cast<int>(facts_.meshes.size());
-        for (const MaterialSlot& slot : world.materials) facts_.materials.push_back(slot.name());
+        for (const MaterialSlot& slot : world.materials)
+            facts_.materials.push_back(shortName(slot.name()));
         facts_.renderer = scene_.renderer().glRenderer();
     }
 
@@ -143,6 +152,10 @@ void WindowLoop::drawFrame()
 {
     followState();
     const GlfwWindow::Size size = window_.framebufferSize();
+    if (state_.frame)
+        state_.camera = framed(state_.camera, scene::boundsOf(world_.mesh),
+                               static_cast<double>(size.width) / size.height);
+    state_.frame = false;
     const Shown shown{state_.camera,
                       state_.technique,
                       state_.material,
@@ -169,7 +182,6 @@ void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
                                             world_.lights, runtimeTechnique(state_.technique));
     remember(timer_.end());
     addDrawStats(drawn, scene_.renderer(), stats_);
-    stats_.clock = timer_.clock();
     facts_.passes = drawn.passes;
     facts_.maxLookups = drawn.maxLookups;
 }
@@ -194,7 +206,6 @@ void WindowLoop::drawWithCpu(const Shown& shown)
                                                                    : renderReference(scene, size);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     remember(time.count());
-    stats_.clock = "cpu";
     stats_.accumulation = "double";
     toneMapper_.upload(cpuPicture_);
     drawn_ = shown;

@@ -6,6 +6,23 @@
 namespace fbrdf::viewer {
 namespace {
 
+// Shown without --material: brushed gold, the brushing along the tangent. Its form and smoothness
+// are given, so that it is there in a second, without a search.
+const char* const kDefaultMaterial = "ggx:alpha_x=0.18,alpha_y=0.45,f0=1.0/0.71/0.29,kd=0";
+constexpr double kDefaultSmoothness = 1e-3;
+
+/// The materials that the options ask for, or the default one.
+void loadMaterials(const Options& options, std::deque<MaterialSlot>& materials)
+{
+    FitOptions fit;
+    fit.form = options.form;
+    for (const std::string& spec : options.materials) materials.emplace_back(spec, fit);
+    if (!materials.empty()) return;
+    if (fit.form == "auto") fit.form = "pqpr";
+    fit.smoothness = kDefaultSmoothness;
+    materials.emplace_back(kDefaultMaterial, fit);
+}
+
 double aspectOf(const Options& options)
 {
     return static_cast<double>(options.width) / options.height;
@@ -37,17 +54,14 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 
 void loadWorld(const Options& options, World& world)
 {
-    std::vector<std::string> specs = options.materials;
-    if (specs.empty()) specs.emplace_back(kDefaultMaterial);
-    for (const std::string& spec : specs) world.materials.emplace_back(spec);
+    loadMaterials(options, world.materials);
+    const int count = static_cast<int>(world.materials.size());
     world.mesh = scene::meshFromName(options.mesh);
-    world.instances =
-        scene::arranged(world.mesh, static_cast<int>(specs.size()), aspectOf(options));
+    world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
     world.lights = lightsOf(options, bounds);
     // One object is seen by the standard camera, wherever its file puts it; several must fit.
-    world.camera =
-        specs.size() == 1 ? scene::Camera() : framed(scene::Camera(), bounds, aspectOf(options));
+    world.camera = count == 1 ? scene::Camera() : scene::facing(world.instances, aspectOf(options));
     if (options.camera) world.camera = *options.camera;
 }
 
@@ -77,7 +91,6 @@ Picture drawOnCpu(const Options& options, World& world)
     }
     scene::Stats& stats = picture.stats;
     stats.backend = "cpu";
-    stats.clock = "cpu";
     stats.accumulation = "double";
     stats.lightsUsed = stats.lightsGiven;
     if (std::all_of(world.materials.begin(), world.materials.end(),

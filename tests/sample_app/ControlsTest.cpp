@@ -71,6 +71,7 @@ TEST(Keys, RestAndUnknownOnes)
     EXPECT_TRUE(applyKey(state, 'r'));
     EXPECT_EQ(state.camera.eye, state.home.eye);
     EXPECT_TRUE(applyKey(state, 's') && state.screenshot);
+    EXPECT_TRUE(applyKey(state, 'f') && state.frame);
     EXPECT_TRUE(applyKey(state, 'h') && state.help);
     EXPECT_TRUE(applyKey(state, 'h') && !state.help);
     EXPECT_FALSE(applyKey(state, 'x') || applyKey(state, 0) || applyKey(state, ' '));

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace fbrdf::scene {
@@ -51,6 +53,27 @@ TEST(Arranged, BoundsHoldEveryInstance)
     const Bounds bounds = boundsOf(arranged(mesh, 4, 1.0));
     EXPECT_NEAR(glm::length(bounds.center), 0.0f, 1e-6f);
     EXPECT_NEAR(bounds.radius, 1.0f + 1.075f * std::sqrt(2.0f), 1e-5f);
+}
+
+TEST(Facing, SeesEveryBallAndTouchesTheEdgeWithOne)
+{
+    const Mesh mesh = makeSphere(64, 32);
+    for (const int count : {1, 2, 4, 7})
+        for (const double aspect : {0.5, 1.0, 2.0}) {
+            const auto instances = arranged(mesh, count, aspect);
+            const Camera camera = facing(instances, aspect);
+            const gl::View view = viewFromCamera(camera, aspect, boundsOf(instances));
+            double farthest = 0.0;
+            for (const Instance& instance : instances)
+                for (const Vec3f& p : mesh.positions) {
+                    const glm::vec4 clip =
+                        view.projection * (view.view * (instance.model * glm::vec4(p, 1.0f)));
+                    farthest = std::max({farthest, std::abs(double(clip.x / clip.w)),
+                                         std::abs(double(clip.y / clip.w))});
+                }
+            EXPECT_LE(farthest, 1.0 + 1e-5) << count << " at " << aspect;
+            EXPECT_GT(farthest, 0.99) << count << " at " << aspect;
+        }
 }
 
 TEST(SpreadAround, LeavesScenesThatFitAndKeepsIrradianceElsewhere)

@@ -184,7 +184,7 @@ TEST(Knot, TubeNeitherTouchesItselfNorLeavesTheDefaultView)
     const Mesh mesh = makeKnot(along, around);
     for (const Vec3f& p : mesh.positions) EXPECT_LT(glm::length(p), 1.2f);
     // Points of one ring and of rings a sixth of the way and more along the knot: never nearer
-    // than a tenth.
+    // than a quarter of the tube's radius.
     for (int a = 0; a < along; a += 8)
         for (int b = a + along / 6; b < a + along - along / 6; b += 8)
             for (int i = 0; i < around; i += 4)
@@ -192,7 +192,7 @@ TEST(Knot, TubeNeitherTouchesItselfNorLeavesTheDefaultView)
                     ASSERT_GT(glm::distance(
                                   mesh.positions[static_cast<size_t>(a * around + i)],
                                   mesh.positions[static_cast<size_t>((b % along) * around + j)]),
-                              0.1f);
+                              0.05f);
 }
 
 TEST(Knot, TangentRunsAlongTheTube)

@@ -27,6 +27,7 @@ bool applyViewKey(ViewState& state, char key)
         case '=': state.exposure *= kExposureStep; return true;
         case '-': state.exposure /= kExposureStep; return true;
         case 'r': state.camera = state.home; return true;
+        case 'f': state.frame = true; return true;
         case 's': state.screenshot = true; return true;
         case 'h': state.help = !state.help; return true;
         case 'q':
@@ -98,16 +99,11 @@ void applyScroll(ViewState& state, double steps)
 
 const std::vector<KeyHelp>& keyHelp()
 {
-    static const std::vector<KeyHelp> lines{{"drag, wheel", "orbit, zoom"},
-                                            {"M", "next material"},
-                                            {"T", "next technique"},
-                                            {"L / K", "lights x2, / 2"},
-                                            {"+ / -", "exposure"},
-                                            {"O", "next mesh"},
-                                            {"R", "camera home"},
-                                            {"S", "screenshot"},
-                                            {"H", "this help"},
-                                            {"Q, Esc", "quit"}};
+    static const std::vector<KeyHelp> lines{
+        {"drag, wheel", "orbit, zoom"}, {"M", "next material"}, {"T", "next technique"},
+        {"L / K", "lights x2, / 2"},    {"+ / -", "exposure"},  {"O", "next mesh"},
+        {"F", "frame the mesh"},        {"R", "camera home"},   {"S", "screenshot"},
+        {"H, F1", "this help"},         {"Q, Esc", "quit"}};
     return lines;
 }
 

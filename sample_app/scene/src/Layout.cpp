@@ -11,6 +11,24 @@ namespace {
 constexpr float kSpacing = 2.15f;     ///< between neighbours, in radii: nearly touching
 constexpr float kSceneRadius = 1.2f;  ///< that makeLights was made for
 
+std::vector<Bounds> ballsOf(const std::vector<Instance>& instances)
+{
+    std::vector<Bounds> balls;
+    for (const Instance& instance : instances) {
+        Bounds ball = boundsOf(*instance.mesh);
+        ball.center = Vec3f(instance.model * glm::vec4(ball.center, 1.0f));
+        balls.push_back(ball);
+    }
+    return balls;
+}
+
+/// Distance before the ball's centre from which it just fits: the eye and the plane through it at
+/// `halfAngle` off the axis, which touches the ball.
+double fittingDistance(double aside, double radius, double halfAngle)
+{
+    return (radius + std::abs(aside) * std::cos(halfAngle)) / std::sin(halfAngle);
+}
+
 }  // namespace
 
 std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect)
@@ -35,12 +53,7 @@ std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect)
 
 Bounds boundsOf(const std::vector<Instance>& instances)
 {
-    std::vector<Bounds> balls;
-    for (const Instance& instance : instances) {
-        Bounds ball = boundsOf(*instance.mesh);
-        ball.center = Vec3f(instance.model * glm::vec4(ball.center, 1.0f));
-        balls.push_back(ball);
-    }
+    const std::vector<Bounds> balls = ballsOf(instances);
     if (balls.empty()) return {};
     Vec3f low = balls.front().center, high = low;
     for (const Bounds& ball : balls) {
@@ -51,6 +64,23 @@ Bounds boundsOf(const std::vector<Instance>& instances)
     for (const Bounds& ball : balls)
         all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
     return all;
+}
+
+Camera facing(const std::vector<Instance>& instances, double aspect)
+{
+    Camera camera;
+    camera.center = Vec3d(boundsOf(instances).center);
+    const double halfHeight = 0.5 * camera.fovy;
+    const double halfWidth = std::atan(std::tan(halfHeight) * aspect);
+    double depth = 0.0;
+    for (const Bounds& ball : ballsOf(instances)) {
+        const Vec3d offset = Vec3d(ball.center) - camera.center;
+        const double radius = std::max(1e-6, double(ball.radius));
+        depth = std::max({depth, offset.z + fittingDistance(offset.x, radius, halfWidth),
+                          offset.z + fittingDistance(offset.y, radius, halfHeight)});
+    }
+    camera.eye = camera.center + Vec3d(0.0, 0.0, std::max(depth, 1e-6));
+    return camera;
 }
 
 std::vector<Light> spreadAround(std::vector<Light> lights, const Bounds& bounds)

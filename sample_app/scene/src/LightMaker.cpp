@@ -7,14 +7,14 @@
 namespace fbrdf::scene {
 namespace {
 
-// Irradiance of all lights at the origin if each faced the surface: 1.4 pi, so that a white wall
-// towards the key is about white at exposure 1.
-constexpr double kTotalIrradiance = 1.4 * kPi;
-constexpr double kKeyShare = 0.55;  ///< of the total, when there are others
+// Irradiance of all lights at the origin if each faced the surface: pi, so that a white wall
+// towards a single light is just white at exposure 1.
+constexpr double kTotalIrradiance = kPi;
+constexpr double kKeyShare = 0.5;  ///< of the total, when there are others
 const Vec3d kKeyDirection = glm::normalize(Vec3d(0.55, 0.65, 0.75));
 const Vec3d kKeyColor(1.0, 0.95, 0.88);
 constexpr double kKeyDistance = 4.0, kNearest = 3.0, kFarthest = 6.0;
-constexpr double kSaturation = 0.45;
+constexpr double kSaturation = 0.28;
 // Steps of the additive recurrence in two dimensions: 1/g, 1/g^2 with g^3 = g + 1 (Roberts 2018,
 // "The Unreasonable Effectiveness of Quasirandom Sequences"); the golden ratio for the hue.
 constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;

@@ -9,10 +9,10 @@
 namespace fbrdf::scene {
 namespace {
 
-// Bounding radius 1.19, so that the default camera sees all of it. The strands of the trefoil stay
-// 0.58 apart and its curvature in [0.6, 1.9], so a tube of 0.2 neither touches nor folds itself and
-// Frenet's frame is defined everywhere.
-constexpr double kKnotMajor = 0.70, kKnotMinor = 0.29, kTubeRadius = 0.20;
+// Bounding radius 1.19, so that the default camera sees all of it. The strands stay 0.46 apart and
+// the curvature in [0.5, 2.7], so the tube neither touches nor folds itself and Frenet's frame is
+// defined everywhere.
+constexpr double kKnotScale = 0.33, kKnotDepth = 1.3, kTubeRadius = 0.20;
 
 void addVertex(Mesh& mesh, const Vec3d& position, const Vec3d& normal, const Vec3d& tangent)
 {
@@ -58,16 +58,15 @@ struct Curve {
     Vec3d position, first, second;
 };
 
+/// (sin u + 2 sin 2u, cos u - 2 cos 2u, -sin 3u), the usual trefoil, a little deeper.
 Curve trefoil(double u)
 {
+    const double c1 = std::cos(u), s1 = std::sin(u);
     const double c2 = std::cos(2.0 * u), s2 = std::sin(2.0 * u);
-    const double c3 = std::cos(3.0 * u), s3 = std::sin(3.0 * u);
-    const Vec3d radial(c2, s2, 0.0), turn(-s2, c2, 0.0), up(0.0, 0.0, 1.0);
-    const double rho = kKnotMajor + kKnotMinor * c3;
-    const double rho1 = -3.0 * kKnotMinor * s3, rho2 = -9.0 * kKnotMinor * c3;
-    return {rho * radial + kKnotMinor * s3 * up,
-            rho1 * radial + 2.0 * rho * turn + 3.0 * kKnotMinor * c3 * up,
-            (rho2 - 4.0 * rho) * radial + 4.0 * rho1 * turn - 9.0 * kKnotMinor * s3 * up};
+    const double c3 = kKnotDepth * std::cos(3.0 * u), s3 = kKnotDepth * std::sin(3.0 * u);
+    return {kKnotScale * Vec3d(s1 + 2.0 * s2, c1 - 2.0 * c2, -s3),
+            kKnotScale * Vec3d(c1 + 4.0 * c2, -s1 + 4.0 * s2, -3.0 * c3),
+            kKnotScale * Vec3d(-s1 - 8.0 * s2, -c1 + 8.0 * c2, 9.0 * s3)};
 }
 
 /// A ring of the tube. Frenet's frame turns about the curve as u grows, which moves points within

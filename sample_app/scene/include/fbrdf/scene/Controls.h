@@ -27,7 +27,8 @@ struct ViewState {
     int lightCount = 1;
     bool madeLights = true;  ///< lights come by number; false: from a file, and stay
     float exposure = 1.0f;
-    bool help = false, screenshot = false, close = false;
+    bool help = false;
+    bool screenshot = false, frame = false, close = false;  ///< wishes, for the window to fulfil
 };
 
 /// Applies a key by its character (lower case; escape is 27). Returns false for a key without

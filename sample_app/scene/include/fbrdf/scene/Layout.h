@@ -1,6 +1,7 @@
 // Layout.h - where the objects stand when there is one for each material, and lights to match.
 #pragma once
 #include <fbrdf/plan/Light.h>
+#include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/Raster.h>
 
 #include <vector>
@@ -14,6 +15,10 @@ std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect);
 
 /// Ball around all instances. Expects matrices without scale.
 Bounds boundsOf(const std::vector<Instance>& instances);
+
+/// A camera that looks along -z and sees the ball of every instance, as near as it can be; its
+/// field of view is the standard one.
+Camera facing(const std::vector<Instance>& instances, double aspect);
 
 /// Lights made for a scene of radius 1.2 at the origin (makeLights), moved and spread about a
 /// larger one; intensities grow so that irradiance stays. Scenes that fit are left as they are.

@@ -16,7 +16,7 @@ using Mesh = gl::MeshData;
 /// where it is approached from. Expects segments >= 3, rings >= 2.
 Mesh makeSphere(int segments = 256, int rings = 128);
 
-/// Trefoil: a tube around the (2, 3) torus knot, inside the ball of radius 1.2. Normals are exact;
+/// A tube around a trefoil knot, inside the ball of radius 1.2. Normals are exact;
 /// the tangent is that of the knot, so an anisotropic material is brushed along the tube. Expects
 /// both counts >= 3.
 Mesh makeKnot(int along = 512, int around = 64);

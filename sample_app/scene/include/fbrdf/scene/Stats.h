@@ -22,13 +22,12 @@ struct Stats {
     int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
     int maxLookups = 0;        ///< texture look-ups in any pass, counted from the linked programs
     std::string accumulation;  ///< "RGBA32F", ...; "double" on the CPU
-    std::string clock;         ///< "gpu" (timer queries) or "cpu" (wall clock, finished frames)
-    std::vector<double> milliseconds;  ///< one a frame
+    std::vector<double> milliseconds;  ///< one a frame: wall clock, from nothing to finished pixels
 };
 
 /// One object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
 /// evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
-/// accumulation, frames, clock, milliseconds {median, min, max}.
+/// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
 
 }  // namespace fbrdf::scene

@@ -1,0 +1,27 @@
+// Program.h - runs fbrdf-viewer as a user does, and its pictures and stats.
+#pragma once
+#include <fbrdf/scene/Image.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace fbrdf::scene {
+
+struct ProgramResult {
+    int exitCode = -1;  ///< -1: it did not end by itself
+    std::string out, err;
+};
+
+/// Runs `PREFIX fbrdf-viewer ARGUMENTS` with the shell; prefix: variables or a wrapper.
+ProgramResult runViewer(const std::string& arguments, const std::string& prefix = "");
+
+/// An EXR that the viewer wrote. Throws std::runtime_error.
+Image readExr(const std::string& path);
+
+nlohmann::json readJson(const std::string& path);
+
+/// True where the shell finds the command.
+bool hasCommand(const std::string& name);
+
+}  // namespace fbrdf::scene

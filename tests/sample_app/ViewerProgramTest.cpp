@@ -1,0 +1,313 @@
+// ViewerProgramTest.cpp - fbrdf-viewer as its users run it: pictures, stats, exit codes and the one
+// line that tells what was wrong. Needs EGL (tests that draw with it are skipped without).
+#include "GlPictures.h"
+#include "PictureDifference.h"
+#include "Program.h"
+
+#include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/scene/TextFile.h>
+#include <gtest/gtest.h>
+#include <support/TemporaryDir.h>
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+
+namespace fbrdf::scene {
+namespace {
+
+constexpr double kAgainstReference = 2e-3;  // issue 2
+constexpr double kBetweenTechniques = 1e-4;
+
+class Viewer : public testing::Test {
+protected:
+    Viewer() { writeMaterial(madeMaterial(formPqp(16, 0.5)), file("made.fbrdf")); }
+
+    std::string file(const std::string& name) const { return dir_.file(name); }
+    /// Arguments that draw the made material without a display, small.
+    std::string drawMade() const
+    {
+        return "--headless --size 48x48 --material '" + file("made.fbrdf") + "' ";
+    }
+    Image draw(const std::string& arguments)
+    {
+        const ProgramResult result = runViewer(arguments + " --out '" + file("p.exr") +
+                                               "' --stats '" + file("s.json") + "'");
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        EXPECT_EQ(result.out, "");
+        stats_ = readJson(file("s.json"));
+        return readExr(file("p.exr"));
+    }
+
+    test::TemporaryDir dir_;
+    nlohmann::json stats_;
+};
+
+#define NEEDS(backend) \
+    if (!hasBackend(backend)) GTEST_SKIP() << "no context on " << backendName(backend)
+
+/// The exit code, one line on stderr that begins like the tool and names `where`, and no picture.
+void expectError(const ProgramResult& result, int exitCode, const std::string& where)
+{
+    EXPECT_EQ(result.exitCode, exitCode) << result.err;
+    EXPECT_EQ(result.err.substr(0, 14), "fbrdf-viewer: ");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(where), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_F(Viewer, HelpNamesEveryOption)
+{
+    const ProgramResult result = runViewer("--help");
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.err, "");
+    for (const char* option :
+         {"--headless", "--backend", "--material", "--mesh", "--lights", "--light-count", "--seed",
+          "--technique", "--camera", "--size", "--exposure", "--out", "--stats", "--frames"})
+        EXPECT_NE(result.out.find(option), std::string::npos) << option;
+}
+
+TEST_F(Viewer, UsageErrorsExitWith2)
+{
+    const std::pair<const char*, const char*> cases[] = {
+        {"--nonsense", "--nonsense"},
+        {"stray", "stray"},
+        {"--technique fast", "--technique: found 'fast'"},
+        {"--headless --backend metal", "metal"},
+        {"--backend egl", "--headless"},
+        {"--size 10", "--size: found '10'"},
+        {"--size 0x10", "--size: found '0x10'"},
+        {"--size 10x10x10", "--size"},
+        {"--size 99999x2", "--size"},
+        {"--camera 0,0,4", "--camera: found 3"},
+        {"--exposure 0", "--exposure"},
+        {"--exposure x", "--exposure"},
+        {"--frames 0", "--frames"},
+        {"--light-count -1", "--light-count"},
+        {"--light-count 2 --lights x.json", "--light"},
+        {"--out picture.jpg", "--out: found 'picture.jpg'"},
+        {"--headless --material no-such-model:alpha=1", "no-such-model"},
+    };
+    for (const auto& [arguments, where] : cases) {
+        SCOPED_TRACE(arguments);
+        expectError(runViewer(arguments), 2, where);
+    }
+}
+
+TEST_F(Viewer, InputErrorsExitWith3AndLeaveNoPicture)
+{
+    writeText(file("empty.fbrdf"), "");
+    writeText(file("garbage.fbrdf"), std::string("\x76\x2f\x31\x01\xff\xfe garbage", 15));
+    const std::string whole = readText(file("made.fbrdf"), "a material");
+    writeText(file("cut.fbrdf"), whole.substr(0, whole.size() / 2));
+    writeText(file("empty.obj"), "");
+    writeText(file("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+    writeText(file("bad.json"), "{\"lights\": [{\"type\": \"point\"}]}");
+    const std::pair<std::string, std::string> cases[] = {
+        {"--material '" + file("empty.fbrdf") + "'", "empty.fbrdf"},
+        {"--material '" + file("garbage.fbrdf") + "'", "garbage.fbrdf"},
+        {"--material '" + file("cut.fbrdf") + "'", "cut.fbrdf"},
+        {"--material '" + file("none.fbrdf") + "'", "none.fbrdf"},
+        {drawMade() + "--mesh '" + file("none.obj") + "'", "none.obj: found no such file"},
+        {drawMade() + "--mesh '" + file("empty.obj") + "'", "empty.obj: found no face"},
+        {drawMade() + "--mesh '" + file("bad.obj") + "'", "bad.obj:2: found '2'"},
+        {drawMade() + "--mesh cube", "cube: found no such file"},
+        {drawMade() + "--lights '" + file("bad.json") + "'", "bad.json: lights[0]"},
+        {drawMade() + "--lights '" + file("none.json") + "'", "none.json: found no such file"},
+    };
+    for (const auto& [arguments, where] : cases) {
+        SCOPED_TRACE(arguments);
+        expectError(
+            runViewer("--headless " + arguments.substr(arguments.find("--headless") == 0 ? 10 : 0) +
+                      " --out '" + file("p.png") + "'"),
+            3, where);
+    }
+    const auto names = dir_.names();
+    EXPECT_EQ(std::count(names.begin(), names.end(), "p.png"), 0);
+}
+
+TEST_F(Viewer, OutputErrorsExitWith5)
+{
+    for (const char* option : {"--out '/nonexistent/p.exr'", "--out '/nonexistent/p.png'",
+                               "--stats '/nonexistent/s.json'"}) {
+        SCOPED_TRACE(option);
+        expectError(runViewer(drawMade() + "--technique reference " + option), 5, "/nonexistent/");
+    }
+}
+
+TEST_F(Viewer, NoUsableGlExitsWith6)
+{
+    expectError(runViewer(drawMade() + "--backend egl --out '" + file("p.png") + "'",
+                          "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"),
+                6, "EGL");
+    expectError(runViewer("--material '" + file("made.fbrdf") + "' --frames 1",
+                          "env -u DISPLAY -u WAYLAND_DISPLAY"),
+                6, "--headless");
+    EXPECT_EQ(dir_.names(), std::vector<std::string>{"made.fbrdf"});
+}
+
+TEST_F(Viewer, CpuTechniquesNeedNoGl)
+{
+    for (const char* technique : {"reference", "vertex"}) {
+        const ProgramResult result =
+            runViewer(drawMade() + "--technique " + technique + " --out '" + file("p.exr") +
+                          "' --stats '" + file("s.json") + "'",
+                      "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent");
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        const auto stats = readJson(file("s.json"));
+        EXPECT_EQ(stats["backend"], "cpu");
+        EXPECT_EQ(stats["technique"], technique);
+        EXPECT_TRUE(stats["gl_renderer"].is_null());
+        EXPECT_GT(stats["covered_pixels"], 48 * 48 / 3);
+    }
+}
+
+TEST_F(Viewer, TechniquesAgreeAndTheStatsTellHowTheyWereDrawn)
+{
+    NEEDS(Backend::egl);
+    const std::string scene = drawMade() + "--mesh knot --light-count 3 --seed 4 ";
+    const Image reference = draw(scene + "--technique reference");
+    EXPECT_EQ(stats_["evaluated"], "material");
+    const Image single = draw(scene + "--technique single --frames 3");
+    EXPECT_EQ(stats_["passes"], 1);
+    EXPECT_EQ(stats_["draw_calls"], 1);
+    EXPECT_EQ(stats_["max_lookups"], 7);
+    EXPECT_EQ(stats_["frames"], 3);
+    const Image two = draw(scene + "--technique two-lookup");
+    EXPECT_EQ(stats_["passes"], 4);
+    EXPECT_EQ(stats_["max_lookups"], 2);
+    EXPECT_EQ(stats_["backend"], "egl");
+    EXPECT_EQ(stats_["accumulation"], "RGBA32F");
+    EXPECT_EQ(stats_["lights"]["given"], 3);
+    EXPECT_EQ(stats_["lights"]["used"], 3);
+    EXPECT_EQ(stats_["lights"]["dropped"], 0);
+    EXPECT_NE(stats_["gl_version"].get<std::string>(), "");
+    EXPECT_GT(stats_["milliseconds"]["min"], 0.0);
+    const Image batched = draw(scene + "--technique batched");
+    EXPECT_LE(compare(single, reference).worst, kAgainstReference);
+    EXPECT_LE(compare(two, single).worst, kBetweenTechniques);
+    EXPECT_LE(compare(batched, single).worst, kBetweenTechniques);
+}
+
+TEST_F(Viewer, BackendsAgree)
+{
+    NEEDS(Backend::egl);
+    NEEDS(Backend::osmesa);
+    const Image egl = draw(drawMade() + "--backend egl");
+    const Image osmesa = draw(drawMade() + "--backend osmesa");
+    EXPECT_EQ(stats_["backend"], "osmesa");
+    EXPECT_EQ(compare(osmesa, egl).coverageDiffers, 0);
+    EXPECT_LE(compare(osmesa, egl).worst, kBetweenTechniques);
+}
+
+TEST_F(Viewer, LightsFileCameraAndSizeAreFollowed)
+{
+    // A light behind the plane alone: covered, and black.
+    writeText(file("l.json"), R"({"lights": [{"type": "directional", "direction": [0, 0, -1],
+                                  "intensity": [1, 1, 1]}]})");
+    const Image image = draw("--headless --technique reference --material '" + file("made.fbrdf") +
+                             "' --mesh plane --camera 0,0,3,0,0,0,90 --size 60x30 --lights '" +
+                             file("l.json") + "'");
+    EXPECT_EQ(image.width, 60);
+    EXPECT_EQ(image.height, 30);
+    // The square is 2 of the 6 units that the picture is high: 10 x 10 pixels.
+    EXPECT_EQ(stats_["covered_pixels"], 100);
+    for (size_t i = 0; i < image.rgba.size(); ++i) {
+        if (i % 4 != 3) {
+            EXPECT_EQ(image.rgba[i], 0.0f);
+        }
+    }
+}
+
+TEST_F(Viewer, ReferenceOfAModelIsTheModel)
+{
+    // No fit is needed, and the Lambertian plane facing a directional light is albedo / pi.
+    writeText(file("l.json"), R"({"lights": [{"type": "directional", "direction": [0, 0, 1],
+                                  "intensity": [2, 2, 2]}]})");
+    const Image image = draw(
+        "--headless --technique reference --material lambert:albedo=0.25 --mesh plane --size 8x8 "
+        "--camera 0,0,1,0,0,0,60 --lights '" +
+        file("l.json") + "'");
+    EXPECT_EQ(stats_["evaluated"], "source");
+    EXPECT_NEAR(image.pixel(4, 4)[1], 2.0 * 0.25 / kPi, 1e-6);
+}
+
+TEST_F(Viewer, PngIsSrgbOfExposedRadiance)
+{
+    const Image linear = draw(drawMade() + "--technique reference");
+    ASSERT_EQ(
+        runViewer(drawMade() + "--technique reference --exposure 0.7 --out '" + file("p.png") + "'")
+            .exitCode,
+        0);
+    const auto png = OIIO::ImageInput::open(file("p.png"));
+    ASSERT_TRUE(png);
+    ASSERT_EQ(png->spec().nchannels, 3);
+    std::vector<uint8_t> codes(3 * linear.pixelCount());
+    ASSERT_TRUE(png->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, codes.data()));
+    for (size_t i = 0; i < linear.pixelCount(); ++i)
+        for (size_t c = 0; c < 3; ++c)
+            ASSERT_EQ(codes[3 * i + c], srgbCode(0.7f * linear.rgba[4 * i + c]));
+}
+
+TEST_F(Viewer, SeveralMaterialsAreSeveralObjects)
+{
+    NEEDS(Backend::egl);
+    const std::string arguments = "--headless --size 96x48 --material '" + file("made.fbrdf") +
+                                  "' --material '" + file("made.fbrdf") + "' ";
+    const Image reference = draw(arguments + "--technique reference");
+    const Image image = draw(arguments);
+    EXPECT_EQ(stats_["draw_calls"], 2);
+    EXPECT_LE(compare(image, reference).worst, kAgainstReference);
+    EXPECT_EQ(image.pixel(48, 24)[3], 0.0f) << "nothing between the two";
+    EXPECT_EQ(image.pixel(24, 24)[3], 1.0f);
+    EXPECT_EQ(image.pixel(72, 24)[3], 1.0f);
+}
+
+TEST_F(Viewer, ASourceIsFittedFirst)
+{
+    NEEDS(Backend::egl);
+    const std::string arguments =
+        "--headless --size 32x32 --form hdio --material lambert:albedo=0.5 ";
+    const Image fitted = draw(arguments);
+    EXPECT_EQ(stats_["evaluated"], "material");
+    const Image reference = draw(arguments + "--technique reference");
+    EXPECT_EQ(stats_["evaluated"], "source");
+    // 8-bit log maps of a constant: far better than a percent.
+    EXPECT_LE(compare(fitted, reference).worst, 1e-2);
+}
+
+// --- the window ----------------------------------------------------------------------------------
+
+class ViewerWindow : public Viewer {
+protected:
+    void SetUp() override
+    {
+        if (!hasCommand("xvfb-run")) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
+    }
+    const std::string xvfb_ =
+        "xvfb-run -a -s '-screen 0 800x600x24 -noreset' env -u WAYLAND_DISPLAY";
+};
+
+TEST_F(ViewerWindow, DrawsFramesClosesAndAgreesWithTheReference)
+{
+    for (const char* technique : {"two-lookup", "vertex", "reference"}) {
+        const std::string scene = "--size 80x80 --light-count 2 --material '" + file("made.fbrdf") +
+                                  "' --technique " + technique;
+        const ProgramResult result = runViewer(
+            scene + " --frames 3 --out '" + file("w.exr") + "' --stats '" + file("w.json") + "'",
+            xvfb_);
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        const auto stats = readJson(file("w.json"));
+        EXPECT_EQ(stats["backend"], "window");
+        EXPECT_EQ(stats["technique"], technique);
+        const bool isVertex = std::string(technique) == "vertex";
+        const Image expected = draw("--headless " + scene.substr(0, scene.rfind("--technique")) +
+                                    "--technique " + (isVertex ? "vertex" : "reference"));
+        EXPECT_EQ(compare(readExr(file("w.exr")), expected).coverageDiffers, 0);
+        EXPECT_LE(compare(readExr(file("w.exr")), expected).worst, kAgainstReference);
+    }
+}
+
+}  // namespace
+}  // namespace fbrdf::scene
