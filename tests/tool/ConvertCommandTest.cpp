@@ -80,7 +80,7 @@ TEST_F(ConvertCommand, AMaterialBecomesAMerlTable)
     EXPECT_EQ(std::filesystem::file_size(merl), 12u + 3u * 8u * 90u * 90u * 180u);
     const auto json = jsonFrom(runTool({"info", merl, "--json"}));
     EXPECT_EQ(json["format"], "merl");
-    EXPECT_GT(json["samples"]["marked_invalid"].get<int>(), 0);  // cells below the horizon
+    EXPECT_GT(json["samples"]["below_horizon"].get<int>(), 0);  // cells that are no reflection
 }
 
 TEST_F(ConvertCommand, RefusesWhatAFormatCannotHold)

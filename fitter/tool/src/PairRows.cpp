@@ -87,11 +87,17 @@ bool isSkipped(std::string_view line)
     return first == std::string_view::npos || line[first] == '#';
 }
 
-PairRows::PairRows(std::string_view header, const std::string& where)
+std::string_view withoutByteOrderMark(std::string_view line)
 {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (header.substr(0, kByteOrderMark.size()) == kByteOrderMark)
-        header.remove_prefix(kByteOrderMark.size());
+    if (line.substr(0, kByteOrderMark.size()) == kByteOrderMark)
+        line.remove_prefix(kByteOrderMark.size());
+    return line;
+}
+
+PairRows::PairRows(std::string_view header, const std::string& where)
+{
+    header = withoutByteOrderMark(header);
     const size_t fields = countFields(header);
     for (std::string_view rest = header; componentOfField_.size() < fields;)
         componentOfField_.push_back(componentNamed(takeField(rest)));
