@@ -62,8 +62,8 @@ TEST(Raster, PixelsOnSharedEdgesBelongToOneTriangle)
     for (int y = 0; y < 17; ++y)
         for (int x = 0; x < 17; ++x) {
             const int up = 16 - y, hit = hits[static_cast<size_t>(17 * y + x)];
-            // Left and top edges belong to the square, right and bottom ones do not.
-            EXPECT_EQ(hit, x >= 2 && x < 14 && up > 2 && up <= 14 ? 1 : 0) << x << ", " << up;
+            // Left and bottom edges belong to the square, right and top ones do not.
+            EXPECT_EQ(hit, x >= 2 && x < 14 && up >= 2 && up < 14 ? 1 : 0) << x << ", " << up;
         }
 }
 

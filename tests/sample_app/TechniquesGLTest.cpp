@@ -252,6 +252,35 @@ TEST_P(TechniquesGL, SeveralInstancesAgree)
     }
 }
 
+TEST_P(TechniquesGL, TiesOfCoverageGoTheSameWay)
+{
+    // Corners on pixel centres, half-way between them and on odd 1/256 steps: every edge rule and
+    // the snapping decide. Object space is pixels, y up.
+    constexpr int kPixels = 16;
+    Mesh mesh;
+    const std::vector<Vec3f> fan{{2.5f, 2.5f, 0}, {8.5f, 2.5f, 0},   {13.5f, 2.5f, 0},
+                                 {13.5f, 8, 0},   {13.5f, 12.5f, 0}, {7 + 3 / 256.0f, 13.5f, 0},
+                                 {2.5f, 12.5f, 0}};
+    for (size_t i = 0; i < fan.size(); ++i)
+        for (const Vec3f& corner : {Vec3f(8.5f, 8.5f, 0.0f), fan[i], fan[(i + 1) % fan.size()]}) {
+            mesh.indices.push_back(static_cast<uint32_t>(mesh.positions.size()));
+            mesh.positions.push_back(corner);
+            mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
+            mesh.tangents.emplace_back(1.0f, 0.0f, 0.0f);
+        }
+    Scene scene;
+    const Material material = madeMaterial(formPqp(16, 0.5));
+    scene.instances = {{&mesh}};
+    scene.brdfs = {brdfOf(material)};
+    const float scale = 2.0f / kPixels;
+    scene.view.projection = glm::mat4(scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, -1, 0, -1, -1, 0, 1);
+    const Image reference = renderReference(scene, {kPixels, kPixels});
+    const GlPicture drawn = pictures_->draw(scene, material, Technique::single, kPixels, kPixels);
+    const PictureDifference difference = compare(drawn.image, reference);
+    EXPECT_GT(difference.compared, 100);
+    EXPECT_EQ(difference.coverageDiffers, 0);
+}
+
 TEST_P(TechniquesGL, AWrongBrdfIsSeen)
 {
     const Mesh mesh = meshOf(Shape::sphere);

@@ -76,10 +76,12 @@ double edge(const ScreenCorner& a, const ScreenCorner& b, double x, double y)
            (b.snappedY - a.snappedY) * (x - a.snappedX);
 }
 
-/// Of a counter-clockwise triangle, y up: a left edge goes down, a top edge is level and goes left.
-bool isTopLeft(const ScreenCorner& a, const ScreenCorner& b)
+/// Of a counter-clockwise triangle, y up: a left edge goes down, a bottom edge is level and goes
+/// right. Row 0 of a framebuffer object is the bottom one, so this is the top-left rule of its
+/// rows.
+bool ownsTies(const ScreenCorner& a, const ScreenCorner& b)
 {
-    return b.snappedY < a.snappedY || (b.snappedY == a.snappedY && b.snappedX < a.snappedX);
+    return b.snappedY < a.snappedY || (b.snappedY == a.snappedY && b.snappedX > a.snappedX);
 }
 
 double cross2(const ScreenCorner& a, const ScreenCorner& b, double x, double y)
@@ -140,7 +142,7 @@ private:
         for (size_t i = 0; i < 3; ++i) {
             const ScreenCorner &a = corner[i], &b = corner[(i + 1) % 3];
             const double side = edge(a, b, px, py);
-            if (side < 0.0 || (side == 0.0 && !isTopLeft(a, b))) return false;
+            if (side < 0.0 || (side == 0.0 && !ownsTies(a, b))) return false;
         }
         return true;
     }

@@ -1,11 +1,12 @@
 // Raster.h - which triangle each pixel sees, by OpenGL's rules, in double.
 //
 // A pixel is covered when its centre is inside a triangle whose corners were snapped to 1/256
-// pixel, ties going by the top-left rule; the nearest depth wins; attributes are interpolated with
-// perspective. So the picture covers the same pixels as GL's but for corners that float arithmetic
-// snaps to another 1/256.
-// Reference: OpenGL 3.3 core specification, section 3.6.1 (interpolation: Eq. 3.6, 3.7); Direct3D
-// 11 functional specification, section 3.4 (snapping and the top-left rule, which Mesa follows).
+// pixel, ties going to the left and the bottom edge (the top-left rule of a framebuffer
+// object, whose row 0 is the bottom one; OpenGL leaves it open); the nearest depth wins; attributes
+// are interpolated with perspective. So the picture covers the same pixels as GL's but for corners
+// that float arithmetic snaps to another 1/256. Reference: OpenGL 3.3 core specification,
+// section 3.6.1 (interpolation: Eq. 3.6, 3.7); Direct3D 11 functional specification, section 3.4
+// (snapping and the top-left rule, which Mesa follows).
 #pragma once
 #include <fbrdf/scene/Meshes.h>
 
