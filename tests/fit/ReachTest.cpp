@@ -20,8 +20,7 @@ FitResult fit(const Source& source, const std::string& form, Storage storage)
 
 double spherePsnr(const Source& source, const Material& material)
 {
-    constexpr int kSize =
-        128;  // a quarter of the standard pixels: 0.3 dB from the full picture at most
+    constexpr int kSize = 128;  // a quarter of the standard pixels, to be quick
     const auto picture = renderStandardSphere(
         [&](const Vec3d& wo, const Vec3d& wi) {
             return Vec3d(evaluate(material, Vec3f(wo), Vec3f(wi)));
