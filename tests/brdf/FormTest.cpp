@@ -39,6 +39,10 @@ TEST(Form, KnowsWhatIsIsotropicAndWhatDependsOnTheLight)
     EXPECT_FALSE(dependsOnLight({0, Direction::wo}));
     EXPECT_TRUE(dependsOnLight({0, Direction::h}));
     EXPECT_TRUE(dependsOnLight({0, Direction::wi}));
+    EXPECT_TRUE(dependsOnLight({0, Direction::d}));
+    EXPECT_FALSE(dependsOnLight({0, Direction::mirror}));
+    EXPECT_TRUE(dependsOnLight({0, Direction::combination(0.1, 1.0, 0.0)}));
+    EXPECT_FALSE(dependsOnLight({0, Direction::combination(0.0, 1.0, 3.0)}));
     EXPECT_FALSE(dependsOnLight({0, std::vector<Angle>{Angle::theta_o}}));
     EXPECT_TRUE(dependsOnLight({0, std::vector<Angle>{Angle::theta_o, Angle::theta_i}}));
     EXPECT_TRUE(dependsOnLight({0, std::vector<Angle>{Angle::theta_d}}));
@@ -46,13 +50,18 @@ TEST(Form, KnowsWhatIsIsotropicAndWhatDependsOnTheLight)
 
 TEST(Form, NamesOfDirectionsAndAnglesDiffer)
 {
-    EXPECT_STREQ(directionName(Direction::wi), "wi");
-    EXPECT_STREQ(directionName(Direction::wo), "wo");
-    EXPECT_STREQ(directionName(Direction::h), "h");
+    EXPECT_EQ(directionName(Direction::wi), "wi");
+    EXPECT_EQ(directionName(Direction::wo), "wo");
+    EXPECT_EQ(directionName(Direction::h), "h");
+    EXPECT_EQ(directionName(Direction::d), "d");
+    EXPECT_EQ(directionName(Direction::mirror), "mirror");
+    EXPECT_EQ(directionName(Direction::combination(1.0, 1.0, 0.0)), "h");
+    EXPECT_EQ(directionName(Direction::combination(0.5, 1.0, -2.0)), "norm(0.5 wi + 1 wo + -2 n)");
     EXPECT_STREQ(angleName(Angle::theta_h), "theta_h");
     EXPECT_STREQ(angleName(Angle::theta_d), "theta_d");
     EXPECT_STREQ(angleName(Angle::theta_i), "theta_i");
     EXPECT_STREQ(angleName(Angle::theta_o), "theta_o");
+    EXPECT_STREQ(angleName(Angle::phi_d), "phi_d");
 }
 
 struct Fault {
@@ -136,6 +145,14 @@ TEST(Form, RefusesInvalidTerms)
          {"a term of 65 factors",
           [](Form& f) { f.terms[0].factors.resize(65, f.terms[0].factors[0]); }},
          {"table index 3", [](Form& f) { f.terms[0].factors[0].table = 3; }},
+         {"direction weight nan",
+          [](Form& f) {
+              f.terms[0].factors[0].argument = Direction::combination(std::nan(""), 1.0, 0.0);
+          }},
+         {"direction weight 2000",
+          [](Form& f) {
+              f.terms[0].factors[0].argument = Direction::combination(0.0, 1.0, 2000.0);
+          }},
          {"table index -1", [](Form& f) { f.terms[0].factors[0].table = -1; }},
          {"looked up with (wi)", [](Form& f) { f.terms[0].factors[3].argument = Direction::wi; }},
          {"looked up with (theta_d)",

@@ -214,8 +214,8 @@ TEST(PairGeometry, CosinesAreThoseOfTheAngles)
         const PairGeometry<double> g(pair);
         const HalfDifference a = halfDifferenceFromPair(pair);
         const double angles[kAngleCount] = {a.theta_h, a.theta_d, std::acos(pair.wi.z),
-                                            std::acos(pair.wo.z)};
-        for (size_t k = 0; k < kAngleCount; ++k) {
+                                            std::acos(pair.wo.z), 0.0};
+        for (size_t k = 0; k < static_cast<size_t>(Angle::phi_d); ++k) {
             ASSERT_NEAR(g.cosine[k], std::cos(angles[k]), 1e-14);
             ASSERT_NEAR(g.complement[k], 1.0 - std::cos(angles[k]), 1e-14);
         }
@@ -244,6 +244,51 @@ TEST(PairGeometry, OppositeDirectionsHaveAHalfVector)
     EXPECT_EQ(g.h, Vec3f(0.0f, 0.0f, 1.0f));
     EXPECT_EQ(g.cosine[static_cast<size_t>(Angle::theta_d)], 0.0f);
     EXPECT_EQ(g.complement[static_cast<size_t>(Angle::theta_d)], 1.0f);
+}
+
+TEST(DirectionVector, DifferenceHasTheAnglesOfTheFrameAboutH)  // Rusinkiewicz 1998
+{
+    for (int i = 0; i < 1000; ++i) {
+        const auto pair = test::pair(i);
+        const HalfDifference angles = halfDifferenceFromPair(pair);
+        const Vec3d d = directionVector(Direction::d, PairGeometry<double>(pair));
+        EXPECT_LT(glm::length(d - directionFromAngles(angles.theta_d, angles.phi_d)), 1e-9)
+            << "pair " << i;
+        // Swapping light and viewer turns d by half a turn.
+        const Vec3d swapped =
+            directionVector(Direction::d, PairGeometry<double>({pair.wi, pair.wo}));
+        EXPECT_LT(glm::length(swapped - Vec3d(-d.x, -d.y, d.z)), 1e-9) << "pair " << i;
+    }
+}
+
+TEST(DirectionVector, MirrorAndCombinationsAreWhatTheySay)
+{
+    const auto pair = test::pair(3);
+    const PairGeometry<double> g(pair);
+    const Vec3d n(0.0, 0.0, 1.0);
+    const auto near = [](const Vec3d& a, const Vec3d& b) {
+        EXPECT_LT(glm::length(a - b), kTight) << a.x << " " << a.y << " " << a.z;
+    };
+    near(directionVector(Direction::mirror, g), 2.0 * pair.wo.z * n - pair.wo);
+    near(directionVector(Direction::combination(2.0, 2.0, 0.0), g), g.h);
+    near(directionVector(Direction::combination(0.5, -1.0, 3.0), g),
+         glm::normalize(0.5 * pair.wi - pair.wo + 3.0 * n));
+    near(directionVector(Direction::combination(0.0, 0.0, 0.0), g), n);
+}
+
+TEST(PairGeometry, FoldedDifferenceAzimuthIsThatOfTheAngles)
+{
+    for (int i = 0; i < 1000; ++i) {
+        const auto pair = test::pair(i);
+        const PairGeometry<double> g(pair);
+        const HalfDifference angles = halfDifferenceFromPair(pair);
+        const auto phi_d = static_cast<size_t>(Angle::phi_d);
+        EXPECT_NEAR(g.cosine[phi_d], std::abs(std::cos(angles.phi_d)), 1e-9) << "pair " << i;
+        EXPECT_NEAR(g.complement[phi_d], 1.0 - g.cosine[phi_d], kTight);
+    }
+    const PairGeometry<double> mirrored(DirectionPair<double>{{0.6, 0.0, 0.8}, {-0.6, 0.0, 0.8}});
+    EXPECT_EQ(mirrored.cosine[static_cast<size_t>(Angle::phi_d)], 0.0);
+    EXPECT_EQ(mirrored.complement[static_cast<size_t>(Angle::phi_d)], 1.0);
 }
 
 TEST(TexelPosition, TakesTheDirectionOrTheAnglesAskedFor)

@@ -159,6 +159,11 @@ TEST_P(Image, EveryKindOfFactor)
     compareTechniques(sphereScene(testMaterials()[6]), {1, 2, 8, 9, 64});
 }
 
+TEST_P(Image, DirectionsAndSignedTables)
+{
+    compareTechniques(sphereScene(testMaterials()[7]), {1, 2, 8, 9, 64});
+}
+
 TEST_P(Image, LightsAddUp)
 {
     const Scene scene = knotScene(testMaterials()[0]);

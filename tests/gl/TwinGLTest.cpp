@@ -19,6 +19,9 @@ namespace {
 constexpr float kRounding = 2e-6f;  // a dozen operations in float, values of order 1
 constexpr float kTexels = 1e-4f;    // positions are up to 32 texels, and sqrt near 0 doubles errors
 
+// Azimuths about h: theta_h of 1e-4 leaves three digits of h.xy.
+constexpr float kAcrossThePole = 2e-3f;
+
 using Vec4 = glm::vec4;
 
 /// What one evaluation takes and gives.
@@ -166,6 +169,40 @@ TEST_P(Twin, AnglesAboutANormal)
             const Inputs local{Vec4(frame.local(Vec3f(i.a)), 0.0f),
                                Vec4(frame.local(Vec3f(i.b)), 0.0f)};
             return angles(geometryOf(local), Angle::theta_h, Angle::theta_i);
+        },
+        kRounding);
+}
+
+TEST_P(Twin, DifferenceVectorsAndCombinations)
+{
+    compare(
+        "result = vec4(fbrdfDifferenceVector(b.xyz, fbrdfHalf(a.xyz, b.xyz)), 0.0);", pairs(),
+        [](const Inputs& i) { return Vec4(directionVector(Direction::d, geometryOf(i)), 0.0f); },
+        kAcrossThePole);
+    const Direction direction = Direction::combination(0.5, 1.0, -0.25);
+    compare(
+        "result = vec4(fbrdfCombination(vec3(0.5, 1.0, -0.25), b.xyz, a.xyz), 0.0);", pairs(),
+        [&direction](const Inputs& i) {
+            return Vec4(directionVector(direction, geometryOf(i)), 0.0f);
+        },
+        kRounding);
+}
+
+TEST_P(Twin, DifferenceAzimuth)
+{
+    // Up to a common factor these are the sides of the triangle that phi_d is an angle of.
+    compare(
+        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalf(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) * "
+        "fbrdfDifference(a.xyz, b.xyz); result = vec4(sqrt(s.y) * "
+        "fbrdfDifferenceAzimuth(n, h, b.xyz, a.z, b.z), 0.0, 0.0);",
+        pairs(),
+        [](const Inputs& i) {
+            const auto g = geometryOf(i);
+            const auto at = [](Angle angle) { return static_cast<size_t>(angle); };
+            const float sines =
+                std::sqrt(g.complement[at(Angle::theta_h)] * g.complement[at(Angle::theta_d)]);
+            return Vec4(sines * g.cosine[at(Angle::phi_d)], sines * g.complement[at(Angle::phi_d)],
+                        0.0f, 0.0f);
         },
         kRounding);
 }

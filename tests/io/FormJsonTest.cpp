@@ -67,7 +67,7 @@ TEST(FormJson, NamesEveryBrokenField)
         {"/terms/0", "[]", "a term without factors"},
         {"/terms/0/0/table", "3", "table: found 3, expected an index below 3"},
         {"/terms/0/0/table", "-1", "expected an index below 3"},
-        {"/terms/0/0/argument", "\"n\"", "expected 'wi', 'wo' or 'h'"},
+        {"/terms/0/0/argument", "\"n\"", "expected 'wi', 'wo', 'h', 'd', 'mirror' or"},
         {"/terms/0/0/argument", "[\"theta_h\"]", "expected a string"},
         {"/terms/0/3/argument", "[\"phi_h\"]", "expected 'theta_h', 'theta_d'"},
         {"/terms/0/3/argument", "[\"theta_h\",\"theta_d\"]", "expected one direction for a disc"},

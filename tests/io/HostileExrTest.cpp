@@ -162,7 +162,7 @@ TEST(HostileExr, EachFieldIsCheckedByItself)
         {"fbrdf:form", "}", "not JSON"},
         {"fbrdf:scales", raw(-1.0f), "a scale that is not finite and >= 0"},
         {"fbrdf:scales", raw(NAN), "a scale that is not finite and >= 0"},
-        {"fbrdf:storage", "log9", "found 'log9', expected log8, half, float or linear8"},
+        {"fbrdf:storage", "log9", "found 'log9', expected log8, half, float, linear8 or signed"},
         {"fbrdf:lower", raw(NAN), "found a range that is not finite"},
         {"fbrdf:stride", raw(0), "found stride 0, expected 1 to 65535"},
         {"fbrdf:stride", raw(1 << 30), "found stride 1073741824"},

@@ -46,7 +46,7 @@ TEST(Manifest, RoundTripsEightBitStoragesBitForBit)
 TEST(Manifest, WiderStoragesComeBackWithinHalfAStep)
 {
     for (const Form& form : test::testForms())
-        for (const Storage storage : {Storage::half, Storage::float32}) {
+        for (const Storage storage : {Storage::half, Storage::float32, Storage::signedHalf}) {
             const TemporaryDir folder;
             const Material material = test::testMaterial(form, storage);
             writeMaterial(material, folder.file("m.json"));
@@ -129,7 +129,9 @@ TEST(Manifest, NamesEveryBrokenField)
         {"/scales/0/1", "-1", "a scale that is not finite and >= 0"},
         {"/scales/0/1", "1e300", "a scale that is not finite and >= 0"},
         {"/maps", "[]", "expected one map for each of 2 tables"},
-        {"/maps/0/storage", "\"log9\"", "expected 'log8', 'half', 'float' or 'linear8'"},
+        {"/maps/0/storage", "\"log9\"",
+         "expected 'log8', 'half', 'float', 'linear8' or "
+         "'signed'"},
         {"/maps/0/storage", "\"linear8\"", "expected 8 x 8 pixels of 8 bits"},
         {"/maps/0/lower/2", "null", "expected a finite number"},
         {"/maps/0/log8/stride/0", "0", "found stride 0"},

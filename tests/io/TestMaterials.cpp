@@ -35,6 +35,16 @@ Form unnamedForm()
              {{{1, std::vector<Angle>{Angle::theta_d}}, {2, std::vector<Angle>{Angle::theta_h}}}}}};
 }
 
+Form directionsForm()
+{
+    const DiscDomain disc = DiscDomain::fitting(5, 0.5);
+    return {
+        "directions",
+        {{"u", disc}, {"a", GridDomain{{Axis{4, {}}}}}},
+        {{{{0, Direction::d}, {0, Direction::mirror}}},
+         {{{0, Direction::combination(0.25, 1.0, -0.5)}, {1, std::vector<Angle>{Angle::phi_d}}}}}};
+}
+
 bool sameFloats(const std::vector<float>& a, const std::vector<float>& b)
 {
     return a.size() == b.size() &&
@@ -58,8 +68,8 @@ std::string tableDifference(const Table& a, const Table& b)
 
 std::vector<Form> testForms()
 {
-    return {formPqp(9, 0.5), formPqpr(8, 1.0, 5), formHdio(7, 4, 6),
-            sumForm(),       volumeForm(),        unnamedForm()};
+    return {formPqp(9, 0.5), formPqpr(8, 1.0, 5), formHdio(7, 4, 6), sumForm(),
+            volumeForm(),    unnamedForm(),       directionsForm()};
 }
 
 Material testMaterial(const Form& form, Storage storage, unsigned seed)
@@ -80,8 +90,10 @@ Material testMaterial(const Form& form, Storage storage, unsigned seed)
         const int count = texelCount(spec.domain) * channels;
         for (int i = 0; i < count; ++i)
             table.texels.push_back(isLog(storage) ? logs(random) : linears(random));
+        if (storage == Storage::signedHalf)
+            for (float& texel : table.texels) texel = 2.0f * texel - 1.0f;
         if (!isLog(storage)) table.storage = Storage::linear8;
-        if (!isLog(storage))  // quantized() leaves a table of the storage asked for as it is
+        if (storage == Storage::linear8)  // quantized() leaves a table of the storage asked for
             for (float& texel : table.texels) texel = float(int(texel * 255.0f)) / 255.0f;
         material.tables.push_back(quantized(table, storage));
         channels = 4 - channels;

@@ -18,6 +18,7 @@ Material testMaterial(const Form& form, Storage storage, unsigned seed = 1);
 /// Empty when every field is equal bit for bit, otherwise the first field that differs.
 std::string firstDifference(const Material& a, const Material& b);
 
-constexpr Storage kStorages[] = {Storage::log8, Storage::half, Storage::float32, Storage::linear8};
+constexpr Storage kStorages[] = {Storage::log8, Storage::half, Storage::float32, Storage::linear8,
+                                 Storage::signedHalf};
 
 }  // namespace fbrdf::test

@@ -11,15 +11,21 @@ namespace {
 // Bounds on what a file may ask for; far above any useful table, far below what exhausts memory.
 constexpr int kMaxSize = 4096;
 constexpr int kMaxTables = 64;
+constexpr double kMaxWeight = 1e3;
 
 [[noreturn]] void fail(const std::string& where, const std::string& what)
 {
     throw Error(ErrorKind::input, where, what);
 }
 
-bool directionDependsOnLight(Direction d)
+bool directionDependsOnLight(const Direction& direction)
 {
-    return d != Direction::wo;
+    switch (direction.kind) {
+        case Direction::Kind::combination: return direction.weight_wi != 0.0;
+        case Direction::Kind::difference: return true;
+        case Direction::Kind::mirror: return false;
+    }
+    return true;
 }
 
 std::string number(double value)
@@ -71,6 +77,14 @@ void validateDomain(const TableSpec& spec, const std::string& where)
         fail(where, "a uniform table, expected one axis of at most 64 knots");
 }
 
+void validateDirection(const Direction& direction, const std::string& where)
+{
+    for (const double weight : {direction.weight_wi, direction.weight_wo, direction.weight_n})
+        if (!(std::abs(weight) <= kMaxWeight))
+            fail(where, "direction weight " + number(weight) + ", expected at most " +
+                            number(kMaxWeight) + " in magnitude");
+}
+
 std::string describe(const Domain& domain)
 {
     if (const auto* disc = std::get_if<DiscDomain>(&domain))
@@ -89,7 +103,7 @@ std::string describe(const Domain& domain)
 std::string describe(const Argument& argument)
 {
     if (const auto* direction = std::get_if<Direction>(&argument))
-        return std::string("(") + directionName(*direction) + ")";
+        return "(" + directionName(*direction) + ")";
     std::string text = "(";
     for (const Angle angle : std::get<std::vector<Angle>>(argument))
         text += (text.size() > 1 ? ", " : "") + std::string(angleName(angle));
@@ -98,14 +112,15 @@ std::string describe(const Argument& argument)
 
 }  // namespace
 
-const char* directionName(Direction direction)
+std::string directionName(const Direction& direction)
 {
-    switch (direction) {
-        case Direction::wi: return "wi";
-        case Direction::wo: return "wo";
-        case Direction::h: return "h";
-    }
-    return "?";
+    if (direction == Direction::wi) return "wi";
+    if (direction == Direction::wo) return "wo";
+    if (direction == Direction::h) return "h";
+    if (direction == Direction::d) return "d";
+    if (direction == Direction::mirror) return "mirror";
+    return "norm(" + number(direction.weight_wi) + " wi + " + number(direction.weight_wo) +
+           " wo + " + number(direction.weight_n) + " n)";
 }
 
 const char* angleName(Angle angle)
@@ -115,6 +130,7 @@ const char* angleName(Angle angle)
         case Angle::theta_d: return "theta_d";
         case Angle::theta_i: return "theta_i";
         case Angle::theta_o: return "theta_o";
+        case Angle::phi_d: return "phi_d";
     }
     return "?";
 }
@@ -157,6 +173,8 @@ void validate(const Form& form, const std::string& where)
                 fail(where, "table '" + spec.name + "' looked up with " +
                                 describe(factor.argument) +
                                 ", expected one direction for a disc or one angle an axis");
+            if (const auto* direction = std::get_if<Direction>(&factor.argument))
+                validateDirection(*direction, where + ": table '" + spec.name + "'");
         }
     }
 }

@@ -80,6 +80,37 @@ PairGeometry<T>::PairGeometry(const DirectionPair<T>& pair) : wo(pair.wo), wi(pa
     set(Angle::theta_d, T(0.5) * length, T(0.25) * glm::dot(difference, difference));
     set(Angle::theta_i, wi.z, wi.x * wi.x + wi.y * wi.y);
     set(Angle::theta_o, wo.z, wo.x * wo.x + wo.y * wo.y);
+    // sin theta_h sin theta_d times |cos phi_d| and |sin phi_d|; where both vanish phi_d means
+    // nothing and is pi/2.
+    const T along = T(0.5) * std::abs(wo.z - wi.z), across = std::abs(h.x * wi.y - h.y * wi.x);
+    const T sines = std::sqrt(along * along + across * across);
+    const auto phi_d = static_cast<size_t>(Angle::phi_d);
+    cosine[phi_d] = sines > T(0) ? along / sines : T(0);
+    complement[phi_d] = sines > T(0) ? across * across / (sines * (sines + along)) : T(1);
+}
+
+template <class T>
+Vec3<T> directionVector(const Direction& direction, const PairGeometry<T>& g)
+{
+    switch (direction.kind) {
+        case Direction::Kind::mirror: return {-g.wo.x, -g.wo.y, g.wo.z};
+        case Direction::Kind::difference: {
+            const T radius = std::sqrt(g.h.x * g.h.x + g.h.y * g.h.y);
+            const Vec2<T> toH =
+                radius > T(0) ? Vec2<T>(g.h.x, g.h.y) / radius : Vec2<T>(T(1), T(0));
+            return {glm::dot(g.wi, Vec3<T>(g.h.z * toH.x, g.h.z * toH.y, -radius)),
+                    toH.x * g.wi.y - toH.y * g.wi.x, glm::dot(g.wi, g.h)};
+        }
+        case Direction::Kind::combination: break;
+    }
+    if (direction == Direction::wi) return g.wi;
+    if (direction == Direction::wo) return g.wo;
+    if (direction == Direction::h) return g.h;
+    Vec3<T> sum =
+        static_cast<T>(direction.weight_wi) * g.wi + static_cast<T>(direction.weight_wo) * g.wo;
+    sum.z += static_cast<T>(direction.weight_n);
+    const T length = glm::length(sum);
+    return length > T(0) ? sum / length : Vec3<T>(T(0), T(0), T(1));
 }
 
 template <class T>
@@ -127,10 +158,7 @@ template <class T>
 Vec3<T> texelPosition(const Domain& domain, const Argument& argument, const PairGeometry<T>& g)
 {
     if (const auto* disc = std::get_if<DiscDomain>(&domain)) {
-        const Direction direction = std::get<Direction>(argument);
-        const Vec2<T> p = discPosition(*disc, direction == Direction::h    ? g.h
-                                              : direction == Direction::wi ? g.wi
-                                                                           : g.wo);
+        const Vec2<T> p = discPosition(*disc, directionVector(std::get<Direction>(argument), g));
         return {p.x, p.y, T(0)};
     }
     const auto& axes = std::get<GridDomain>(domain).axes;
@@ -176,6 +204,7 @@ Stencil<T> stencilAt(const Domain& domain, const Vec3<T>& position)
 #define FBRDF_INSTANTIATE(T)                                                                \
     template struct PairGeometry<T>;                                                        \
     template T axisCoordinate(const AxisMap&, T, T);                                        \
+    template Vec3<T> directionVector(const Direction&, const PairGeometry<T>&);             \
     template Vec2<T> discPosition(const DiscDomain&, const Vec3<T>&);                       \
     template Vec3<T> texelPosition(const Domain&, const Argument&, const PairGeometry<T>&); \
     template Stencil<T> stencilAt(const Domain&, const Vec3<T>&);

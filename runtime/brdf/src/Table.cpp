@@ -90,6 +90,7 @@ const char* storageName(Storage storage)
         case Storage::half: return "half";
         case Storage::float32: return "float";
         case Storage::linear8: return "linear8";
+        case Storage::signedHalf: return "signed";
     }
     return "?";
 }
@@ -105,7 +106,8 @@ Storage storageFromName(const std::string& name)
 int bytesPerChannel(Storage storage)
 {
     switch (storage) {
-        case Storage::half: return 2;
+        case Storage::half:
+        case Storage::signedHalf: return 2;
         case Storage::float32: return 4;
         default: return 1;
     }
@@ -123,7 +125,8 @@ Table quantized(const Table& table, Storage storage)
     result.upper = Vec3f(1.0f);
     result.log8 = {};
     for (float& texel : result.texels) {
-        if (storage == Storage::half) texel = floatFromHalf(halfFromFloat(texel));
+        if (storage == Storage::half || storage == Storage::signedHalf)
+            texel = floatFromHalf(halfFromFloat(texel));
         if (storage == Storage::linear8)
             texel = std::round(std::clamp(texel, 0.0f, 1.0f) * static_cast<float>(kLastCode)) /
                     static_cast<float>(kLastCode);

@@ -25,7 +25,8 @@ bool holdsTexel(const Table& table, size_t position)
     const float texel = table.texels[position];
     switch (table.storage) {
         case Storage::float32: return true;
-        case Storage::half: return floatFromHalf(halfFromFloat(texel)) == texel;
+        case Storage::half:
+        case Storage::signedHalf: return floatFromHalf(halfFromFloat(texel)) == texel;
         case Storage::log8:
         case Storage::linear8: break;
     }
@@ -37,7 +38,8 @@ bool holdsTexel(const Table& table, size_t position)
 
 bool knownStorage(const std::string& name, Storage& storage)
 {
-    for (const Storage s : {Storage::log8, Storage::half, Storage::float32, Storage::linear8}) {
+    for (const Storage s :
+         {Storage::log8, Storage::half, Storage::float32, Storage::linear8, Storage::signedHalf}) {
         if (name != storageName(s)) continue;
         storage = s;
         return true;

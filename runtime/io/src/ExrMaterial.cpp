@@ -247,7 +247,7 @@ Table readTable(const std::string& bytes, size_t index, const TableSpec& spec,
     const std::string storage = reader.text(kStorage);
     if (!knownStorage(storage, table.storage))
         reader.fail(*part.find(kStorage),
-                    "'" + storage + "', expected log8, half, float or linear8");
+                    "'" + storage + "', expected log8, half, float, linear8 or signed");
     if (part.half != (table.storage != Storage::float32))
         reader.fail(*part.find(kStorage),
                     storage + (part.half ? " in half" : " in float") + " channels");

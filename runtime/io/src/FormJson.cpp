@@ -2,6 +2,8 @@
 
 #include <fbrdf/brdf/Error.h>
 
+#include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 
@@ -33,9 +35,21 @@ Json jsonFromDomain(const Domain& domain)
     return {{"grid", {{"symmetric", grid.symmetric}, {"axes", axes}}}};
 }
 
+const std::array<Direction, 5> kNamedDirections{Direction::wi, Direction::wo, Direction::h,
+                                                Direction::d, Direction::mirror};
+
+bool isNamed(const Direction& direction)
+{
+    return std::find(kNamedDirections.begin(), kNamedDirections.end(), direction) !=
+           kNamedDirections.end();
+}
+
 Json jsonFromArgument(const Argument& argument)
 {
-    if (const auto* direction = std::get_if<Direction>(&argument)) return directionName(*direction);
+    if (const auto* direction = std::get_if<Direction>(&argument)) {
+        if (isNamed(*direction)) return directionName(*direction);
+        return {{"norm", {direction->weight_wi, direction->weight_wo, direction->weight_n}}};
+    }
     Json angles = Json::array();
     for (const Angle angle : std::get<std::vector<Angle>>(argument))
         angles.push_back(angleName(angle));
@@ -68,23 +82,29 @@ Domain domainFromJson(const JsonField& json)
     return domain;
 }
 
-Direction directionFromName(const JsonField& json)
+Direction directionFromJson(const JsonField& json)
 {
-    for (const Direction d : {Direction::wi, Direction::wo, Direction::h})
-        if (json.text() == directionName(d)) return d;
-    json.fail("'wi', 'wo' or 'h'");
+    if (json.has("norm")) {
+        const JsonField weights = json.at("norm");
+        if (weights.size() != 3) weights.fail("three weights, of wi, wo and n");
+        return Direction::combination(weights.at(size_t{0}).number(), weights.at(1).number(),
+                                      weights.at(2).number());
+    }
+    for (const Direction& direction : kNamedDirections)
+        if (json.text() == directionName(direction)) return direction;
+    json.fail("'wi', 'wo', 'h', 'd', 'mirror' or {'norm': [weights of wi, wo, n]}");
 }
 
 Angle angleFromName(const JsonField& json)
 {
     for (int i = 0; i < kAngleCount; ++i)
         if (json.text() == angleName(static_cast<Angle>(i))) return static_cast<Angle>(i);
-    json.fail("'theta_h', 'theta_d', 'theta_i' or 'theta_o'");
+    json.fail("'theta_h', 'theta_d', 'theta_i', 'theta_o' or 'phi_d'");
 }
 
 Argument argumentFromJson(const JsonField& json, bool direction)
 {
-    if (direction) return directionFromName(json);
+    if (direction) return directionFromJson(json);
     std::vector<Angle> angles;
     for (size_t i = 0; i < json.size(); ++i) angles.push_back(angleFromName(json.at(i)));
     return angles;

@@ -76,7 +76,7 @@ void decodeWide(Table& table, const Range& range, const std::vector<uint16_t>& c
         const double low = range.lower[c], span = double(range.upper[c]) - low;
         const auto value = static_cast<float>(low + span * (codes[i] / kWideCodes));
         table.texels[i] =
-            table.storage == Storage::half ? floatFromHalf(halfFromFloat(value)) : value;
+            bytesPerChannel(table.storage) == 2 ? floatFromHalf(halfFromFloat(value)) : value;
     }
 }
 
@@ -214,7 +214,7 @@ Table tableFromMap(const JsonField& json, const TableSpec& spec, const std::stri
     table.domain = spec.domain;
     const JsonField storage = json.at("storage");
     if (!knownStorage(storage.text(), table.storage))
-        storage.fail("'log8', 'half', 'float' or 'linear8'");
+        storage.fail("'log8', 'half', 'float', 'linear8' or 'signed'");
     const Range range{tripleFromJson(json.at("lower")), tripleFromJson(json.at("upper"))};
     const std::string path = mapPath(json.at("file"), manifest);
     const PngImage image = decodePng(readFile(path), path);

@@ -21,13 +21,13 @@ struct Parts {
     Vec3f alpha{1.0f}, specular{1.0f};
 };
 
-bool looksUp(const Factor& factor, Direction direction)
+bool looksUp(const Factor& factor, const Direction& direction)
 {
     const auto* argument = std::get_if<Direction>(&factor.argument);
     return argument && *argument == direction;
 }
 
-const Factor* factorOf(const Term& term, Direction direction)
+const Factor* factorOf(const Term& term, const Direction& direction)
 {
     const auto found =
         std::find_if(term.factors.begin(), term.factors.end(),

@@ -33,3 +33,27 @@ vec3 fbrdfHalf(vec3 wo, vec3 wi)
     float size = length(sum);
     return size > 0.0 ? sum / size : vec3(0.0, 0.0, 1.0);
 }
+
+// phi_d, folded to [0, pi/2]; n, h and wi in any frame. Twin: PairGeometry.
+vec2 fbrdfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
+{
+    float along = 0.5 * abs(NoV - NoL), across = abs(dot(n, cross(h, wi)));
+    float sines = sqrt(along * along + across * across);
+    return sines > 0.0 ? vec2(along / sines, across * across / (sines * (sines + along))) : vec2(0.0, 1.0);
+}
+
+// d: wi in the frame whose pole is h, in the local frame. Twin: directionVector, Projection.h.
+vec3 fbrdfDifferenceVector(vec3 wi, vec3 h)
+{
+    float radius = length(h.xy);
+    vec2 toH = radius > 0.0 ? h.xy / radius : vec2(1.0, 0.0);
+    return vec3(dot(wi, vec3(h.z * toH, -radius)), toH.x * wi.y - toH.y * wi.x, dot(wi, h));
+}
+
+// norm(weights.x wi + weights.y wo + weights.z n), in the local frame. Twin: directionVector.
+vec3 fbrdfCombination(vec3 weights, vec3 wi, vec3 wo)
+{
+    vec3 sum = weights.x * wi + weights.y * wo + vec3(0.0, 0.0, weights.z);
+    float size = length(sum);
+    return size > 0.0 ? sum / size : vec3(0.0, 0.0, 1.0);
+}

@@ -79,8 +79,23 @@ std::set<std::string> variablesUsed(const FragmentContext& c)
             for (const Angle angle : std::get<std::vector<Angle>>(factor.argument))
                 names.insert(angleName(angle));
     });
-    if (names.count("theta_h")) names.insert("h");
+    if (names.count("theta_h") || names.count("phi_d") || names.count("d")) names.insert("h");
     return names;
+}
+
+/// The vector that a direction names, as an expression.
+std::string directionExpression(const Direction& direction)
+{
+    switch (direction.kind) {
+        case Direction::Kind::mirror: return "vec3(-wo.xy, wo.z)";
+        case Direction::Kind::difference: return "d";
+        case Direction::Kind::combination: break;
+    }
+    const std::string name = directionName(direction);
+    if (name == "wi" || name == "wo" || name == "h") return name;
+    return "fbrdfCombination(vec3(" + number(direction.weight_wi) + ", " +
+           number(direction.weight_wo) + ", " + number(direction.weight_n) + "), " +
+           (direction.weight_wi != 0.0 ? "wi" : "vec3(0.0)") + ", wo)";
 }
 
 std::string axisCall(const AxisMap& map, Angle angle)
@@ -97,8 +112,9 @@ std::string coordinate(const FragmentContext& c, const Factor& factor)
     if (const auto* disc = std::get_if<DiscDomain>(&table.domain)) {
         const double size = disc->size;
         return "(fbrdfDisc(" + number(size) + ", " + number(disc->gamma) + ", " +
-               number(disc->radius) + ", " + directionName(std::get<Direction>(factor.argument)) +
-               ") + 0.5) * " + number(1.0 / size);
+               number(disc->radius) + ", " +
+               directionExpression(std::get<Direction>(factor.argument)) + ") + 0.5) * " +
+               number(1.0 / size);
     }
     const auto& axes = std::get<GridDomain>(table.domain).axes;
     const auto& angles = std::get<std::vector<Angle>>(factor.argument);
@@ -212,6 +228,10 @@ std::string lightLines(const FragmentContext& c, const std::string& index,
     if (used.count("theta_h")) text += indent + "vec2 theta_h = " + zenith + "h);\n";
     if (used.count("theta_i")) text += indent + "vec2 theta_i = " + zenith + "wi);\n";
     if (used.count("theta_d")) text += indent + "vec2 theta_d = fbrdfDifference(wo, wi);\n";
+    if (used.count("phi_d"))
+        text += indent + "vec2 phi_d = fbrdfDifferenceAzimuth(" +
+                (local ? "vec3(0.0, 0.0, 1.0)" : "n") + ", h, wi, NoV, NoL);\n";
+    if (used.count("d")) text += indent + "vec3 d = fbrdfDifferenceVector(wi, h);\n";
     return text;
 }
 

@@ -42,9 +42,8 @@ void encodeUnorm16(TextureImage& image, const Table& table)
         image.extent[c] = table.upper[last(c)] - table.lower[last(c)];
     }
     image.encoding.ranged = image.lower != Vec3f(0.0f) || image.extent != Vec3f(1.0f);
-    image.words = converted(table, [&](int i, int c) {
-        return static_cast<uint16_t>(unorm16Of(table, i, last(c)));
-    });
+    image.words = converted(
+        table, [&](int i, int c) { return static_cast<uint16_t>(unorm16Of(table, i, last(c))); });
 }
 
 void encodeOverRange(TextureImage& image, const Table& table)
@@ -69,7 +68,7 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
         encodeUnorm16(image, table);
     } else if (!capabilities.floatTextures) {
         encodeOverRange(image, table);
-    } else if (table.storage == Storage::half) {
+    } else if (bytesPerChannel(table.storage) == 2) {
         image.type = TexelType::half;
         image.words =
             converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });

@@ -120,6 +120,31 @@ Material everythingMaterial()
     return material;
 }
 
+Material directionsMaterial()
+{
+    Form form;
+    form.name = "directions";
+    form.tables = {{"u", DiscDomain::fitting(9, 0.5)},
+                   {"v", DiscDomain::fitting(8, 1.0)},
+                   {"a", GridDomain{{axis(6, 0.5), axis(5, 0.5)}}}};
+    form.terms = {
+        {{{0, Direction::d}, {1, Direction::mirror}}},
+        {{{1, Direction::combination(1.0, 0.5, 0.5)}, {0, Direction::combination(0.0, 1.0, 1.0)}}},
+        {{{2, std::vector<Angle>{Angle::theta_h, Angle::phi_d}}}}};
+    Material material = noiseMaterial(form, Storage::half);
+    // Signed factors, as those of a singular value decomposition: the first term may be negative.
+    for (size_t k = 0; k < 2; ++k) {
+        Table& table = material.tables[k];
+        table.storage = Storage::signedHalf;
+        for (float& texel : table.texels) texel *= 0.25f;
+    }
+    // phi_d means nothing at theta_h = 0, and there the table must not depend on it.
+    Table& azimuths = material.tables[2];
+    for (size_t k = 0; k < azimuths.texels.size(); ++k)
+        if (k / 3 % 6 == 0) azimuths.texels[k] = 0.5f;
+    return material;
+}
+
 std::vector<Material> testMaterials()
 {
     const Form pqp = formPqp(16, 0.5), pqpr = formPqpr(16, 1.0, 12), hdio = formHdio(16, 8, 8);
@@ -129,7 +154,8 @@ std::vector<Material> testMaterials()
             noiseMaterial(sumOf(formIo(), pqp), Storage::half),
             noiseMaterial(sumOf(pqp, pqpr), Storage::float32),
             waterlooMaterial(),
-            everythingMaterial()};
+            everythingMaterial(),
+            directionsMaterial()};
 }
 
 gl::MeshData sphereMesh(int rings)

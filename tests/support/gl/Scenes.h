@@ -17,6 +17,9 @@ Material waterlooMaterial();
 /// a texture and in uniforms, one channel.
 Material everythingMaterial();
 
+/// Directions other than wi, wo and h, the azimuth phi_d, and signed tables.
+Material directionsMaterial();
+
 /// What the image tests draw.
 std::vector<Material> testMaterials();
 

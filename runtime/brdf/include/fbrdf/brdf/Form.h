@@ -46,8 +46,9 @@ void validate(const Form& form, const std::string& where);
 /// "p[disc 32x32 gamma 0.5](wo) q[...](h) p(wi)": one line, for people.
 std::string describe(const Form& form);
 
-const char* directionName(Direction direction);  ///< "wi", "wo", "h"
-const char* angleName(Angle angle);              ///< "theta_h", ...
+/// "wi", "wo", "h", "d", "mirror", or "norm(0.5 wi + 1 wo + 0 n)" of another combination.
+std::string directionName(const Direction& direction);
+const char* angleName(Angle angle);  ///< "theta_h", ...
 
 // The named forms. `size`: texels on a side of each disc map; `gamma`: see DiscDomain.
 Form formPqp(int size, double gamma);              ///< p(wo) q(h) p(wi)            seed Eq. 6

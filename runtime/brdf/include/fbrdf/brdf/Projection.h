@@ -15,9 +15,38 @@
 
 namespace fbrdf {
 
-enum class Direction { wi, wo, h };
-enum class Angle { theta_h, theta_d, theta_i, theta_o };
-constexpr int kAngleCount = 4;
+/// A unit vector made from the pair: a normalised affine combination of wi, wo and n (seed,
+/// "further parameterisations"), or one that turns with the pair. Combinations that point below the
+/// surface are looked up at the horizon; one of length 0 is n.
+struct Direction {
+    enum class Kind {
+        combination,  ///< norm(wi * wi + wo * wo + n * n) by the weights below
+        difference,   ///< d: wi in the frame whose pole is h (Rusinkiewicz 1998)
+        mirror,       ///< wo mirrored about the normal: (-wo.x, -wo.y, wo.z)
+    } kind = Kind::combination;
+    double weight_wi = 0, weight_wo = 0, weight_n = 0;  ///< of a combination
+
+    static const Direction wi, wo, h, d, mirror;
+    static Direction combination(double wi, double wo, double n)
+    {
+        return {Kind::combination, wi, wo, n};
+    }
+};
+inline constexpr Direction Direction::wi{Direction::Kind::combination, 1, 0, 0};
+inline constexpr Direction Direction::wo{Direction::Kind::combination, 0, 1, 0};
+inline constexpr Direction Direction::h{Direction::Kind::combination, 1, 1, 0};
+inline constexpr Direction Direction::d{Direction::Kind::difference, 0, 0, 0};
+inline constexpr Direction Direction::mirror{Direction::Kind::mirror, 0, 0, 0};
+constexpr bool operator==(const Direction& a, const Direction& b)
+{
+    return a.kind == b.kind && a.weight_wi == b.weight_wi && a.weight_wo == b.weight_wo &&
+           a.weight_n == b.weight_n;
+}
+
+/// phi_d is folded to [0, pi/2] by reciprocity and the mirror symmetry of isotropic surfaces:
+/// cos theta_o - cos theta_i = 2 sin theta_h sin theta_d cos phi_d.
+enum class Angle { theta_h, theta_d, theta_i, theta_o, phi_d };
+constexpr int kAngleCount = 5;
 
 /// How an angle in [0, pi/2] becomes u in [0, 1]: (1 - cos)^exponent, or cos^exponent. Cheap in a
 /// shader, where acos is not: (1 - cos theta)^(1/2) is sqrt(2) sin(theta / 2), nearly linear;
@@ -83,6 +112,11 @@ template <class T>
 T axisCoordinate(const AxisMap& map, T cosine, T complement);
 /// Angle of u, radians. Inverse of axisCoordinate.
 double angleFromAxisCoordinate(const AxisMap& map, double u);
+
+/// The vector that a direction names, for this pair. Twins: fbrdfCombination, fbrdfDifferenceVector
+/// in angles.glsl.
+template <class T>
+Vec3<T> directionVector(const Direction& direction, const PairGeometry<T>& geometry);
 
 /// Texel position of a direction of the upper hemisphere. Twin: fbrdfDisc in projection.glsl.
 template <class T>

@@ -10,15 +10,18 @@ namespace fbrdf {
 
 /// What a stored texel is. The log storages hold log2 F, so factors add and one exp2 ends the sum;
 /// linear8 holds F itself in [0, 1] (fixed-function hardware, the maps of 2001) and multiplies.
-/// log8 keeps 8 bits a texel: the difference to the texel before it, see Log8.
-enum class Storage { log8, half, float32, linear8 };
+/// log8 keeps 8 bits a texel: the difference to the texel before it, see Log8. signedHalf holds F
+/// itself, of either sign, as half floats, and multiplies: the terms of a singular value
+/// decomposition (seed Eq. 3).
+enum class Storage { log8, half, float32, linear8, signedHalf };
 
-const char* storageName(Storage storage);          ///< "log8", "half", "float", "linear8"
-Storage storageFromName(const std::string& name);  ///< throws Error(usage)
+const char* storageName(Storage storage);  ///< "log8", "half", "float", "linear8", "signed"
+/// What a fit can be asked for: all but signed, which goes with a form. Throws Error(usage).
+Storage storageFromName(const std::string& name);
 int bytesPerChannel(Storage storage);
 inline bool isLog(Storage storage)
 {
-    return storage != Storage::linear8;
+    return storage != Storage::linear8 && storage != Storage::signedHalf;
 }
 
 /// How 8-bit codes of log8 become 16-bit integers v, exactly what a UNORM16 texture holds:
