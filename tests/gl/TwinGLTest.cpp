@@ -4,7 +4,7 @@
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/brdf/ShadingFrame.h>
-#include <fbrdf/plan/Light.h>
+#include <fbrdf/plan/LightVectors.h>
 
 #include <gtest/gtest.h>
 
@@ -264,7 +264,7 @@ TEST_P(Twin, Falloff)
             inputs.push_back({Vec4(d2, radius, 0.0f, 0.0f), {}});
     inputs.push_back({Vec4(0.0f, 0.0f, 0.0f, 0.0f), {}});
     compare(
-        "result = vec4(fbrdfFalloff(a.x, a.y));", inputs,
+        "result = vec4(fbrdfFalloff(a.x, a.y > 0.0 ? 1.0 / (a.y * a.y) : 0.0));", inputs,
         [](const Inputs& i) { return Vec4(falloff(i.a.x, i.a.y)); }, kRounding);
 }
 
@@ -306,13 +306,15 @@ TEST_P(Twin, IrradianceOfAPointLight)
 {
     std::vector<Inputs> inputs;
     for (float z = 0.5f; z < 4.0f; z += 0.25f)
-        inputs.push_back({Vec4(1.0f, -2.0f, z, 1.0f), Vec4(0.5f, 1.0f, 2.0f, 5.0f)});
+        inputs.push_back({Vec4(1.0f, -2.0f, z, 1.0f), Vec4(0.5f, 1.0f, 2.0f, 0.04f)});
     compare(
-        "vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec3(0.1, 0.2, 0.0), wi), wi.y);", inputs,
+        "vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec4(0.0, 0.0, 0.0, 1.0), vec3(0.1, 0.2, "
+        "0.0), wi), wi.y);",
+        inputs,
         [](const Inputs& i) {
             const Vec3f d = Vec3f(i.a) - Vec3f(0.1f, 0.2f, 0.0f);
             const float squared = glm::dot(d, d);
-            return Vec4(Vec3f(i.b) * falloff(squared, i.b.w), d.y / std::sqrt(squared));
+            return Vec4(Vec3f(i.b) * falloff(squared, 5.0f), d.y / std::sqrt(squared));
         },
         kRounding);
 }
@@ -320,10 +322,30 @@ TEST_P(Twin, IrradianceOfAPointLight)
 TEST_P(Twin, IrradianceOfADirectionalLight)
 {
     const Inputs light{Vec4(0.6f, 0.0f, 0.8f, 0.0f), Vec4(0.5f, 1.0f, 2.0f, 0.0f)};
-    const auto found = run(
-        "vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec3(7.0, 2.0, 0.0), wi), wi.x);", {light});
+    const auto found =
+        run("vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec4(0.0, 0.0, 0.0, 1.0), vec3(7.0, 2.0, "
+            "0.0), wi), wi.x);",
+            {light});
     EXPECT_NEAR(found[0].z, 2.0f, kRounding);
     EXPECT_NEAR(found[0].w, 0.6f, kRounding);
+}
+
+TEST_P(Twin, Cones)
+{
+    Light light;
+    light.type = Light::Type::spot;
+    light.axis = {0.5f, -1.0f, -2.0f};
+    light.innerAngle = 0.2f;
+    light.outerAngle = 1.2f;
+    const Vec4 cone = lightVectors(light, glm::dmat4(1.0))[2];
+    std::vector<Inputs> inputs;
+    for (const Inputs& pair : pairs()) inputs.push_back({pair.a, cone});
+    compare(
+        "result = vec4(fbrdfCone(b, a.xyz));", inputs,
+        [&light](const Inputs& i) {
+            return Vec4(static_cast<float>(coneFactor(light, Vec3d(Vec3f(i.a)))));
+        },
+        kRounding);
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Twin, ::testing::ValuesIn(modernVariants()), variantName);

@@ -69,11 +69,52 @@ TEST(LightJson, WritesWhatItReads)
     }
 }
 
+TEST(LightJson, ReadsAndWritesSpots)
+{
+    const auto lights = lightsFromJson(
+        R"({"lights": [{"type": "spot", "position": [1, 2, 3], "intensity": [4, 5, 6], "radius": 9,
+            "axis": [0, 0, -2], "inner_degrees": 15, "outer_degrees": 180}]})",
+        "l.json");
+    ASSERT_EQ(lights.size(), 1u);
+    const Light& light = lights[0];
+    EXPECT_TRUE(isValid(light));
+    EXPECT_EQ(light.type, Light::Type::spot);
+    EXPECT_EQ(light.axis, Vec3f(0.0f, 0.0f, -1.0f));
+    EXPECT_FLOAT_EQ(light.innerAngle, static_cast<float>(kPi / 12));
+    EXPECT_FLOAT_EQ(light.outerAngle, static_cast<float>(kPi));
+    EXPECT_EQ(light.radius, 9.0f);
+    const Light again = lightsFromJson(lightsToJson(lights), "l.json").at(0);
+    EXPECT_EQ(again.axis, light.axis);
+    EXPECT_FLOAT_EQ(again.innerAngle, light.innerAngle);
+    EXPECT_FLOAT_EQ(again.outerAngle, light.outerAngle);
+}
+
+TEST(LightJson, RefusesSpotsWithoutACone)
+{
+    const auto spotWith = [](const std::string& rest) {
+        return errorOf(
+            R"({"lights": [{"type": "spot", "position": [0, 0, 1], "intensity": [1, 1, 1])" + rest +
+            "}]}");
+    };
+    const std::string axis = R"(, "axis": [0, 0, -1])";
+    EXPECT_NE(spotWith("").find("lights[0]: found no 'axis'"), std::string::npos);
+    EXPECT_NE(spotWith(axis).find("found no 'inner_degrees'"), std::string::npos);
+    EXPECT_NE(spotWith(axis + R"(, "inner_degrees": 30, "outer_degrees": 20)")
+                  .find("lights[0].outer_degrees: found 20"),
+              std::string::npos);
+    EXPECT_NE(spotWith(axis + R"(, "inner_degrees": -1, "outer_degrees": 20)")
+                  .find("lights[0].inner_degrees: found -1"),
+              std::string::npos);
+    EXPECT_NE(spotWith(R"(, "axis": [0, 0, 0], "inner_degrees": 1, "outer_degrees": 20)")
+                  .find("lights[0].axis: found a vector of length 0"),
+              std::string::npos);
+}
+
 TEST(LightJson, NamesTheFieldOfAnError)
 {
     ASSERT_EQ(errorOf(pointWith("", "")), "") << "the case that is only changed in one place";
     const std::pair<std::string, const char*> cases[] = {
-        {pointWith("type", "\"spot\""), "l.json: lights[0].type: found \"spot\""},
+        {pointWith("type", "\"area\""), "l.json: lights[0].type: found \"area\""},
         {pointWith("type", "3"), "l.json: lights[0].type: found 3"},
         {pointWith("type", ""), "l.json: lights[0]: found no 'type'"},
         {pointWith("position", ""), "l.json: lights[0]: found no 'position'"},

@@ -213,7 +213,7 @@ TEST_P(TechniquesGL, FullMeshesAgreeToo)
     }
 }
 
-TEST_P(TechniquesGL, DirectionalAndWindowedLightsAgree)
+TEST_P(TechniquesGL, DirectionalWindowedAndSpotLightsAgree)
 {
     const Mesh mesh = meshOf(Shape::knot);
     const Material material = madeMaterial(formPqp(32, 0.5));
@@ -224,6 +224,11 @@ TEST_P(TechniquesGL, DirectionalAndWindowedLightsAgree)
         scene.lights[i].position = glm::normalize(scene.lights[i].position);
     }
     for (size_t i = 1; i < scene.lights.size(); i += 2) scene.lights[i].radius = 5.0f;
+    Light& spot = scene.lights[1];
+    spot.type = Light::Type::spot;
+    spot.axis = -spot.position;
+    spot.innerAngle = 0.1f;
+    spot.outerAngle = 0.3f;
     const Image reference = renderReference(scene, {kSize, kSize});
     for (const Technique technique : {Technique::single, Technique::twoLookup}) {
         const GlPicture picture = pictures_->draw(scene, material, technique, kSize, kSize);

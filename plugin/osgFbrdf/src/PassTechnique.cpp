@@ -4,6 +4,8 @@
 #include "MaterialStates.h"
 #include "SceneLights.h"
 
+#include <fbrdf/plan/LightVectors.h>
+
 #include <osg/GLExtensions>
 #include <osgUtil/CullVisitor>
 
@@ -36,7 +38,8 @@ int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
     if (kind == fbrdf::Technique::single) return assumedCapabilities().maxUniformVectors;
     const int lights = kind == fbrdf::Technique::batched ? effect.getLightsPerPass() : 1;
     const fbrdf::Form& form = effect.getMaterial()->material().form;
-    int vectors = kOtherUniformVectors + 2 * lights + 2 * static_cast<int>(form.tables.size());
+    int vectors = kOtherUniformVectors + fbrdf::kVectorsPerLight * lights +
+                  2 * static_cast<int>(form.tables.size());
     for (const fbrdf::TableSpec& table : form.tables)
         if (table.uniform) vectors += fbrdf::texelCount(table.domain);
     return std::min(vectors, assumedCapabilities().maxUniformVectors);
@@ -51,21 +54,16 @@ osg::Vec4f eyeOf(const osg::Matrixd& projection)
     return {eye.x, eye.y, eye.z, eye.w};
 }
 
-/// Two vectors a light, see lights.glsl.
 osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
                                         const fbrdf::Pass& pass)
 {
-    osg::ref_ptr<osg::Uniform> uniform =
-        new osg::Uniform(osg::Uniform::FLOAT_VEC4, "fbrdfLights", 2 * pass.lightCount);
-    for (int i = 0; i < pass.lightCount; ++i) {
-        const fbrdf::Light& light = lights[static_cast<size_t>(pass.firstLight + i)];
-        const float w = light.type == fbrdf::Light::Type::point ? 1.0f : 0.0f;
-        const auto at = static_cast<unsigned int>(2 * i);
-        uniform->setElement(at,
-                            osg::Vec4f(light.position.x, light.position.y, light.position.z, w));
-        uniform->setElement(at + 1, osg::Vec4f(light.intensity.x, light.intensity.y,
-                                               light.intensity.z, light.radius));
-    }
+    osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
+        osg::Uniform::FLOAT_VEC4, "fbrdfLights", fbrdf::kVectorsPerLight * pass.lightCount);
+    unsigned int at = 0;
+    for (int i = 0; i < pass.lightCount; ++i)
+        for (const glm::vec4& v :
+             fbrdf::lightVectors(lights[static_cast<size_t>(pass.firstLight + i)], glm::dmat4(1.0)))
+            uniform->setElement(at++, osg::Vec4f(v.x, v.y, v.z, v.w));
     return uniform;
 }
 

@@ -8,18 +8,12 @@
 
 namespace fbrdf::gl {
 
-std::vector<glm::vec4> lightVectors(const std::vector<Light>& lights, const View& view)
+std::vector<LightVectors> lightVectors(const std::vector<Light>& lights, const View& view)
 {
     const glm::dmat4 toEye(view.view);
-    std::vector<glm::vec4> vectors;
-    vectors.reserve(2 * lights.size());
-    for (const Light& light : lights) {
-        const bool point = light.type == Light::Type::point;
-        glm::dvec4 position = toEye * glm::dvec4(glm::dvec3(light.position), point ? 1.0 : 0.0);
-        if (!point) position = glm::dvec4(glm::normalize(glm::dvec3(position)), 0.0);
-        vectors.emplace_back(position);
-        vectors.emplace_back(light.intensity, light.radius);
-    }
+    std::vector<LightVectors> vectors;
+    vectors.reserve(lights.size());
+    for (const Light& light : lights) vectors.push_back(fbrdf::lightVectors(light, toEye));
     return vectors;
 }
 
@@ -130,8 +124,8 @@ void Executor::setTables(const GpuMaterial& material, const Program& program)
 void Executor::setLights(const Pass& pass, const Program& program)
 {
     if (program.lights >= 0 && pass.lightCount > 0)
-        gl_.Uniform4fv(program.lights, 2 * pass.lightCount,
-                       glm::value_ptr(frame_.lights[2 * static_cast<size_t>(pass.firstLight)]));
+        gl_.Uniform4fv(program.lights, kVectorsPerLight * pass.lightCount,
+                       glm::value_ptr(frame_.lights[static_cast<size_t>(pass.firstLight)].front()));
     if (program.lightCount >= 0) gl_.Uniform1i(program.lightCount, pass.lightCount);
 }
 

@@ -5,20 +5,22 @@
 #include "StateGuard.h"
 #include "Surfaces.h"
 
+#include <fbrdf/plan/LightVectors.h>
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec4.hpp>
 
 namespace fbrdf::gl {
 
-/// Lights in eye space as the shader takes them: two vectors each (lights.glsl).
-std::vector<glm::vec4> lightVectors(const std::vector<Light>& lights, const View& view);
+/// Lights in eye space as the shader takes them.
+std::vector<LightVectors> lightVectors(const std::vector<Light>& lights, const View& view);
 
 /// What all items of one draw share.
 struct Frame {
     Target target;
     View view;
     glm::vec4 eye{0.0f};
-    std::vector<glm::vec4> lights;  ///< lightVectors
+    std::vector<LightVectors> lights;
 };
 
 class Executor {

@@ -10,6 +10,7 @@
 #include "PassList.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
 #include <limits>
@@ -359,7 +360,7 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
         vectors -= 2;  // its range
         if (table.uniform) vectors -= texelCount(table.domain);
     }
-    return std::max(1, vectors / 2);
+    return std::max(1, vectors / kVectorsPerLight);
 }
 
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities)

@@ -1,23 +1,30 @@
-// Light sources. A light is two vectors: (position, 1) of a point light or (unit direction towards it, 0) of a
-// directional one, in eye space; and (intensity, radius of influence or 0).
+// Light sources. A light is three vectors in eye space, see LightVectors.h:
+//   position  a point and 1, or for a directional light the unit direction towards it and 0
+//   intensity and 1 / radius^2 (0: unlimited)
+//   cone      axis x scale, offset; (0, 0, 0, 1) where there is none
+// Directions are unit, so that one expression serves all kinds: branches cost more than the few products.
 
 // Twin: falloff, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9.
-float fbrdfFalloff(float distanceSquared, float radius)
+float fbrdfFalloff(float distanceSquared, float inverseRadiusSquared)
 {
-    float factor = 1.0 / max(distanceSquared, 1e-12);
-    if (radius > 0.0) {
-        float ratio = distanceSquared / (radius * radius);
-        float window = ratio < 1.0 ? 1.0 - ratio * ratio : 0.0;
-        factor *= window * window;
-    }
-    return factor;
+    float clamped = max(distanceSquared, 1e-12);
+    float ratio = clamped * inverseRadiusSquared;
+    float window = max(1.0 - ratio * ratio, 0.0);
+    return window * window / clamped;
+}
+
+// Twin: coneFactor, Light.h. wi: unit, towards the light.
+float fbrdfCone(vec4 cone, vec3 wi)
+{
+    float edge = clamp(cone.w - dot(cone.xyz, wi), 0.0, 1.0);
+    return edge * edge;
 }
 
 // Irradiance on a surface that faces the light (seed Eq. 2), and the unit direction to the light.
-vec3 fbrdfIrradiance(vec4 position, vec4 intensity, vec3 point, out vec3 wi)
+vec3 fbrdfIrradiance(vec4 position, vec4 intensity, vec4 cone, vec3 point, out vec3 wi)
 {
     vec3 toLight = position.xyz - position.w * point;
     float distanceSquared = dot(toLight, toLight);
     wi = toLight * inversesqrt(max(distanceSquared, 1e-30));
-    return position.w > 0.0 ? intensity.rgb * fbrdfFalloff(distanceSquared, intensity.w) : intensity.rgb;
+    return intensity.rgb * (fbrdfFalloff(distanceSquared, intensity.w) * fbrdfCone(cone, wi));
 }

@@ -6,6 +6,7 @@
 #include "FragmentWriter.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -218,9 +219,9 @@ std::string lightLines(const FragmentContext& c, const std::string& index,
 {
     const bool local = needsLocalFrame(c);
     const auto used = variablesUsed(c);
-    std::string text = indent + "vec3 wi;\n" + indent +
-                       "vec3 irradiance = fbrdfIrradiance(fbrdfLights[" + index +
-                       "], fbrdfLights[" + index + " + 1], fbrdfPosition, wi);\n";
+    std::string text =
+        indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(fbrdfLights[" + index +
+        "], fbrdfLights[" + index + " + 1], fbrdfLights[" + index + " + 2], fbrdfPosition, wi);\n";
     if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
     text += indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n");
     if (used.count("h")) text += indent + "vec3 h = fbrdfHalf(wo, wi);\n";
@@ -262,7 +263,8 @@ std::string litBody(const FragmentContext& c)
         text += lightLines(c, "0", "    ") + litLines(c, "    ");
     else
         text += "    for (int i = 0; i < fbrdfLightCount; ++i) {\n" +
-                lightLines(c, "2 * i", "        ") + litLines(c, "        ") + "    }\n";
+                lightLines(c, std::to_string(kVectorsPerLight) + " * i", "        ") +
+                litLines(c, "        ") + "    }\n";
     return text + "    vec3 total = NoV > 0.0 ? " + total + " : vec3(0.0);\n";
 }
 
@@ -315,7 +317,8 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert("uniform vec2 fbrdfReadScale;\n");
     }
     if (dependsOnLight(c))
-        lines.insert("uniform vec4 fbrdfLights[" + std::to_string(2 * c.spec.lightSlots) + "];\n");
+        lines.insert("uniform vec4 fbrdfLights[" +
+                     std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
     if (c.spec.lit && c.spec.lightSlots > 1) lines.insert("uniform int fbrdfLightCount;\n");
     std::string text;
     for (const std::string& line : lines) text += line;

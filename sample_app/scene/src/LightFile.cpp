@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fbrdf::scene {
@@ -60,11 +61,11 @@ Vec3f vectorOf(const Json& light, const char* name, const std::string& where)
     return vector;
 }
 
-Vec3f directionOf(const Json& light, const std::string& where)
+Vec3f directionOf(const Json& light, const char* name, const std::string& where)
 {
-    const Vec3d direction(vectorOf(light, "direction", where));
+    const Vec3d direction(vectorOf(light, name, where));
     const double length = glm::length(direction);
-    if (!(length > 0.0)) fail(where + ".direction", "a vector of length 0", "a direction");
+    if (!(length > 0.0)) fail(where + "." + name, "a vector of length 0", "a direction");
     return Vec3f(direction / length);
 }
 
@@ -77,25 +78,62 @@ Vec3f intensityOf(const Json& light, const std::string& where)
     return intensity;
 }
 
+void placeLight(Light& light, const Json& json, const std::string& where)
+{
+    light.position = vectorOf(json, "position", where);
+    if (const Json* radius = member(json, "radius"))
+        light.radius = finiteFloat(*radius, where + ".radius", "a finite number >= 0");
+    if (light.radius < 0.0f)
+        fail(where + ".radius", quoted(json["radius"]), "a finite number >= 0");
+}
+
+float angleOf(const Json& light, const char* name, double lowestDegrees, const std::string& where)
+{
+    const char* const expected = "degrees, 0 <= inner_degrees <= outer_degrees <= 180";
+    const Json& value = required(light, name, where);
+    const std::string field = where + "." + name;
+    const double degrees = static_cast<double>(finiteFloat(value, field, expected));
+    if (degrees < lowestDegrees || degrees > 180.0) fail(field, quoted(value), expected);
+    // The float nearest pi is above it.
+    return std::min(static_cast<float>(degrees * kPi / 180.0), static_cast<float>(kPi));
+}
+
+void aimSpot(Light& light, const Json& json, const std::string& where)
+{
+    light.type = Light::Type::spot;
+    light.axis = directionOf(json, "axis", where);
+    light.innerAngle = angleOf(json, "inner_degrees", 0.0, where);
+    light.outerAngle = angleOf(json, "outer_degrees", json["inner_degrees"].get<double>(), where);
+}
+
 Light lightFromJson(const Json& json, const std::string& where)
 {
     if (!json.is_object()) fail(where, quoted(json), "an object");
     const Json& type = required(json, "type", where);
     Light light;
     if (type == "point") {
-        light.position = vectorOf(json, "position", where);
-        if (const Json* radius = member(json, "radius"))
-            light.radius = finiteFloat(*radius, where + ".radius", "a finite number >= 0");
-        if (light.radius < 0.0f)
-            fail(where + ".radius", quoted(json["radius"]), "a finite number >= 0");
+        placeLight(light, json, where);
+    } else if (type == "spot") {
+        placeLight(light, json, where);
+        aimSpot(light, json, where);
     } else if (type == "directional") {
         light.type = Light::Type::directional;
-        light.position = directionOf(json, where);
+        light.position = directionOf(json, "direction", where);
     } else {
-        fail(where + ".type", quoted(type), "\"point\" or \"directional\"");
+        fail(where + ".type", quoted(type), "\"point\", \"spot\" or \"directional\"");
     }
     light.intensity = intensityOf(json, where);
     return light;
+}
+
+const char* typeName(Light::Type type)
+{
+    switch (type) {
+        case Light::Type::point: return "point";
+        case Light::Type::directional: return "directional";
+        case Light::Type::spot: return "spot";
+    }
+    return "";
 }
 
 Json jsonFromVector(const Vec3f& vector)
@@ -131,11 +169,16 @@ std::string lightsToJson(const std::vector<Light>& lights)
 {
     Json list = Json::array();
     for (const Light& light : lights) {
-        const bool isPoint = light.type == Light::Type::point;
-        Json entry{{"type", isPoint ? "point" : "directional"},
-                   {isPoint ? "position" : "direction", jsonFromVector(light.position)},
+        const bool isDirectional = light.type == Light::Type::directional;
+        Json entry{{"type", typeName(light.type)},
+                   {isDirectional ? "direction" : "position", jsonFromVector(light.position)},
                    {"intensity", jsonFromVector(light.intensity)}};
         if (light.radius > 0.0f) entry["radius"] = light.radius;
+        if (light.type == Light::Type::spot) {
+            entry["axis"] = jsonFromVector(light.axis);
+            entry["inner_degrees"] = static_cast<double>(light.innerAngle) * 180.0 / kPi;
+            entry["outer_degrees"] = static_cast<double>(light.outerAngle) * 180.0 / kPi;
+        }
         list.push_back(entry);
     }
     return Json{{"lights", list}}.dump(2) + "\n";

@@ -65,8 +65,9 @@ Incident incidentFrom(const Light& light, const Vec3d& position)
     if (light.type == Light::Type::directional) return {glm::normalize(where), intensity};
     const Vec3d toLight = where - position;
     const double distance2 = glm::dot(toLight, toLight);
-    return {toLight / std::sqrt(distance2),
-            intensity * falloff<double>(distance2, double(light.radius))};
+    const Vec3d direction = toLight / std::sqrt(distance2);
+    return {direction, intensity * (falloff<double>(distance2, double(light.radius)) *
+                                    coneFactor(light, direction))};
 }
 
 /// Seed Eq. 2.

@@ -67,12 +67,15 @@ struct Incident {
 
 Incident incidentFrom(const Light& light, const glm::dmat4& view, const Vec3d& point)
 {
-    const bool isPoint = light.type == Light::Type::point;
-    const Vec3d position(view * glm::dvec4(Vec3d(light.position), isPoint ? 1.0 : 0.0));
-    const Vec3d difference = isPoint ? position - point : position;
+    const bool hasPlace = light.type != Light::Type::directional;
+    const Vec3d position(view * glm::dvec4(Vec3d(light.position), hasPlace ? 1.0 : 0.0));
+    const Vec3d difference = hasPlace ? position - point : position;
     const double squared = glm::dot(difference, difference);
-    const double factor = isPoint ? falloff(squared, static_cast<double>(light.radius)) : 1.0;
-    return {glm::normalize(difference), factor * Vec3d(light.intensity)};
+    const Vec3d toLight = glm::normalize(difference),
+                inWorld(glm::transpose(glm::dmat3(view)) * toLight);
+    const double factor = (hasPlace ? falloff(squared, static_cast<double>(light.radius)) : 1.0) *
+                          coneFactor(light, inWorld);
+    return {toLight, factor * Vec3d(light.intensity)};
 }
 
 }  // namespace

@@ -210,6 +210,12 @@ std::vector<Light> testLights(int count, unsigned seed)
         light.intensity = {uniform(random, 0.5f, 4.0f), uniform(random, 0.5f, 4.0f),
                            uniform(random, 0.5f, 4.0f)};
         if (i % 5 == 4) light.type = Light::Type::directional;
+        if (i % 5 == 2) {
+            light.type = Light::Type::spot;
+            light.axis = -light.position;
+            light.innerAngle = 0.1f;
+            light.outerAngle = 0.4f;
+        }
         if (i % 4 == 3) light.radius = uniform(random, 3.0f, 9.0f);
         lights.push_back(light);
     }

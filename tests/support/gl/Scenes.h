@@ -27,7 +27,7 @@ gl::MeshData sphereMesh(int rings);
 /// A torus knot (2, 3): overlaps itself from every side. Tangents run along the tube.
 gl::MeshData knotMesh(int segments, int sides);
 
-/// Point lights (every fourth with a radius) and, every fifth, directional ones; all round.
+/// Point lights (every fourth with a radius) and, of five, one spot and one directional; all round.
 std::vector<Light> testLights(int count, unsigned seed = 5);
 
 /// A view of the origin from (0, 0, 4).

@@ -1,5 +1,5 @@
 // Light.h - what lights a scene. Seed Eq. 2: a point light gives I / r^2, a directional one an
-// irradiance.
+// irradiance; a spot is a point light inside a cone.
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
@@ -9,29 +9,37 @@
 namespace fbrdf {
 
 struct Light {
-    enum class Type { point, directional } type = Type::point;
+    enum class Type { point, directional, spot } type = Type::point;
     Vec3f position{0.0f};   ///< world; a directional light: vector towards the light
-    Vec3f intensity{1.0f};  ///< point: W/sr, falls off as 1 / r^2; directional: irradiance on a
-                            ///< surface that faces it
-    float radius = 0.0f;    ///< influence of a point light, windowed to 0 there; 0: unlimited
+    Vec3f intensity{1.0f};  ///< point and spot (on its axis): W/sr, falls off as 1 / r^2;
+                            ///< directional: irradiance on a surface that faces it
+    float radius = 0.0f;    ///< influence of a point or spot, windowed to 0 there; 0: unlimited
+    Vec3f axis{0.0f, 0.0f, -1.0f};  ///< spot: world, where it shines; need not be unit, not 0
+    /// Spot: radians from the axis, 0 <= inner <= outer <= pi; full inside the inner cone, nothing
+    /// outside the outer one.
+    float innerAngle = 0.0f, outerAngle = 0.785398f;
 };
 
-/// True when every number is finite, the radius is not negative and a direction is not 0; others
-/// light nothing and are reported as dropped.
+/// True when every number is finite, the radius is not negative, directions are not 0 and cones are
+/// in range; others light nothing and are reported as dropped.
 inline bool isValid(const Light& light)
 {
     const auto finite = [](const Vec3f& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     };
-    const bool located = light.type == Light::Type::point || light.position != Vec3f(0.0f);
+    const bool located = light.type != Light::Type::directional || light.position != Vec3f(0.0f);
+    const bool aimed =
+        light.type != Light::Type::spot ||
+        (finite(light.axis) && light.axis != Vec3f(0.0f) && light.innerAngle >= 0.0f &&
+         light.innerAngle <= light.outerAngle && light.outerAngle <= static_cast<float>(kPi));
     return finite(light.position) && located && finite(light.intensity) &&
-           std::isfinite(light.radius) && light.radius >= 0.0f;
+           std::isfinite(light.radius) && light.radius >= 0.0f && aimed;
 }
 
 /// Irradiance factor at squared distance d2: 1 / d2, times the window (1 - (d2 / radius^2)^2)^2
 /// when radius > 0 (Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9). Deviation: d2 below
 /// 1e-12 counts as 1e-12, so that a light on the surface stays finite. Twin: fbrdfFalloff in
-/// lights.glsl.
+/// lights.glsl, which takes 1 / radius^2, or 0 for an unlimited light.
 template <class T>
 T falloff(T distanceSquared, T radius)
 {
@@ -42,6 +50,33 @@ T falloff(T distanceSquared, T radius)
         factor *= window * window;
     }
     return factor;
+}
+
+/// A cone as (scale, offset): the factor of a spot is clamp(scale cos + offset, 0, 1)^2, with the
+/// cosine between its axis and the direction from it (Khronos 2017, KHR_lights_punctual, "Inner and
+/// Outer Cone Angles"). Deviation: an edge is at least 1e-4 wide in cosine, so that it stays
+/// finite.
+struct Cone {
+    double scale = 0.0, offset = 1.0;
+};
+
+/// Of a spot; of other lights the cone that is 1 everywhere.
+inline Cone coneOf(const Light& light)
+{
+    if (light.type != Light::Type::spot) return {};
+    const double inner = std::cos(static_cast<double>(light.innerAngle)),
+                 outer = std::cos(static_cast<double>(light.outerAngle));
+    const double scale = 1.0 / std::max(inner - outer, 1e-4);
+    return {scale, -outer * scale};
+}
+
+/// What a spot sends towards the unit direction `toLight` reversed, 1 on its axis; 1 for others.
+inline double coneFactor(const Light& light, const Vec3d& toLight)
+{
+    const Cone cone = coneOf(light);
+    const double cosine = -glm::dot(glm::normalize(Vec3d(light.axis)), toLight);
+    const double edge = std::clamp(cone.scale * cosine + cone.offset, 0.0, 1.0);
+    return edge * edge;
 }
 
 }  // namespace fbrdf

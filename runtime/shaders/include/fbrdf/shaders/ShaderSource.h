@@ -5,7 +5,7 @@
 //   attributes  fbrdfVertex, fbrdfVertexNormal, fbrdfVertexTangent      vec3, object space
 //   matrices    fbrdfModelView, fbrdfProjection (mat4), fbrdfNormalMatrix (mat3)
 //   viewer      fbrdfEye (vec4)            see eyeFromProjection
-//   lights      fbrdfLights[2 slots] (vec4), fbrdfLightCount (int)      see lights.glsl
+//   lights      fbrdfLights[3 slots] (vec4), fbrdfLightCount (int)      see LightVectors.h
 //   table k     fbrdfTable<k> (sampler), where ranged: fbrdfLower<k>, fbrdfExtent<k> (vec3);
 //               a uniform table: fbrdfKnots<k>[knots] (vec3), decoded
 //   term t      fbrdfScale<t> (vec3)

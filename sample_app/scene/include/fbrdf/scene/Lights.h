@@ -1,8 +1,10 @@
 // Lights.h - lists of lights: as JSON, and made by number and seed.
 //
 // {"lights": [{"type": "point", "position": [x, y, z], "intensity": [r, g, b], "radius": R},
+//             {"type": "spot", ..., "axis": [x, y, z], "inner_degrees": a, "outer_degrees": b},
 //             {"type": "directional", "direction": [x, y, z], "intensity": [r, g, b]}]}
-// World space; a direction points towards the light and need not be unit; radius is optional (none:
+// World space; a direction points towards the light, an axis where a spot shines; neither need be
+// unit. Angles are from the axis; a spot has all that a point has. radius is optional (none:
 // unlimited). Other keys are ignored. What the numbers mean: fbrdf/plan/Light.h.
 #pragma once
 #include <fbrdf/plan/Light.h>
@@ -21,7 +23,8 @@ std::vector<Light> readLights(const std::string& path);
 /// The same from memory; `where` stands for the file's name in errors.
 std::vector<Light> lightsFromJson(std::string_view text, const std::string& where);
 
-/// Inverse of lightsFromJson: the same floats come back, but for directions, which become unit.
+/// Inverse of lightsFromJson: the same floats come back, but for directions
+/// and axes, which become unit, and angles, up to rounding.
 std::string lightsToJson(const std::vector<Light>& lights);
 
 /// `count` point lights around the origin, the same for the same seed on every machine: a warm key

@@ -1,0 +1,40 @@
+#include <fbrdf/plan/LightVectors.h>
+
+#include <glm/geometric.hpp>
+
+namespace fbrdf {
+namespace {
+
+glm::dvec4 unitDirection(const glm::dmat4& toEye, const Vec3f& direction)
+{
+    const glm::dvec4 moved = toEye * glm::dvec4(Vec3d(direction), 0.0);
+    return {glm::normalize(Vec3d(moved)), 0.0};
+}
+
+glm::dvec4 positionVector(const Light& light, const glm::dmat4& toEye)
+{
+    if (light.type == Light::Type::directional) return unitDirection(toEye, light.position);
+    return toEye * glm::dvec4(Vec3d(light.position), 1.0);
+}
+
+// A directional light has no window; its distance is 1.
+double inverseRadiusSquared(const Light& light)
+{
+    const double radius = static_cast<double>(light.radius);
+    const bool unlimited = light.type == Light::Type::directional || radius == 0.0;
+    return unlimited ? 0.0 : 1.0 / (radius * radius);
+}
+
+}  // namespace
+
+LightVectors lightVectors(const Light& light, const glm::dmat4& toEye)
+{
+    const Cone cone = coneOf(light);
+    glm::dvec4 axis(0.0);
+    if (cone.scale != 0.0) axis = cone.scale * unitDirection(toEye, light.axis);
+    return {glm::vec4(positionVector(light, toEye)),
+            glm::vec4(light.intensity, static_cast<float>(inverseRadiusSquared(light))),
+            glm::vec4(glm::dvec4(Vec3d(axis), cone.offset))};
+}
+
+}  // namespace fbrdf
