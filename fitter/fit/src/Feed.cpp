@@ -1,5 +1,6 @@
 #include "Feed.h"
 
+#include "Mixed.h"
 #include "Parallel.h"
 
 #include <fbrdf/brdf/Error.h>
@@ -13,15 +14,6 @@ namespace {
 
 // A stream of at most this many rows (a MERL file, twice) is read once and held; 40 bytes a row.
 constexpr size_t kHeldRows = 3000000;
-
-// Steele, Lea, Flood 2014: the finalizer of splitmix64. Folds show no pattern of the measurement.
-uint64_t mixed(uint64_t x)
-{
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
 
 size_t blocksOf(size_t rows)
 {
@@ -87,6 +79,7 @@ Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
     return feed;
 }
 
+// Folds show no pattern of the measurement.
 int foldOf(uint64_t number, uint64_t seed)
 {
     return static_cast<int>(mixed(number ^ mixed(seed)) % kFolds);

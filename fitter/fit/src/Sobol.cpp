@@ -1,5 +1,7 @@
 #include <fbrdf/fit/Sobol.h>
 
+#include "Mixed.h"
+
 namespace fbrdf {
 namespace {
 
@@ -36,15 +38,6 @@ std::array<Directions, 4> makeDirections()
     for (std::size_t d = 0; d < kPolynomials.size(); ++d)
         all[d + 1] = directionsOf(kPolynomials[d]);
     return all;
-}
-
-// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": splitmix64.
-uint64_t mixed(uint64_t x)
-{
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
 }
 
 }  // namespace
