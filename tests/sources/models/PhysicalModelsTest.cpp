@@ -1,5 +1,6 @@
 // PhysicalModelsTest.cpp - He-Torrance and Disney against limits, and against the published
 // formulas written a second time, in Python, as plainly as they stand in the papers.
+#include "ExpectedValues.h"
 #include "Pairs.h"
 
 #include <fbrdf/sources/Model.h>
@@ -7,25 +8,6 @@
 
 namespace fbrdf::test {
 namespace {
-
-/// The other implementations' numbers are given with 12 digits.
-constexpr double kTwelveDigits = 1e-10;
-
-const DirectionPair<double> kPairs[3] = {
-    {directionDegrees(40.0, 170.0), directionDegrees(30.0, 0.0)},
-    {directionDegrees(70.0, 215.0), directionDegrees(65.0, 20.0)},
-    {directionDegrees(80.0, 80.0), directionDegrees(10.0, 90.0)}};
-
-void expectValues(const std::string& spec, const Vec3d (&expected)[3])
-{
-    const Source source = makeModelSource(spec);
-    for (int k = 0; k < 3; ++k) {
-        const Vec3d f = source.evaluate(kPairs[k].wo, kPairs[k].wi);
-        for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(f[c], expected[k][c], kTwelveDigits * expected[k][c])
-                << spec << " pair " << k << " channel " << c;
-    }
-}
 
 // In Python: G of Eq. 76 from its s and p vectors, z0 of Eq. 81 by bisection, 60000 terms of
 // Eq. 78.

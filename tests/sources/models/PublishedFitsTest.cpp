@@ -1,5 +1,7 @@
 // PublishedFitsTest.cpp - SGD and ABC with the parameters that their papers give for MERL materials
-// (collected by Peers; Bagher et al. 2012, Low et al. 2012), and Ward's table.
+// (collected by Peers; Bagher et al. 2012, Low et al. 2012), against the same formulas in numpy, and
+// Ward's table.
+#include "ExpectedValues.h"
 #include "Pairs.h"
 
 #include <fbrdf/sources/Model.h>
@@ -11,25 +13,6 @@
 
 namespace fbrdf::test {
 namespace {
-
-/// The expected numbers come from a numpy implementation of the same formulas, 12 digits.
-constexpr double kTwelveDigits = 1e-10;
-
-const DirectionPair<double> kPairs[3] = {
-    {directionDegrees(40.0, 170.0), directionDegrees(30.0, 0.0)},
-    {directionDegrees(70.0, 215.0), directionDegrees(65.0, 20.0)},
-    {directionDegrees(80.0, 80.0), directionDegrees(10.0, 90.0)}};
-
-void expectValues(const std::string& spec, const Vec3d (&expected)[3])
-{
-    const Source source = makeModelSource(spec);
-    for (int k = 0; k < 3; ++k) {
-        const Vec3d f = source.evaluate(kPairs[k].wo, kPairs[k].wi);
-        for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(f[c], expected[k][c], kTwelveDigits * expected[k][c])
-                << "pair " << k << " channel " << c;
-    }
-}
 
 TEST(Sgd, GreenMetallicPaintOfBagher2012)
 {

@@ -2,22 +2,6 @@
 #include "Microfacet.h"
 
 namespace fbrdf {
-namespace {
-
-BrdfFunction make(const ModelValues& values)
-{
-    const Roughness alpha = roughnessOf(values);
-    const Vec3d f0 = colourOf(values, "f0"), diffuse = colourOf(values, "kd") / kPi;
-    return [=](const Vec3d& wo, const Vec3d& wi) {
-        const HalfGeometry half(wo, wi);
-        // Cook and Torrance 1982, with the 1 / (4 cos cos) of Walter et al. 2007, Eq. 20.
-        const double reflection = correlatedReflection(
-            ggxDistribution(half, alpha), ggxLambda(wo, alpha), ggxLambda(wi, alpha), wo, wi);
-        return diffuse + schlickFresnel(f0, half.cosTheta_d) * reflection;
-    };
-}
-
-}  // namespace
 
 Model ggxModel()
 {
@@ -28,7 +12,7 @@ Model ggxModel()
             microfacetParameters(),
             roughnessIsIsotropic,
             {"kd = 0", hasNoDiffusePart},
-            make};
+            microfacetsOverLambertian<ggxDistribution, ggxLambda>};
 }
 
 }  // namespace fbrdf

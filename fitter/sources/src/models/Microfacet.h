@@ -47,4 +47,20 @@ bool roughnessIsIsotropic(const ModelValues& values);
 /// A Lambertian added to microfacets that may reflect all light leaves no room for it.
 bool hasNoDiffusePart(const ModelValues& values);
 
+/// What `make` of a model is, for microfacets of one of the distributions over a Lambertian:
+/// Cook and Torrance 1982, with the 1 / (4 cos cos) of Walter et al. 2007, Eq. 20.
+template <double (*distribution)(const HalfGeometry&, const Roughness&),
+          double (*lambda)(const Vec3d&, const Roughness&)>
+BrdfFunction microfacetsOverLambertian(const ModelValues& values)
+{
+    const Roughness alpha = roughnessOf(values);
+    const Vec3d f0 = colourOf(values, "f0"), diffuse = colourOf(values, "kd") / kPi;
+    return [=](const Vec3d& wo, const Vec3d& wi) {
+        const HalfGeometry half(wo, wi);
+        const double reflection = correlatedReflection(distribution(half, alpha), lambda(wo, alpha),
+                                                       lambda(wi, alpha), wo, wi);
+        return diffuse + schlickFresnel(f0, half.cosTheta_d) * reflection;
+    };
+}
+
 }  // namespace fbrdf
