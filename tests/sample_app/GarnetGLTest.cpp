@@ -21,7 +21,7 @@ namespace fbrdf::scene {
 namespace {
 
 constexpr int kSize = 128;
-constexpr double kCode = 1.0 / 255.0;  // issue 2: to one code
+constexpr double kCode = 1.0 / 255.0;  // to one code
 // The authors' viewer multiplied garnet red by 5; so do we, which makes the picture fill [0, 1].
 constexpr double kGain = 5.0;
 

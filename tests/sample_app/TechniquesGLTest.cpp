@@ -13,7 +13,7 @@
 namespace fbrdf::scene {
 namespace {
 
-// What issue 2 asks: float shading of 8-bit logs against double.
+// What is asked: float shading of 8-bit logs against double.
 constexpr double kAgainstReference = 2e-3;
 // The same floats added in another order.
 constexpr double kBetweenTechniques = 1e-4;

@@ -16,7 +16,7 @@
 namespace fbrdf::scene {
 namespace {
 
-constexpr double kAgainstReference = 2e-3;  // issue 2
+constexpr double kAgainstReference = 2e-3;  // as TechniquesGLTest.cpp
 constexpr double kBetweenTechniques = 1e-4;
 
 class Viewer : public testing::Test {
