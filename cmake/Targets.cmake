@@ -9,6 +9,11 @@ if(FBRDF_SANITIZE)
   target_compile_options(fbrdf_build_flags INTERFACE
     -fsanitize=${FBRDF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(fbrdf_build_flags INTERFACE -fsanitize=${FBRDF_SANITIZE} -rdynamic)
+  if(FBRDF_SANITIZE MATCHES address)
+    # Into every program, and into no library.
+    target_sources(fbrdf_build_flags INTERFACE
+      $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/SanitizerDefaults.cpp>)
+  endif()
 endif()
 
 # fbrdf_library(fbrdf_brdf ALIAS fbrdf::brdf SOURCES ... LINK ... PRIVATE_LINK ...)
