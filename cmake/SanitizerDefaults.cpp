@@ -8,6 +8,12 @@ const char* __asan_default_options()
     return "intercept_tls_get_addr=0";
 }
 
+// A report without the way to it says little.
+const char* __ubsan_default_options()
+{
+    return "print_stacktrace=1";
+}
+
 const char* __lsan_default_suppressions()
 {
     return "leak:libOSMesa.so\n";

@@ -100,7 +100,8 @@ TEST_F(Effect, PqpEqualsTheRuntime)
     compareWithRuntime(testMaterials()[0], sphereMesh(24), {1, 9, 64, 200});
 }
 
-// Disabled: 3.7e-4 at a pixel of 0.00038, all others below 1e-4; the tolerance stays until the cause is known.
+// Disabled: 3.7e-4 at a pixel of 0.00038, all others below 1e-4; the tolerance stays until the
+// cause is known.
 TEST_F(Effect, DISABLED_PqprWithKnotsInUniformsEqualsTheRuntime)
 {
     compareWithRuntime(testMaterials()[1], knotMesh(96, 16), {1, 9, 64, 200});
@@ -251,8 +252,9 @@ TEST_F(Effect, TwoContextsDrawTheSame)
     EXPECT_EQ(view_->frame(), first);
 }
 
-// Disabled: after releaseGLObjects() without a State, the next frame of OSG 3.6.5 reads a vertex array that is gone and
-// crashes inside llvmpipe; whether the effect or the scene graph keeps it alive is not known yet.
+// Disabled: after releaseGLObjects() without a State, the next frame of OSG 3.6.5 reads a vertex
+// array that is gone and crashes inside llvmpipe; whether the effect or the scene graph keeps it
+// alive is not known yet.
 TEST_F(Effect, DISABLED_GlObjectsCanBeReleasedAndMadeAnew)
 {
     const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));

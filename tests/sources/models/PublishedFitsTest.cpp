@@ -1,6 +1,6 @@
 // PublishedFitsTest.cpp - SGD and ABC with the parameters that their papers give for MERL materials
-// (collected by Peers; Bagher et al. 2012, Low et al. 2012), against the same formulas in numpy, and
-// Ward's table.
+// (collected by Peers; Bagher et al. 2012, Low et al. 2012), against the same formulas in numpy,
+// and Ward's table.
 #include "ExpectedValues.h"
 #include "Pairs.h"
 
