@@ -179,5 +179,13 @@ TEST(Traits, NothingAboveTheFloorIsAnError)
     EXPECT_THROW(traitsOf({}, false), Error);
 }
 
+TEST(Traits, OneSampleAFoldIsTheLeast)
+{
+    std::vector<Sample> samples(4, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.5f), 1.0f});
+    EXPECT_THROW(traitsOf(samples, false), Error);
+    samples.push_back(samples[0]);
+    EXPECT_EQ(traitsOf(samples, false).usable, 5u);
+}
+
 }  // namespace
 }  // namespace fbrdf

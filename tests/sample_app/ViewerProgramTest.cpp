@@ -12,6 +12,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace fbrdf::scene {
 namespace {
@@ -88,6 +89,8 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         {"--light-count 2 --lights x.json", "--light"},
         {"--out picture.jpg", "--out: found 'picture.jpg'"},
         {"--headless --material no-such-model:alpha=1", "no-such-model"},
+        {"--headless --material ggx:alpha=7", "found alpha=7"},
+        {"--headless --material lambert --form nothing", "found 'nothing'"},
     };
     for (const auto& [arguments, where] : cases) {
         SCOPED_TRACE(arguments);
@@ -127,6 +130,39 @@ TEST_F(Viewer, InputErrorsExitWith3AndLeaveNoPicture)
     EXPECT_EQ(std::count(names.begin(), names.end(), "p.png"), 0);
 }
 
+TEST_F(Viewer, SourcesThatCannotBeFittedAreRefusedAsByTheTool)
+{
+    const auto rows = [](const char* row, int count) {
+        std::string text = "wo_x,wo_y,wo_z,wi_x,wi_y,wi_z,value\n";
+        for (int i = 0; i < count; ++i) text += row;
+        return text;
+    };
+    struct Case {
+        const char* name;
+        std::string content;
+        int code;
+        const char* words;
+    };
+    const Case cases[] = {
+        {"empty.csv", "", 3, "empty"},
+        {"garbage.binary", std::string("\xff\0\x01\x80\xfe\x7f\r\n\xf0\x9f", 10), 3,
+         "garbage.binary"},
+        {"cut.csv", rows("0,0,1,0.6,0,0.8,1\n", 20) + "0,0", 3, "cut.csv:22"},
+        {"nan.csv", rows("0,0,1,0.6,0,0.8,nan\n", 20), 3, "20 not finite"},
+        {"zero.csv", rows("0,0,1,0.6,0,0.8,0\n", 20), 4, "20, of which 0 have a value above"},
+        {"one.csv", rows("0,0,1,0.6,0,0.8,1\n", 1), 4, "found 1, of which 1"},
+        {"below.csv", rows("0,0,-1,0.6,0,0.8,1\n", 20), 3, "20 below the horizon"},
+    };
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.name);
+        writeText(file(c.name), c.content);
+        expectError(
+            runViewer("--headless --material '" + file(c.name) + "' --out '" + file("p.png") + "'"),
+            c.code, c.words);
+        EXPECT_FALSE(std::filesystem::exists(file("p.png")));
+    }
+}
+
 TEST_F(Viewer, OutputErrorsExitWith5)
 {
     for (const char* option : {"--out '/nonexistent/p.exr'", "--out '/nonexistent/p.png'",
@@ -145,6 +181,18 @@ TEST_F(Viewer, NoUsableGlExitsWith6)
                           "env -u DISPLAY -u WAYLAND_DISPLAY"),
                 6, "--headless");
     EXPECT_EQ(dir_.names(), std::vector<std::string>{"made.fbrdf"});
+}
+
+TEST_F(Viewer, AnOlderGlExitsWith6)
+{
+    for (const Backend backend : {Backend::egl, Backend::osmesa}) {
+        if (!hasBackend(backend)) continue;
+        expectError(runViewer(drawMade() + "--backend " + backendName(backend) + " --out '" +
+                                  file("p.png") + "'",
+                              "MESA_GL_VERSION_OVERRIDE=2.0 MESA_GLSL_VERSION_OVERRIDE=110"),
+                    6, "found no OpenGL 3.3");
+        EXPECT_EQ(dir_.names(), std::vector<std::string>{"made.fbrdf"});
+    }
 }
 
 TEST_F(Viewer, CpuTechniquesNeedNoGl)

@@ -52,9 +52,10 @@ std::vector<BadFile> badFiles()
             {"truncated.csv", samplesCsv(20).substr(0, 900), 3, "truncated.csv:"},
             {"text.csv", "this is not a table\n", 3, "text.csv:1"},
             {"nan.csv", rows("0,0,1,0.6,0,0.8,nan,nan,nan", 20), 3, "20 not finite"},
-            {"zero.csv", rows("0,0,1,0.6,0,0.8,0,0,0", 20), 4, "none with a value above"},
-            {"negative.csv", rows("0,0,1,0.6,0,0.8,-1,-1,-1", 20), 4, "none with a value above"},
-            {"one.csv", rows("0,0,1,0.6,0,0.8,1,1,1", 1), 4, "found 1 usable samples"},
+            {"zero.csv", rows("0,0,1,0.6,0,0.8,0,0,0", 20), 4, "20, of which 0 have a value above"},
+            {"negative.csv", rows("0,0,1,0.6,0,0.8,-1,-1,-1", 20), 4,
+             "20, of which 0 have a value above"},
+            {"one.csv", rows("0,0,1,0.6,0,0.8,1,1,1", 1), 4, "found 1, of which 1"},
             {"below.csv", rows("0,0,-1,0.6,0,0.8,1,1,1", 20), 3, "20 below the horizon"}};
 }
 

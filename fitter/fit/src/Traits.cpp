@@ -8,6 +8,13 @@
 #include <cmath>
 
 namespace fbrdf {
+namespace {
+
+// With fewer than one for each held-out fold nothing could be said about the fit, and a single
+// sample fits every form.
+constexpr size_t kFewestSamples = 5;
+
+}  // namespace
 
 float quantile(std::vector<float>& values, double fraction)
 {
@@ -55,10 +62,12 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact)
         traits.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
         traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
     }
-    if (traits.usable == 0)
+    if (traits.usable < kFewestSamples)
         throw Error(ErrorKind::fit, "samples",
-                    "found " + std::to_string(samples.size()) +
-                        " samples, none with a value above the noise floor; expected some");
+                    "found " + std::to_string(samples.size()) + ", of which " +
+                        std::to_string(traits.usable) +
+                        " have a value above the noise floor; expected at least " +
+                        std::to_string(kFewestSamples) + " that have");
     return traits;
 }
 

@@ -19,7 +19,7 @@ struct DataTraits {
     size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
 };
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
-/// Throws Error(fit) when no value lies above the noise floor.
+/// Throws Error(fit) when fewer than 5 samples have a value above the noise floor.
 DataTraits traitsOf(const std::vector<Sample>& samples, bool exact);
 
 /// One channel of one sample.

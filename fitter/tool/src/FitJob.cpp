@@ -27,19 +27,6 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// With fewer than one for each held-out fold nothing could be said about the fit, and a single
-// sample fits every form.
-constexpr uint64_t kFewestSamples = 5;
-
-void requireEnough(const FitJob& job, const FitOutcome& outcome)
-{
-    const uint64_t usable = outcome.report.given - invalidSamples(outcome.report);
-    if (hasSamples(outcome.source) && usable < kFewestSamples)
-        throw Error(
-            ErrorKind::fit, job.source,
-            fmt::format("found {} usable samples, expected at least {}", usable, kFewestSamples));
-}
-
 void addErrors(Material& material, const char* prefix, const ErrorMap& errors)
 {
     for (const auto& [name, value] : errors) material.errors[prefix + name] = value;
@@ -77,7 +64,6 @@ FitOutcome runFitJob(const FitJob& job, Progress& progress)
     outcome.source = openSource(job.source, job.sourceOptions);
     outcome.report = reportOf(outcome.source);
     outcome.times.read = watch.lap();
-    requireEnough(job, outcome);
     progress.phase("fitting " + outcome.source.name);
     FitResult result = fitMaterial(outcome.source, job.fit);
     outcome.times.fit = watch.lap();

@@ -14,11 +14,26 @@
 namespace fbrdf {
 namespace {
 
-[[noreturn]] void fail(const std::string& step)
+std::string failureOf(const char* call)
 {
     char code[16];
     std::snprintf(code, sizeof code, "0x%04x", static_cast<unsigned>(eglGetError()));
-    throw Error(ErrorKind::gl, "EGL", step + " failed with " + code);
+    return std::string(call) + " failed with " + code;
+}
+
+[[noreturn]] void fail(const char* call)
+{
+    throw Error(ErrorKind::gl, "EGL",
+                "found that " + failureOf(call) +
+                    ", expected OpenGL on Mesa's surfaceless platform (Debian: libegl1, "
+                    "libgl1-mesa-dri)");
+}
+
+[[noreturn]] void failForVersion(const HeadlessOptions& options)
+{
+    throw Error(ErrorKind::gl, "EGL",
+                "found no OpenGL " + versionName(options) + " (" + failureOf("eglCreateContext") +
+                    "), expected a driver that has it");
 }
 
 // The display stays initialised: it is one for the process, and eglTerminate would end the contexts
@@ -60,9 +75,7 @@ public:
         if (!eglBindAPI(api_)) fail("eglBindAPI");
         context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
                                     attributesOf(options).data());
-        if (context_ == EGL_NO_CONTEXT)
-            fail("eglCreateContext of version " + std::to_string(options.major) + "." +
-                 std::to_string(options.minor));
+        if (context_ == EGL_NO_CONTEXT) failForVersion(options);
     }
 
     ~EglContext() override

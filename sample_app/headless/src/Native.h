@@ -3,6 +3,7 @@
 #include <fbrdf/headless/Context.h>
 
 #include <memory>
+#include <string>
 
 namespace fbrdf {
 
@@ -12,6 +13,12 @@ public:
     virtual ~NativeContext() = default;
     virtual void makeCurrent() = 0;
 };
+
+/// "3.3": the version that was asked for.
+inline std::string versionName(const HeadlessOptions& options)
+{
+    return std::to_string(options.major) + "." + std::to_string(options.minor);
+}
 
 std::unique_ptr<NativeContext> createEglContext(const HeadlessOptions& options);
 std::unique_ptr<NativeContext> createOsMesaContext(const HeadlessOptions& options);

@@ -83,8 +83,8 @@ public:
             fail("found a request for OpenGL ES, expected OpenGL");
         context_ = library().createContext(attributesOf(options).data(), nullptr);
         if (!context_)
-            fail("OSMesaCreateContextAttribs of version " + std::to_string(options.major) + "." +
-                 std::to_string(options.minor) + " failed");
+            fail("found no OpenGL " + versionName(options) +
+                 " (OSMesaCreateContextAttribs failed), expected a driver that has it");
     }
 
     ~OsMesaContext() override
