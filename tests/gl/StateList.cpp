@@ -154,6 +154,7 @@ void addIndexed(const GladGLContext& gl, StateSnapshot& state)
         std::vector<double> values(4, 0.0);
         gl.GetDoublei_v(GL_VIEWPORT, i, values.data());
         state[view + "box"] = values;
+        values.assign(2, 0.0);
         gl.GetDoublei_v(GL_DEPTH_RANGE, i, values.data());
         state[view + "depth"] = values;
         GLint box[4] = {};

@@ -5,6 +5,7 @@
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/plan/LightVectors.h>
+#include <fbrdf/plan/Transfer.h>
 
 #include <gtest/gtest.h>
 
@@ -54,8 +55,8 @@ protected:
 std::string twinFragment(const std::string& statements)
 {
     std::string text = "#version 140\n";
-    for (const char* file :
-         {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl"})
+    for (const char* file : {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl",
+                             "lights.glsl", "transfer.glsl"})
         text += embeddedShader(file);
     return text +
            "uniform sampler2D inputs;\nout vec4 result;\nvoid main()\n{\n"
@@ -328,6 +329,20 @@ TEST_P(Twin, IrradianceOfADirectionalLight)
             {light});
     EXPECT_NEAR(found[0].z, 2.0f, kRounding);
     EXPECT_NEAR(found[0].w, 0.6f, kRounding);
+}
+
+TEST_P(Twin, Transfers)
+{
+    constexpr float kPow = 1e-4f;  // of a driver
+    std::vector<Inputs> inputs{{Vec4(0.0f), {}}, {Vec4(1.0f), {}}, {Vec4(0.0031308f), {}}};
+    for (float x = 1e-4f; x < 1.0f; x *= 1.1f) inputs.push_back({Vec4(x), {}});
+    compare(
+        "result = vec4(fbrdfSrgbFromLinear(a.rgb), 0.0);", inputs,
+        [](const Inputs& i) { return Vec4(Vec3f(srgbFromLinear(i.a.x)), 0.0f); }, kPow);
+    for (Inputs& i : inputs) i.a *= 8.0f;
+    compare(
+        "result = vec4(fbrdfToneMapped(a.rgb), 0.0);", inputs,
+        [](const Inputs& i) { return Vec4(Vec3f(toneMapped(i.a.x)), 0.0f); }, kRounding);
 }
 
 TEST_P(Twin, Cones)

@@ -95,7 +95,7 @@ double expectedValue(const Form& form, const SimulatedFragment& fragment)
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
                         SimulatedPixel target)
 {
-    double surface[3] = {target.value, kStale, kStale};
+    double surface[4] = {target.value, kStale, kStale, kStale};
     double targetDepth = target.depth, offscreenDepth = 1.0;
     for (const Pass& pass : plan.passes) {
         double& depth = pass.writes == Surface::target ? targetDepth : offscreenDepth;
@@ -106,6 +106,7 @@ SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& 
             if (pass.depth == Depth::lay) depth = fragment.depth;
             double value = valueOf(pass, fragment);
             if (pass.reads) value *= surface[static_cast<size_t>(*pass.reads)];
+            if (isCurved(pass.transfer)) value = transferred(pass.transfer, 1.0, value);
             double& held = surface[static_cast<size_t>(pass.writes)];
             held = blended(pass.blend, held, value);
         }

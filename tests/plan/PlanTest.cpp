@@ -179,6 +179,36 @@ TEST(Plan, ShowsTheNearestFragmentWhateverTheOrder)
     });
 }
 
+TEST(Plan, ACurveComesOnceAndLast)
+{
+    for (const Form& form : allForms())
+        for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
+            for (const int lights : {0, 1, 3, 9})
+                for (const bool offscreen : {true, false}) {
+                    const Case c{
+                        form, {t, lights, 2, 0, ColourFormat::rgba8, offscreen, Transfer::toneMap}};
+                    const Plan plan = planPasses(form, c.request, modern());
+                    ASSERT_TRUE(plan.feasible() || !offscreen) << describeCase(c) << plan.reason;
+                    if (!plan.feasible()) continue;
+                    for (size_t i = 0; i + 1 < plan.passes.size(); ++i) {
+                        ASSERT_EQ(plan.passes[i].transfer, Transfer::linear) << describeCase(c);
+                        ASSERT_NE(plan.passes[i].writes, Surface::target) << describeCase(c);
+                    }
+                    ASSERT_EQ(plan.passes.back().transfer, Transfer::toneMap) << describeCase(c);
+                    auto nearer = simulatedFragment(form, lights, 0.3, 1),
+                         farther = simulatedFragment(form, lights, 0.6, 2);
+                    for (double& e : nearer.irradiance) e *= 1e-3;  // below the white point
+                    const double expected =
+                        transferred(Transfer::toneMap, 1.0, expectedValue(form, nearer));
+                    for (const auto& order : {std::vector<SimulatedFragment>{nearer, farther},
+                                              std::vector<SimulatedFragment>{farther, nearer}}) {
+                        const SimulatedPixel pixel = simulate(plan, order, {123.0, 1.0});
+                        ASSERT_NEAR(pixel.value, expected, 1e-9) << describeCase(c);
+                        ASSERT_EQ(pixel.depth, 0.3) << describeCase(c);
+                    }
+                }
+}
+
 TEST(Plan, LeavesWhatIsInFrontAlone)
 {
     forEachCase([](const Case& c) {

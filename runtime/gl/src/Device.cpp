@@ -104,6 +104,8 @@ DevicePtr createDevice(const RendererOptions& options)
     check(device->capabilities);
     device->capabilities.debug = device->capabilities.debug && options.debugLabels;
     device->logTo = options.log;
+    device->state = options.state;
+    if (device->gl.version >= 30) device->drawBuffers = integer(device->gl, GL_MAX_DRAW_BUFFERS);
     device->renderer = text(device->gl, GL_RENDERER);
     device->version = text(device->gl, GL_VERSION);
     device->firstTextureUnit = options.firstTextureUnit;

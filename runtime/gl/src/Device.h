@@ -16,6 +16,8 @@ struct Device {
     std::function<void(Severity, const std::string&)> logTo;
     std::string renderer, version;
     int firstTextureUnit = 0;
+    int drawBuffers = 1;
+    StateMode state = StateMode::restore;
     uint64_t nextMaterial = 0;
     bool alive = true;  ///< false: the context is gone, no GL call may be made
 

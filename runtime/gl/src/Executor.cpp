@@ -84,10 +84,8 @@ void Executor::useProgram(const Item& item, const Program& program)
     gl_.UseProgram(program.object.name());
     program_ = &program;
     setMatrices(item, program);
-    setTables(*item.material, program);
-    for (size_t t = 0; t < program.scales.size(); ++t)
-        if (program.scales[t] >= 0)
-            gl_.Uniform3fv(program.scales[t], 1, glm::value_ptr(item.material->scales()[t]));
+    bindTables(*item.material, program);
+    setUniforms(*item.material, program.material);
     if (program.readScale >= 0)
         gl_.Uniform2f(program.readScale, 1.0f / static_cast<float>(frame_.target.width),
                       1.0f / static_cast<float>(frame_.target.height));
@@ -106,19 +104,12 @@ void Executor::setMatrices(const Item& item, const Program& program)
     if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(frame_.eye));
 }
 
-void Executor::setTables(const GpuMaterial& material, const Program& program)
+void Executor::bindTables(const GpuMaterial& material, const Program& program)
 {
-    for (size_t i = 0; i < program.tables.size(); ++i) {
-        const GpuTable& table = material.tables()[i];
-        const Program::TableUniforms& uniforms = program.tables[i];
-        if (uniforms.unit >= 0)
-            state_.bindTexture(uniforms.unit, table.target, table.texture.name());
-        if (uniforms.lower >= 0) gl_.Uniform3fv(uniforms.lower, 1, glm::value_ptr(table.lower));
-        if (uniforms.extent >= 0) gl_.Uniform3fv(uniforms.extent, 1, glm::value_ptr(table.extent));
-        if (uniforms.knots >= 0)
-            gl_.Uniform3fv(uniforms.knots, static_cast<GLsizei>(table.knots.size()),
-                           glm::value_ptr(table.knots.front()));
-    }
+    for (size_t i = 0; i < program.tableUnits.size(); ++i)
+        if (program.tableUnits[i] >= 0)
+            state_.bindTexture(program.tableUnits[i], material.tables()[i].target,
+                               material.tables()[i].texture.name());
 }
 
 void Executor::setLights(const Pass& pass, const Program& program)

@@ -39,7 +39,7 @@ private:
     void setDepth(Depth depth);
     void useProgram(const Item& item, const Program& program);
     void setMatrices(const Item& item, const Program& program);
-    void setTables(const GpuMaterial& material, const Program& program);
+    void bindTables(const GpuMaterial& material, const Program& program);
     void setLights(const Pass& pass, const Program& program);
 
     const Device& device_;

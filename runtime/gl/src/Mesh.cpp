@@ -107,7 +107,7 @@ MeshBinding::MeshBinding(const GpuMesh& mesh) : mesh_(mesh)
         gl.BindVertexArray(mesh.vertexArray_.name());
         return;
     }
-    save();
+    if (mesh.device_->state == StateMode::restore) save();
     mesh.setAttributes();
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices_.name());
 }
@@ -130,7 +130,7 @@ void MeshBinding::save()
 
 MeshBinding::~MeshBinding()
 {
-    if (mesh_.vertexArray_) return;
+    if (mesh_.vertexArray_ || mesh_.device_->state == StateMode::leave) return;
     const Functions& gl = mesh_.device_->gl;
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(elementBuffer_));
     for (GLuint i = 0; i < kAttributeCount; ++i) {

@@ -31,7 +31,8 @@ private:
 };
 
 /// Makes a mesh the vertex input for its lifetime. Vertex array and array buffer are the caller's
-/// to put back; without vertex arrays this puts back the attributes and the element buffer.
+/// to put back; without vertex arrays this puts back the attributes and the element buffer, as
+/// StateMode says.
 class MeshBinding {
 public:
     explicit MeshBinding(const GpuMesh& mesh);
@@ -41,7 +42,7 @@ public:
 
 private:
     struct SavedAttribute {
-        GLint enabled = 0, size = 4, type = 0, normalized = 0, stride = 0, buffer = 0;
+        GLint enabled = 0, size = 4, type = GL_FLOAT, normalized = 0, stride = 0, buffer = 0;
         void* pointer = nullptr;
     };
     void save();

@@ -73,6 +73,7 @@ std::string keyOf(const ProgramSpec& spec)
 {
     std::string key = (spec.lit ? "l" : "u") + std::to_string(spec.lightSlots);
     if (spec.reads) key += 'r';
+    key += static_cast<char>('0' + static_cast<int>(spec.transfer));
     for (const Part& part : spec.parts) {
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
         for (const int factor : part.factors) key += ',' + std::to_string(factor);
@@ -164,13 +165,9 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
     result->lightCount = location("fbrdfLightCount");
     result->readScale = location("fbrdfReadScale");
     result->readUnit = unitOf("fbrdfRead");
-    for (size_t i = 0; i < material.tables().size(); ++i) {
-        const std::string k = std::to_string(i);
-        result->tables.push_back({location("fbrdfLower" + k), location("fbrdfExtent" + k),
-                                  location("fbrdfKnots" + k), unitOf("fbrdfTable" + k)});
-    }
-    for (size_t t = 0; t < material.scales().size(); ++t)
-        result->scales.push_back(location("fbrdfScale" + std::to_string(t)));
+    result->material = findUniforms(material, program);
+    for (size_t i = 0; i < material.tables().size(); ++i)
+        result->tableUnits.push_back(unitOf("fbrdfTable" + std::to_string(i)));
     result->lookups = countLookups(fragment, samplers);
     return result;
 }

@@ -1,7 +1,7 @@
 // Program.h - linked programs, found by their text: materials of one form and one set of sizes
 // share them.
 #pragma once
-#include "GpuMaterial.h"
+#include "MaterialUniforms.h"
 #include "Objects.h"
 
 #include <fbrdf/shaders/ShaderSource.h>
@@ -20,13 +20,9 @@ struct Program {
     GLint modelView = -1, projection = -1, normalMatrix = -1, eye = -1;
     GLint lights = -1, lightCount = -1, readScale = -1;
     int readUnit = -1;  ///< texture unit (from the device's first) of the surface that is read
-    struct TableUniforms {
-        GLint lower = -1, extent = -1, knots = -1;
-        int unit = -1;
-    };
-    std::vector<TableUniforms> tables;  ///< one for each of the form
-    std::vector<GLint> scales;          ///< one for each term
-    LookupCount lookups;                ///< counted from what the linker left active
+    MaterialUniforms material;
+    std::vector<int> tableUnits;  ///< of each table of the form, as readUnit
+    LookupCount lookups;          ///< counted from what the linker left active
 };
 
 class ProgramCache {

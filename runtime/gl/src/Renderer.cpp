@@ -33,16 +33,22 @@ void checkTarget(const Device& device, const Target& target)
     if (target.width <= 0 || target.height <= 0)
         fail("found " + std::to_string(target.width) + "x" + std::to_string(target.height) +
              " pixels, expected at least one");
+    if (!(target.exposure > 0.0f) || !std::isfinite(target.exposure))
+        fail("found exposure " + std::to_string(target.exposure) +
+             ", expected a finite number above 0");
     if (target.framebuffer != 0 && !device.capabilities.framebufferObjects)
         fail("found framebuffer object " + std::to_string(target.framebuffer) +
              " in a context without framebuffer objects, expected 0");
 }
 
-std::vector<Light> usableLights(const std::vector<Light>& lights)
+/// The valid ones, exposed: light is linear, so that is where exposure costs nothing.
+std::vector<Light> usableLights(const std::vector<Light>& lights, const Target& target)
 {
     std::vector<Light> used;
     std::copy_if(lights.begin(), lights.end(), std::back_inserter(used),
                  [](const Light& light) { return isValid(light); });
+    if (target.transfer != Transfer::linear)
+        for (Light& light : used) light.intensity *= target.exposure;
     return used;
 }
 
@@ -65,7 +71,8 @@ struct Renderer::State {
     PlanRequest request(const DrawOptions& options, int lights, const TargetInfo& target) const
     {
         return {options.technique,  lights,        options.lightsPerPass,
-                options.maxLookups, target.format, !target.multisampled};
+                options.maxLookups, target.format, !target.multisampled,
+                target.transfer};
     }
 
     std::vector<const Program*> programsOf(const GpuMaterial& material, const Plan& plan)
@@ -171,7 +178,9 @@ void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, 
     state_->checkAlive();
     const StateGuard guard(*state_->device);
     const Plan plan = state_->planFor(
-        material, state_->request(options, lights, {ColourFormat::rgba32f, false}), nullptr);
+        material,
+        state_->request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}),
+        nullptr);
     state_->programsOf(material, plan);
 }
 
@@ -182,7 +191,7 @@ DrawStats Renderer::draw(const Target& target, const View& view, const std::vect
     const Device& device = *state_->device;
     checkTarget(device, target);
     checkView(view);
-    const std::vector<Light> used = usableLights(lights);
+    const std::vector<Light> used = usableLights(lights, target);
     const Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection))),
                       lightVectors(used, view)};
     DrawStats stats;
@@ -194,7 +203,7 @@ DrawStats Renderer::draw(const Target& target, const View& view, const std::vect
     const DebugGroup group(device, "fbrdf draw");
     guard.setTarget(target);
     const PlanRequest wanted =
-        state_->request(options, stats.lightsUsed, targetInfo(device, target.framebuffer));
+        state_->request(options, stats.lightsUsed, targetInfo(device, target));
     validate(wanted);
     Executor executor(device, frame, state_->surfaces, guard);
     for (const Item& item : items) {

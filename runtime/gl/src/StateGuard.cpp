@@ -71,26 +71,36 @@ void setFirst(const Functions& gl, GLenum name, bool on, int indexedSince)
     on ? gl.Enablei(name, 0) : gl.Disablei(name, 0);
 }
 
-int drawBuffers(const Functions& gl)
-{
-    return gl.version < 30 ? 1 : integer(gl, GL_MAX_DRAW_BUFFERS);
-}
-
 }  // namespace
 
-StateGuard::StateGuard(const Device& device) : device_(device), gl_(device.gl)
+StateGuard::StateGuard(const Device& device)
+    : device_(device),
+      gl_(device.gl),
+      mode_(device.state),
+      colourMasks_(4 * static_cast<size_t>(device.drawBuffers), GL_TRUE)
 {
-    saveBindings();
-    saveFixed();
+    if (mode_ == StateMode::restore) {
+        saveBindings();
+        saveFixed();
+    }
     disableAll();
     setFixed();
 }
 
 StateGuard::~StateGuard()
 {
+    if (mode_ == StateMode::leave) {
+        if (device_.capabilities.vertexArrays) gl_.BindVertexArray(0);
+        return;
+    }
     restoreTextures();
     for (const GLenum name : switches_) gl_.Enable(name);
     restoreFixed();
+    restoreBindings();
+}
+
+void StateGuard::restoreBindings() const
+{
     // A program that was deleted while in use has no name to return to.
     const GLuint program = unsignedOf(program_);
     gl_.UseProgram(program != 0 && gl_.IsProgram(program) ? program : 0);
@@ -112,12 +122,10 @@ void StateGuard::saveBindings()
 
 void StateGuard::saveFixed()
 {
-    const int buffers = drawBuffers(gl_);
-    colourMasks_.resize(4 * static_cast<size_t>(buffers));
     if (gl_.version < 30)
         gl_.GetBooleanv(GL_COLOR_WRITEMASK, colourMasks_.data());
     else
-        for (int i = 0; i < buffers; ++i)
+        for (int i = 0; i < device_.drawBuffers; ++i)
             gl_.GetBooleani_v(GL_COLOR_WRITEMASK, static_cast<GLuint>(i),
                               &colourMasks_[4 * static_cast<size_t>(i)]);
     const GLenum functions[] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
@@ -147,9 +155,10 @@ void StateGuard::disableAll()
     for (const Switch& s : kSwitches) {
         if (gl_.version < s.since || (s.fixedFunctionOnly && device_.capabilities.coreProfile))
             continue;
-        if (!isOn(gl_, s.name)) continue;
-        switches_.push_back(s.name);
-        gl_.Disable(s.name);
+        const bool onInTheEnd =
+            mode_ == StateMode::restore ? isOn(gl_, s.name) : s.name == GL_DITHER;
+        if (onInTheEnd) switches_.push_back(s.name);
+        if (onInTheEnd || mode_ != StateMode::restore) gl_.Disable(s.name);
     }
     setFirst(gl_, GL_SCISSOR_TEST, false, 41);
     gl_.Enable(GL_DEPTH_TEST);
@@ -158,7 +167,7 @@ void StateGuard::disableAll()
 void StateGuard::setFixed()
 {
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    for (int i = 1; i < drawBuffers(gl_); ++i)
+    for (int i = 1; i < device_.drawBuffers; ++i)
         gl_.ColorMaski(static_cast<GLuint>(i), GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     if (gl_.version >= 41)
         gl_.DepthRangeIndexed(0, 0.0, 1.0);
@@ -196,14 +205,7 @@ void StateGuard::restoreFixed() const
     gl_.DepthFunc(enumOf(depthFunction_));
     gl_.DepthMask(depthMask_);
     gl_.ClearDepth(clearDepth_);
-    if (gl_.version >= 41) {
-        gl_.ViewportIndexedf(0, viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-        gl_.DepthRangeIndexed(0, depthRange_[0], depthRange_[1]);
-    } else {
-        gl_.Viewport(static_cast<GLint>(viewport_[0]), static_cast<GLint>(viewport_[1]),
-                     static_cast<GLsizei>(viewport_[2]), static_cast<GLsizei>(viewport_[3]));
-        gl_.DepthRange(depthRange_[0], depthRange_[1]);
-    }
+    restoreDepthRangeAndViewport();
     if (device_.capabilities.coreProfile) {
         gl_.PolygonMode(GL_FRONT_AND_BACK, enumOf(polygonMode_[0]));
     } else {
@@ -212,6 +214,20 @@ void StateGuard::restoreFixed() const
         if (gl_.version >= 30) gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, enumOf(clampColour_));
     }
     if (gl_.version >= 45) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
+}
+
+void StateGuard::restoreDepthRangeAndViewport() const
+{
+    if (gl_.version >= 41)
+        gl_.DepthRangeIndexed(0, depthRange_[0], depthRange_[1]);
+    else
+        gl_.DepthRange(depthRange_[0], depthRange_[1]);
+    if (mode_ != StateMode::restore) return;
+    if (gl_.version >= 41)
+        gl_.ViewportIndexedf(0, viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+    else
+        gl_.Viewport(static_cast<GLint>(viewport_[0]), static_cast<GLint>(viewport_[1]),
+                     static_cast<GLsizei>(viewport_[2]), static_cast<GLsizei>(viewport_[3]));
 }
 
 void StateGuard::setTarget(const Target& target)
@@ -225,19 +241,20 @@ void StateGuard::setTarget(const Target& target)
         gl_.Viewport(0, 0, target.width, target.height);
 }
 
+StateGuard::SavedUnit StateGuard::savedUnit(GLenum name) const
+{
+    return {name, integer(gl_, GL_TEXTURE_BINDING_2D), integer(gl_, GL_TEXTURE_BINDING_3D),
+            gl_.version >= 33 ? integer(gl_, GL_SAMPLER_BINDING) : 0};
+}
+
 void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
 {
     const GLenum name = GL_TEXTURE0 + static_cast<GLenum>(device_.firstTextureUnit + unit);
     gl_.ActiveTexture(name);
     const auto isSaved = [name](const SavedUnit& u) { return u.unit == name; };
     if (std::none_of(units_.begin(), units_.end(), isSaved)) {
-        SavedUnit saved{name, integer(gl_, GL_TEXTURE_BINDING_2D),
-                        integer(gl_, GL_TEXTURE_BINDING_3D), 0};
-        if (gl_.version >= 33) {
-            saved.sampler = integer(gl_, GL_SAMPLER_BINDING);
-            gl_.BindSampler(name - GL_TEXTURE0, 0);
-        }
-        units_.push_back(saved);
+        units_.push_back(mode_ == StateMode::restore ? savedUnit(name) : SavedUnit{name});
+        if (gl_.version >= 33) gl_.BindSampler(name - GL_TEXTURE0, 0);
     }
     gl_.BindTexture(target, texture);
 }

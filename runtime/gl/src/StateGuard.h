@@ -1,4 +1,5 @@
-// StateGuard.h - puts back what a draw touches. The list is in README.md; a test randomises it.
+// StateGuard.h - what becomes of the state that a draw touches (StateMode). The list is in
+// README.md; a test randomises it.
 #pragma once
 #include "Device.h"
 
@@ -6,8 +7,10 @@
 
 namespace fbrdf::gl {
 
-/// Saves the draw state and sets it to GL's defaults, less what passes set: blend, depth, program,
-/// textures. The destructor restores it.
+/// Saves the draw state (StateMode::restore) and sets it to GL's defaults, less what passes set:
+/// blend, depth, program, textures. The destructor puts back what was saved, GL's defaults where
+/// nothing was, or does nothing but unbind the vertex array (StateMode::leave): a host that binds
+/// an element buffer would change the mesh.
 class StateGuard {
 public:
     explicit StateGuard(const Device& device);
@@ -27,22 +30,30 @@ private:
     };
     void saveBindings();
     void saveFixed();
+    void restoreBindings() const;
     void disableAll();
     void setFixed();
     void restoreFixed() const;
+    void restoreDepthRangeAndViewport() const;
+    SavedUnit savedUnit(GLenum name) const;  ///< of the active unit
     void restoreTextures() const;
 
     const Device& device_;
     const Functions& gl_;
-    std::vector<GLenum> switches_;  ///< capabilities that were on
+    const StateMode mode_;
+    std::vector<GLenum> switches_;  ///< capabilities to turn on in the end
     std::vector<SavedUnit> units_;
     std::vector<GLboolean> colourMasks_;  ///< four a draw buffer
-    GLint program_ = 0, activeTexture_ = 0, arrayBuffer_ = 0, vertexArray_ = 0, framebuffer_ = 0;
-    GLint blendFunctions_[4] = {}, blendEquations_[2] = {};
-    GLint depthFunction_ = 0, polygonMode_[2] = {}, clampColour_ = 0, clipOrigin_ = 0,
-          clipDepth_ = 0;
+    // GL's defaults, overwritten by what is saved.
+    GLint program_ = 0, activeTexture_ = GL_TEXTURE0, arrayBuffer_ = 0, vertexArray_ = 0,
+          framebuffer_ = 0;
+    GLint blendFunctions_[4] = {GL_ONE, GL_ZERO, GL_ONE, GL_ZERO},
+          blendEquations_[2] = {GL_FUNC_ADD, GL_FUNC_ADD};
+    GLint depthFunction_ = GL_LESS, polygonMode_[2] = {GL_FILL, GL_FILL},
+          clampColour_ = GL_FIXED_ONLY, clipOrigin_ = GL_LOWER_LEFT,
+          clipDepth_ = GL_NEGATIVE_ONE_TO_ONE;
     GLfloat viewport_[4] = {};
-    GLdouble depthRange_[2] = {}, clearDepth_ = 1.0;
+    GLdouble depthRange_[2] = {0.0, 1.0}, clearDepth_ = 1.0;
     GLboolean depthMask_ = GL_TRUE;
     bool blend_ = false, depthTest_ = false, scissor_ = false;
 };

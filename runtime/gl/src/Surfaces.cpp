@@ -17,7 +17,8 @@ bool Surfaces::prepare(int width, int height)
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
     label(*device_, ObjectKind::renderbuffer, depth_, "depth");
-    usable_ = create(accumulation_, "accumulation") && create(scratch_, "scratch");
+    usable_ =
+        create(accumulation_, "accumulation") && create(scratch_, "scratch") && create(sum_, "sum");
     if (!usable_)
         device_->log(Severity::warning, "no RGBA32F surface of " + std::to_string(width) + "x" +
                                             std::to_string(height) + " can be drawn to");

@@ -1,5 +1,5 @@
-// Surfaces.h - the accumulation and scratch surfaces: RGBA32F, as large as the target, one depth
-// buffer for both.
+// Surfaces.h - the accumulation, scratch and sum surfaces: RGBA32F, as large as the target, one
+// depth buffer for all.
 #pragma once
 #include "Objects.h"
 
@@ -9,11 +9,11 @@ class Surfaces {
 public:
     explicit Surfaces(DevicePtr device) : device_(std::move(device)) {}
 
-    /// Makes both as large as said; nothing where they are. False, and a warning, where the driver
+    /// Makes all as large as said; nothing where they are. False, and a warning, where the driver
     /// cannot draw to RGBA32F; it is not asked again for this size.
     bool prepare(int width, int height);
 
-    /// Framebuffer of accumulation or scratch.
+    /// Framebuffer of any but the target.
     GLuint framebuffer(Surface surface) const;
     GLuint texture(Surface surface) const;
 
@@ -24,11 +24,12 @@ private:
     bool create(One& one, const std::string& name);
     const One& of(Surface surface) const
     {
+        if (surface == Surface::sum) return sum_;
         return surface == Surface::scratch ? scratch_ : accumulation_;
     }
 
     DevicePtr device_;
-    One accumulation_, scratch_;
+    One accumulation_, scratch_, sum_;
     Object depth_;
     int width_ = 0, height_ = 0;
     bool usable_ = false;

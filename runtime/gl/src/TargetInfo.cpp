@@ -60,9 +60,10 @@ ColourFormat formatBefore30(const Functions& gl, GLuint framebuffer)
 
 }  // namespace
 
-TargetInfo targetInfo(const Device& device, GLuint framebuffer)
+TargetInfo targetInfo(const Device& device, const Target& target)
 {
     const Functions& gl = device.gl;
+    const GLuint framebuffer = target.framebuffer;
     if (device.capabilities.framebufferObjects) {
         const GLenum status = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE)
@@ -72,6 +73,7 @@ TargetInfo targetInfo(const Device& device, GLuint framebuffer)
     TargetInfo info;
     info.format =
         gl.version >= 30 ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
+    info.transfer = target.transfer;
     info.multisampled = integer(gl, GL_SAMPLES) > 1;
     return info;
 }

@@ -7,10 +7,11 @@ namespace fbrdf::gl {
 struct TargetInfo {
     ColourFormat format = ColourFormat::other;
     bool multisampled = false;
+    Transfer transfer = Transfer::linear;
 };
 
 /// Of the bound draw framebuffer. Throws Error(gl) where it cannot be drawn to: incomplete, without
 /// a colour buffer or without depth.
-TargetInfo targetInfo(const Device& device, GLuint framebuffer);
+TargetInfo targetInfo(const Device& device, const Target& target);
 
 }  // namespace fbrdf::gl

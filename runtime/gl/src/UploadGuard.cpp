@@ -7,6 +7,9 @@ constexpr GLenum kUnpack[] = {GL_UNPACK_ALIGNMENT,   GL_UNPACK_ROW_LENGTH,  GL_U
                               GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_IMAGE_HEIGHT,
                               GL_UNPACK_SWAP_BYTES,  GL_UNPACK_LSB_FIRST};
 
+constexpr size_t kUnpackCount = sizeof kUnpack / sizeof *kUnpack;
+static_assert(kUnpackCount == UploadGuard::kUnpackStates);
+
 struct Transfer {
     GLenum name;
     GLfloat neutral;
@@ -22,54 +25,63 @@ GLuint unsignedOf(GLint value)
 
 }  // namespace
 
-UploadGuard::UploadGuard(const Device& device)
-    : gl_(device.gl),
-      fixedFunction_(!device.capabilities.coreProfile),
-      vertexArrays_(device.capabilities.vertexArrays),
-      framebuffers_(device.capabilities.framebufferObjects)
+UploadGuard::UploadGuard(const Device& device) : device_(device), gl_(device.gl)
 {
-    for (const GLenum name : kUnpack) {
-        unpack_.push_back(integer(gl_, name));
-        gl_.PixelStorei(name, name == GL_UNPACK_ALIGNMENT ? 1 : 0);
-    }
-    if (fixedFunction_ && gl_.PixelTransferf)
-        for (const Transfer& t : kTransfer) {
-            GLfloat value = 0.0f;
-            gl_.GetFloatv(t.name, &value);
-            transfer_.push_back(value);
-            gl_.PixelTransferf(t.name, t.neutral);
-        }
-    unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
+    if (device.state == StateMode::restore) save();
+    for (const GLenum name : kUnpack) gl_.PixelStorei(name, name == GL_UNPACK_ALIGNMENT ? 1 : 0);
+    setTransfer();
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    texture2d_ = integer(gl_, GL_TEXTURE_BINDING_2D);
-    texture3d_ = integer(gl_, GL_TEXTURE_BINDING_3D);
-    arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
-    if (vertexArrays_)
-        vertexArray_ = integer(gl_, GL_VERTEX_ARRAY_BINDING);
-    else
-        elementBuffer_ = integer(gl_, GL_ELEMENT_ARRAY_BUFFER_BINDING);
-    if (framebuffers_) {
-        framebuffer_ = integer(gl_, GL_DRAW_FRAMEBUFFER_BINDING);
-        renderbuffer_ = integer(gl_, GL_RENDERBUFFER_BINDING);
-    }
 }
 
 UploadGuard::~UploadGuard()
 {
-    for (size_t i = 0; i < unpack_.size(); ++i) gl_.PixelStorei(kUnpack[i], unpack_[i]);
+    if (device_.capabilities.vertexArrays) gl_.BindVertexArray(unsignedOf(vertexArray_));
+    if (device_.state == StateMode::leave) return;
+    for (size_t i = 0; i < kUnpackCount; ++i) gl_.PixelStorei(kUnpack[i], unpack_[i]);
     for (size_t i = 0; i < transfer_.size(); ++i)
         gl_.PixelTransferf(kTransfer[i].name, transfer_[i]);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, unsignedOf(unpackBuffer_));
     gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(texture2d_));
     gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(texture3d_));
-    if (vertexArrays_)
-        gl_.BindVertexArray(unsignedOf(vertexArray_));
-    else
+    if (!device_.capabilities.vertexArrays)
         gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, unsignedOf(elementBuffer_));
     gl_.BindBuffer(GL_ARRAY_BUFFER, unsignedOf(arrayBuffer_));
-    if (framebuffers_) {
+    if (device_.capabilities.framebufferObjects) {
         gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, unsignedOf(framebuffer_));
         gl_.BindRenderbuffer(GL_RENDERBUFFER, unsignedOf(renderbuffer_));
+    }
+}
+
+bool UploadGuard::hasTransfer() const
+{
+    return !device_.capabilities.coreProfile && gl_.PixelTransferf;
+}
+
+void UploadGuard::setTransfer() const
+{
+    if (!hasTransfer()) return;
+    for (const Transfer& t : kTransfer) gl_.PixelTransferf(t.name, t.neutral);
+}
+
+void UploadGuard::save()
+{
+    for (size_t i = 0; i < kUnpackCount; ++i) unpack_[i] = integer(gl_, kUnpack[i]);
+    if (hasTransfer())
+        for (const Transfer& t : kTransfer) {
+            transfer_.push_back(0.0f);
+            gl_.GetFloatv(t.name, &transfer_.back());
+        }
+    unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
+    texture2d_ = integer(gl_, GL_TEXTURE_BINDING_2D);
+    texture3d_ = integer(gl_, GL_TEXTURE_BINDING_3D);
+    arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
+    if (device_.capabilities.vertexArrays)
+        vertexArray_ = integer(gl_, GL_VERTEX_ARRAY_BINDING);
+    else
+        elementBuffer_ = integer(gl_, GL_ELEMENT_ARRAY_BUFFER_BINDING);
+    if (device_.capabilities.framebufferObjects) {
+        framebuffer_ = integer(gl_, GL_DRAW_FRAMEBUFFER_BINDING);
+        renderbuffer_ = integer(gl_, GL_RENDERBUFFER_BINDING);
     }
 }
 

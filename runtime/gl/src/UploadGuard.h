@@ -6,8 +6,9 @@
 
 namespace fbrdf::gl {
 
-/// Saves what an upload touches and sets GL's defaults: unpacking, pixel transfer, the bindings of
-/// the active unit and of buffers.
+/// Saves what an upload touches (StateMode::restore) and sets what it needs: unpacking, pixel
+/// transfer, the unpack buffer. The destructor puts back what was saved, GL's defaults, or nothing,
+/// as StateGuard does.
 class UploadGuard {
 public:
     explicit UploadGuard(const Device& device);
@@ -15,11 +16,17 @@ public:
     UploadGuard(const UploadGuard&) = delete;
     UploadGuard& operator=(const UploadGuard&) = delete;
 
+    static constexpr size_t kUnpackStates = 8;
+
 private:
+    void save();
+    bool hasTransfer() const;
+    void setTransfer() const;
+
+    const Device& device_;
     const Functions& gl_;
-    bool fixedFunction_, vertexArrays_, framebuffers_;
-    std::vector<GLint> unpack_;
-    std::vector<GLfloat> transfer_;
+    GLint unpack_[kUnpackStates] = {4};  // alignment, then zeros: GL's defaults
+    std::vector<GLfloat> transfer_;      // as saved; what is set are GL's defaults
     GLint unpackBuffer_ = 0, texture2d_ = 0, texture3d_ = 0, arrayBuffer_ = 0, elementBuffer_ = 0,
           vertexArray_ = 0, framebuffer_ = 0, renderbuffer_ = 0;
 };

@@ -22,7 +22,7 @@ public:
 private:
     const Form& form_;
     std::vector<Pass> passes_;
-    bool fresh_[3] = {true, true, true};
+    bool fresh_[4] = {true, true, true, true};  ///< by Surface
     bool targetLaid_ = false, offscreenLaid_ = false;
 };
 

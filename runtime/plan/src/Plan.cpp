@@ -7,6 +7,7 @@
 // place; terms beside it would be multiplied too, so every further one adds up in the accumulation
 // surface and is composited with its factors, as is everything where the target is too coarse to
 // add up in.
+#include "CurvedPlan.h"
 #include "PassList.h"
 
 #include <fbrdf/brdf/Error.h>
@@ -336,6 +337,27 @@ Plan finished(std::vector<Pass> passes, const PlanRequest& request)
     return plan;
 }
 
+/// Every transfer but a curve: exposure is in the lights.
+Plan planStraight(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
+{
+    if (request.lights == 0) {
+        PassList black(form);
+        black.append({});
+        return finished(black.passes(), request);
+    }
+    const Limits limits = limitsOf(form, request, capabilities);
+    Planner together(form, request, limits), apart(form, request, limits);
+    const bool canTogether = together.planTogether(), canApart = apart.planApart();
+    if (!canTogether && !canApart) {
+        Plan none;
+        none.reason = apart.reason();
+        return none;
+    }
+    const bool chooseTogether =
+        canTogether && (!canApart || together.passes().size() <= apart.passes().size());
+    return finished((chooseTogether ? together : apart).passes(), request);
+}
+
 }  // namespace
 
 void validate(const PlanRequest& request)
@@ -366,22 +388,12 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     validate(request);
-    if (request.lights == 0) {
-        PassList black(form);
-        black.append({});
-        return finished(black.passes(), request);
-    }
-    const Limits limits = limitsOf(form, request, capabilities);
-    Planner together(form, request, limits), apart(form, request, limits);
-    const bool canTogether = together.planTogether(), canApart = apart.planApart();
-    if (!canTogether && !canApart) {
-        Plan none;
-        none.reason = apart.reason();
-        return none;
-    }
-    const bool chooseTogether =
-        canTogether && (!canApart || together.passes().size() <= apart.passes().size());
-    return finished((chooseTogether ? together : apart).passes(), request);
+    if (!isCurved(request.transfer)) return planStraight(form, request, capabilities);
+    const bool offscreen = limitsOf(form, request, capabilities).offscreen;
+    PlanRequest straight = request;
+    if (offscreen) straight.target = ColourFormat::rgba32f;
+    Plan plan = planStraight(form, straight, capabilities);
+    return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
 }
 
 }  // namespace fbrdf

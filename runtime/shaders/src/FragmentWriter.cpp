@@ -53,7 +53,7 @@ void forEachFactor(const FragmentContext& c, Visit visit)
 
 bool needsLocalFrame(const FragmentContext& c)
 {
-    bool needed = false;
+    bool needed = c.local;
     forEachFactor(c, [&needed](const Factor& factor) {
         needed = needed || std::holds_alternative<Direction>(factor.argument);
     });
@@ -193,16 +193,21 @@ std::string factorsOf(const FragmentContext& c, const Part& part, bool ofLight,
 
 std::string surfaceLines(const FragmentContext& c)
 {
-    const bool local = needsLocalFrame(c);
-    std::string text = local ? "    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);\n"
-                               "    vec3 wo = fbrdfLocal(frame, fbrdfToViewer());\n"
-                               "    float NoV = wo.z;\n"
-                             : "    vec3 n = normalize(fbrdfNormal);\n"
-                               "    vec3 wo = fbrdfToViewer();\n"
-                               "    float NoV = dot(n, wo);\n";
+    return needsLocalFrame(c) ? "    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);\n"
+                                "    vec3 wo = fbrdfLocal(frame, viewer);\n"
+                                "    float NoV = wo.z;\n"
+                              : "    vec3 n = normalize(fbrdfNormal);\n"
+                                "    vec3 wo = viewer;\n"
+                                "    float NoV = dot(n, wo);\n";
+}
+
+/// What does not depend on the light, from wo.
+std::string viewLines(const FragmentContext& c)
+{
+    std::string text;
     if (variablesUsed(c).count("theta_o"))
-        text += local ? "    vec2 theta_o = fbrdfZenith(wo);\n"
-                      : "    vec2 theta_o = fbrdfZenithAbout(n, wo);\n";
+        text += needsLocalFrame(c) ? "    vec2 theta_o = fbrdfZenith(wo);\n"
+                                   : "    vec2 theta_o = fbrdfZenithAbout(n, wo);\n";
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
         const Part& part = c.spec.parts[p];
         const std::string k = std::to_string(p);
@@ -213,17 +218,12 @@ std::string surfaceLines(const FragmentContext& c)
     return text;
 }
 
-/// Direction and angles of the light whose first vector is `index`.
-std::string lightLines(const FragmentContext& c, const std::string& index,
-                       const std::string& indent)
+/// Directions and angles of the pair, from wo and wi.
+std::string pairLines(const FragmentContext& c, const std::string& indent)
 {
     const bool local = needsLocalFrame(c);
     const auto used = variablesUsed(c);
-    std::string text =
-        indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(fbrdfLights[" + index +
-        "], fbrdfLights[" + index + " + 1], fbrdfLights[" + index + " + 2], fbrdfPosition, wi);\n";
-    if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
-    text += indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n");
+    std::string text;
     if (used.count("h")) text += indent + "vec3 h = fbrdfHalf(wo, wi);\n";
     const std::string zenith = local ? "fbrdfZenith(" : "fbrdfZenithAbout(n, ";
     if (used.count("theta_h")) text += indent + "vec2 theta_h = " + zenith + "h);\n";
@@ -234,6 +234,19 @@ std::string lightLines(const FragmentContext& c, const std::string& index,
                 (local ? "vec3(0.0, 0.0, 1.0)" : "n") + ", h, wi, NoV, NoL);\n";
     if (used.count("d")) text += indent + "vec3 d = fbrdfDifferenceVector(wi, h);\n";
     return text;
+}
+
+/// Direction and angles of the light whose first vector is `index`.
+std::string lightLines(const FragmentContext& c, const std::string& index,
+                       const std::string& indent)
+{
+    const bool local = needsLocalFrame(c);
+    std::string text =
+        indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(fbrdfLights[" + index +
+        "], fbrdfLights[" + index + " + 1], fbrdfLights[" + index + " + 2], fbrdfPosition, wi);\n";
+    if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
+    return text + indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n") +
+           pairLines(c, indent);
 }
 
 /// sum<p> of one light, above the horizon only.
@@ -268,16 +281,21 @@ std::string litBody(const FragmentContext& c)
     return text + "    vec3 total = NoV > 0.0 ? " + total + " : vec3(0.0);\n";
 }
 
-std::string unlitBody(const FragmentContext& c)
+/// total: the product without light, from the angles of the pair.
+std::string productLines(const FragmentContext& c)
 {
     std::string text, total;
-    if (dependsOnLight(c)) text += lightLines(c, "0", "    ");
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
         const std::string k = std::to_string(p);
         text += factorsOf(c, c.spec.parts[p], true, k, "    ");
         total += (p ? " + product" : "product") + k + " * exp2(exponent" + k + ")";
     }
     return text + "    vec3 total = " + (total.empty() ? "vec3(0.0)" : total) + ";\n";
+}
+
+std::string unlitBody(const FragmentContext& c)
+{
+    return (dependsOnLight(c) ? lightLines(c, "0", "    ") : "") + productLines(c);
 }
 
 void check(const FragmentContext& c)
@@ -328,11 +346,30 @@ std::string uniformDeclarations(const FragmentContext& c)
 std::string mainFunction(const FragmentContext& c)
 {
     std::string text = "void main()\n{\n";
-    if (!c.spec.parts.empty()) text += surfaceLines(c);
+    if (!c.spec.parts.empty())
+        text += "    vec3 viewer = fbrdfToViewer();\n" + surfaceLines(c) + viewLines(c);
     text += c.spec.lit && !c.spec.parts.empty() ? litBody(c) : unlitBody(c);
     if (c.spec.reads)
         text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";
+    if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
+    if (isCurved(c.spec.transfer))
+        text += "    total = fbrdfSrgbFromLinear(min(total, vec3(1.0)));\n";
     return text + "    fbrdfColour = vec4(total, 1.0);\n}\n";
+}
+
+std::string evaluateFunction(const FragmentContext& c)
+{
+    return "vec3 fbrdfEvaluate(vec3 wo, vec3 wi)\n{\n    float NoV = wo.z;\n    float NoL = "
+           "wi.z;\n" +
+           viewLines(c) + pairLines(c, "    ") + productLines(c) +
+           "    return NoV > 0.0 && NoL > 0.0 ? total : vec3(0.0);\n}\n";
+}
+
+std::string radianceFunction(const FragmentContext& c)
+{
+    return "vec3 fbrdfRadiance(vec3 fbrdfPosition, vec3 fbrdfNormal, vec3 fbrdfTangent, vec3 "
+           "viewer)\n{\n" +
+           surfaceLines(c) + viewLines(c) + litBody(c) + "    return total;\n}\n";
 }
 
 }  // namespace fbrdf

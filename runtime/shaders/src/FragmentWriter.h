@@ -10,9 +10,14 @@ struct FragmentContext {
     const Form& form;
     const std::vector<TableEncoding>& encodings;
     const ProgramSpec& spec;
+    bool local = false;  ///< directions are given in the tangent frame, whatever the form needs
 };
 
 std::string uniformDeclarations(const FragmentContext& context);
 std::string mainFunction(const FragmentContext& context);
+/// vec3 fbrdfEvaluate(vec3 wo, vec3 wi); context.local is set.
+std::string evaluateFunction(const FragmentContext& context);
+/// vec3 fbrdfRadiance(vec3 position, vec3 normal, vec3 tangent, vec3 viewer), of a lit pass.
+std::string radianceFunction(const FragmentContext& context);
 
 }  // namespace fbrdf

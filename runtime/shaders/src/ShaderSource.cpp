@@ -10,21 +10,46 @@
 namespace fbrdf {
 namespace {
 
-std::string assembled(int glsl, std::initializer_list<const char*> files)
+void checkVersion(int glsl)
 {
     if (glsl != 120 && glsl != 140 && glsl != 150 && glsl != 330)
         throw Error(ErrorKind::gl, "shader",
                     "found GLSL " + std::to_string(glsl) + ", expected 120, 140, 150 or 330");
-    std::string text = "#version " + std::to_string(glsl) + "\n";
+}
+
+std::string joined(std::initializer_list<const char*> files)
+{
+    std::string text;
     for (const char* file : files) text += embeddedShader(file);
     return text;
+}
+
+std::string assembled(int glsl, std::initializer_list<const char*> files)
+{
+    checkVersion(glsl);
+    return "#version " + std::to_string(glsl) + "\n" + joined(files);
+}
+
+/// All terms, all factors, lights in a loop.
+ProgramSpec wholeSpec(const Form& form, int lights)
+{
+    ProgramSpec spec;
+    for (int t = 0; t < static_cast<int>(form.terms.size()); ++t) {
+        Part part{t, {}, true};
+        for (size_t k = 0; k < form.terms[static_cast<size_t>(t)].factors.size(); ++k)
+            part.factors.push_back(static_cast<int>(k));
+        spec.parts.push_back(std::move(part));
+    }
+    spec.lightSlots = std::max(2, lights);  // one slot would be written without the loop
+    spec.lit = true;
+    return spec;
 }
 
 }  // namespace
 
 ProgramSpec programSpec(const Pass& pass, int maxLights)
 {
-    ProgramSpec spec{pass.parts, 0, pass.lit, pass.reads.has_value()};
+    ProgramSpec spec{pass.parts, 0, pass.lit, pass.reads.has_value(), pass.transfer};
     if (pass.lightCount > 0) {
         spec.lightSlots = 1;
         while (spec.lightSlots < pass.lightCount) spec.lightSlots *= 8;
@@ -45,8 +70,25 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     // Declared first: that is where what does not agree is refused.
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
-                            "projection.glsl", "lights.glsl"}) +
+                            "projection.glsl", "lights.glsl", "transfer.glsl"}) +
            uniforms + mainFunction(context);
+}
+
+std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
+                              int glsl, int maxLights)
+{
+    checkVersion(glsl);
+    const ProgramSpec spec = wholeSpec(form, maxLights);
+    const FragmentContext context{form, encodings, spec}, local{form, encodings, spec, true};
+    const std::string uniforms = uniformDeclarations(context);
+    return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
+                   "transfer.glsl"}) +
+           uniforms + evaluateFunction(local) + radianceFunction(context);
+}
+
+std::string_view shaderSnippet(std::string_view name)
+{
+    return embeddedShader(name);
 }
 
 // The viewer E is where the projection divides by zero: P E = (0, 0, k, 0). Towards smaller depth

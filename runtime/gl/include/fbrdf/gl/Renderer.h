@@ -3,9 +3,10 @@
 // A Renderer belongs to one GL context; every call needs that context current on the calling
 // thread, the destructors of renderer, materials and meshes included. It links no GL: functions
 // come from the loader handed to it. It touches only the state listed in README.md and puts it
-// back. Colour is linear; the target receives radiance (seed Eq. 2), alpha 1 where something was
-// drawn. There are no globals: any number of renderers, contexts and threads may live side by side.
-// No GL header is included here, so this one can follow or precede any.
+// back. Colour is linear inside; the target receives radiance (seed Eq. 2), or what its Output
+// makes of it, alpha 1 where something was drawn. There are no globals: any number of renderers,
+// contexts and threads may live side by side. No GL header is included here, so this one can follow
+// or precede any.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/plan/Capabilities.h>
@@ -29,12 +30,21 @@ using LoadFunction = void* (*)(void* user, const char* name);
 
 enum class Severity { note, warning, error };
 
+/// What becomes of the state that calls touch (README.md lists it).
+enum class StateMode {
+    restore,   ///< put back; costs one query a state and call
+    defaults,  ///< left as in a new context, but for the viewport, which stays the target's; no
+               ///< queries
+    leave,     ///< left as the README says: for a host that sets what it needs; no queries
+};
+
 struct RendererOptions {
     LoadFunction load = nullptr;
     void* loadUser = nullptr;
     /// Called for every problem that a draw survives; may be empty. The library never prints.
     std::function<void(Severity, const std::string& text)> log;
-    bool debugLabels = true;   ///< KHR_debug names and groups, where the context has them
+    bool debugLabels = true;  ///< KHR_debug names and groups, where the context has them
+    StateMode state = StateMode::restore;
     int firstTextureUnit = 0;  ///< units from here on are used and put back; one a map, and one
     /// Instead of what the context reports: for tests and for drivers that promise too much.
     std::optional<Capabilities> capabilities;
@@ -69,7 +79,9 @@ struct View {
 /// in an RGBA32F surface of the renderer's own.
 struct Target {
     uint32_t framebuffer = 0;
-    int width = 0, height = 0;  ///< pixels, > 0; the viewport is all of it
+    int width = 0, height = 0;             ///< pixels, > 0; the viewport is all of it
+    Transfer transfer = Transfer::linear;  ///< what is stored of the radiance
+    float exposure = 1.0f;                 ///< > 0, finite
 };
 
 struct DrawOptions {

@@ -15,6 +15,7 @@
 #pragma once
 #include <fbrdf/brdf/Form.h>
 #include <fbrdf/plan/Capabilities.h>
+#include <fbrdf/plan/Transfer.h>
 
 #include <optional>
 #include <string>
@@ -33,9 +34,10 @@ Technique techniqueFromName(const std::string& name);  ///< throws Error(usage)
 enum class ColourFormat { rgba8, rgba16, rgba16f, rgba32f, other };
 const char* colourFormatName(ColourFormat format);  ///< "RGBA8", ..., "other"
 
-/// Surfaces that passes write and read. accumulation and scratch belong to the renderer, are as
-/// large as the target and share one depth buffer.
-enum class Surface { target, accumulation, scratch };
+/// Surfaces that passes write and read. All but the target belong to the renderer, are RGBA32F, as
+/// large as the target, and share one depth buffer. sum stands for the target where a curve
+/// follows.
+enum class Surface { target, accumulation, scratch, sum };
 /// target = value; target += value; target *= value. Alpha becomes 1 with replace and stays after.
 enum class Blend { replace, add, multiply };
 /// lay: LESS, written; match: EQUAL, not written.
@@ -56,6 +58,7 @@ struct Pass {
     std::optional<Surface> reads;
     Blend blend = Blend::replace;
     Depth depth = Depth::lay;
+    Transfer transfer = Transfer::linear;  ///< curved: applied to the value before it is written
     int lookups = 0;  ///< see above; the renderer checks it against the linked programs
 };
 
@@ -67,6 +70,7 @@ struct PlanRequest {
     ColourFormat target = ColourFormat::rgba32f;
     bool offscreen = true;  ///< accumulation and scratch surfaces may be used (a multisampled
                             ///< target cannot: edges would read texels that nothing was drawn to)
+    Transfer transfer = Transfer::linear;  ///< a curve comes after the sum over all passes
 };
 
 /// Throws Error(usage) for a request out of range.

@@ -17,6 +17,7 @@
 #include <glm/vec4.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fbrdf {
@@ -32,6 +33,7 @@ struct ProgramSpec {
     std::vector<Part> parts;
     int lightSlots = 0;  ///< lights that fbrdfLights has room for; 0: nothing depends on the light
     bool lit = false, reads = false;
+    Transfer transfer = Transfer::linear;
 };
 
 /// The program of a pass; lightSlots becomes a power of 8 or so, so that a changed number of lights
@@ -43,6 +45,19 @@ std::string vertexSource(int glsl);
 /// encodings: one for each table of the form. Throws Error(gl) for a form that GLSL cannot express.
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl);
+
+/// What somebody else's fragment shader needs to shade with a material, to be put after its
+/// #version line; it declares the uniforms above of lights, tables and terms, and
+///   vec3 fbrdfEvaluate(vec3 wo, vec3 wi)   f in 1/sr; unit, tangent frame; 0 below the horizon
+///   vec3 fbrdfRadiance(vec3 position, vec3 normal, vec3 tangent, vec3 viewer)
+///       sum over the first fbrdfLightCount lights of f cos E, in the space of the lights; viewer
+///       is unit, towards the eye
+/// maxLights >= 1: room of fbrdfLights. Throws as fragmentSource.
+std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
+                              int glsl, int maxLights);
+
+/// A file of glsl/ by its name, "lights.glsl"; empty where there is none.
+std::string_view shaderSnippet(std::string_view name);
 
 struct LookupCount {
     int once = 0, perLight = 0;

@@ -1,0 +1,72 @@
+#include "MaterialUniforms.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/gl/MaterialBinding.h>
+#include <fbrdf/shaders/ShaderSource.h>
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+
+std::string materialFunctions(const GpuMaterial& material, int glsl, int maxLights)
+{
+    return fbrdf::materialFunctions(material.form(), material.encodings(), glsl, maxLights);
+}
+
+struct MaterialBinding::State {
+    std::shared_ptr<const GpuMaterial> material;
+    GLuint program = 0;
+    MaterialUniforms uniforms;
+};
+
+MaterialBinding::MaterialBinding(std::shared_ptr<const GpuMaterial> material, uint32_t program)
+    : state_(std::make_unique<State>())
+{
+    if (!material->device()->alive)
+        throw Error(ErrorKind::gl, "binding", "found an abandoned context, expected a live one");
+    state_->material = std::move(material);
+    state_->program = program;
+    discardHostErrors(*state_->material->device());
+    state_->uniforms = findUniforms(*state_->material, program);
+    checkErrors(*state_->material->device(), "binding of program " + std::to_string(program));
+    const auto& scales = state_->uniforms.scales;
+    if (std::all_of(scales.begin(), scales.end(), [](GLint at) { return at < 0; }))
+        throw Error(ErrorKind::gl, "binding of program " + std::to_string(program),
+                    "found no uniform of material '" + state_->material->name() +
+                        "', expected a linked program that calls its functions");
+}
+
+MaterialBinding::~MaterialBinding() = default;
+MaterialBinding::MaterialBinding(MaterialBinding&&) noexcept = default;
+MaterialBinding& MaterialBinding::operator=(MaterialBinding&&) noexcept = default;
+
+int MaterialBinding::apply(int firstUnit) const
+{
+    const Device& device = *state_->material->device();
+    if (!device.alive)
+        throw Error(ErrorKind::gl, "binding", "found an abandoned context, expected a live one");
+    const Functions& gl = device.gl;
+    const auto& tables = state_->uniforms.tables;
+    const auto used = static_cast<int>(std::count_if(
+        tables.begin(), tables.end(), [](const auto& table) { return table.sampler >= 0; }));
+    const int room = device.capabilities.maxTextureUnits;
+    if (firstUnit < 0 || firstUnit > room - used)
+        throw Error(ErrorKind::gl, "binding",
+                    "found first unit " + std::to_string(firstUnit) + " for " +
+                        std::to_string(used) + " textures, expected " + std::to_string(room) +
+                        " units to suffice");
+    gl.UseProgram(state_->program);
+    setUniforms(*state_->material, state_->uniforms);
+    int unit = firstUnit;
+    for (size_t i = 0; i < tables.size(); ++i) {
+        if (tables[i].sampler < 0) continue;
+        const GpuTable& table = state_->material->tables()[i];
+        gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        gl.BindTexture(table.target, table.texture.name());
+        if (gl.version >= 33) gl.BindSampler(static_cast<GLuint>(unit), 0);
+        gl.Uniform1i(tables[i].sampler, unit++);
+    }
+    return used;
+}
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,24 @@
+// MaterialUniforms.h - where a linked program wants what a material holds, and setting it: for the
+// renderer's own programs and for those of a host.
+#pragma once
+#include "GpuMaterial.h"
+
+#include <vector>
+
+namespace fbrdf::gl {
+
+/// Locations are -1 where a program has no such uniform.
+struct MaterialUniforms {
+    struct OfTable {
+        GLint sampler = -1, lower = -1, extent = -1, knots = -1;
+    };
+    std::vector<OfTable> tables;  ///< one for each of the form
+    std::vector<GLint> scales;    ///< one for each term
+};
+
+MaterialUniforms findUniforms(const GpuMaterial& material, GLuint program);
+
+/// Ranges, knots and scales; textures are the caller's. The program must be current.
+void setUniforms(const GpuMaterial& material, const MaterialUniforms& uniforms);
+
+}  // namespace fbrdf::gl

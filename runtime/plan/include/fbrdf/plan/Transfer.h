@@ -1,0 +1,54 @@
+// Transfer.h - what becomes of radiance on its way into the target. Pure; the GLSL twins are in
+// transfer.glsl.
+//
+// The encoding is done by the last pass of an object, never by the hardware: what is stored is the
+// same whether the buffer is RGBA8, SRGB8_ALPHA8 or float, and whatever the host left in
+// FRAMEBUFFER_SRGB.
+#pragma once
+#include <fbrdf/brdf/Conventions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf {
+
+/// x is exposure times radiance.
+enum class Transfer {
+    linear,    ///< radiance; the exposure is not used
+    exposure,  ///< x, linear: for a host that tone-maps by itself
+    srgb,      ///< the sRGB code of x clamped to [0, 1] (IEC 61966-2-1:1999)
+    toneMap,   ///< the sRGB code of toneMapped(x)
+};
+
+/// True where several passes may not add up after the transfer.
+constexpr bool isCurved(Transfer transfer)
+{
+    return transfer == Transfer::srgb || transfer == Transfer::toneMap;
+}
+
+/// Code of a linear value in [0, 1].
+template <class T>
+T srgbFromLinear(T x)
+{
+    return x <= T(0.0031308) ? T(12.92) * x : T(1.055) * std::pow(x, T(1) / T(2.4)) - T(0.055);
+}
+
+/// Reinhard, Stark, Shirley, Ferwerda 2002, "Photographic Tone Reproduction for Digital Images",
+/// Eq. 4, on each channel, with 4 as the smallest value that becomes white.
+template <class T>
+T toneMapped(T x)
+{
+    return std::min(T(1), x * (T(1) + x / T(16)) / (T(1) + x));
+}
+
+/// One channel of radiance >= 0 as it is stored.
+template <class T>
+T transferred(Transfer transfer, T exposure, T radiance)
+{
+    if (transfer == Transfer::linear) return radiance;
+    const T x = exposure * radiance;
+    if (transfer == Transfer::srgb) return srgbFromLinear(std::min(x, T(1)));
+    return transfer == Transfer::toneMap ? srgbFromLinear(toneMapped(x)) : x;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,36 @@
+#include "CurvedPlan.h"
+
+#include <algorithm>
+
+namespace fbrdf {
+
+Plan curvedPlan(Plan plan, Transfer transfer, bool offscreen)
+{
+    if (plan.passes.size() == 1) {
+        plan.passes.front().transfer = transfer;
+        return plan;
+    }
+    if (!offscreen) {
+        Plan none;
+        none.reason =
+            "a sum of several passes before a curved output needs an offscreen surface, which this "
+            "target cannot have";
+        return none;
+    }
+    // All surfaces of the renderer share one depth buffer: the first pass lays it for all.
+    for (Pass& pass : plan.passes) {
+        if (pass.writes == Surface::target) pass.writes = Surface::sum;
+        pass.depth = Depth::match;
+    }
+    plan.passes.front().depth = Depth::lay;
+    Pass last;
+    last.parts = {{0, {}, false}};
+    last.reads = Surface::sum;
+    last.transfer = transfer;
+    last.lookups = 1;
+    plan.maxLookups = std::max(plan.maxLookups, last.lookups);
+    plan.passes.push_back(std::move(last));
+    return plan;
+}
+
+}  // namespace fbrdf
