@@ -1,0 +1,117 @@
+// Boundary.h - from the library's exceptions to results and log lines, and the handles.
+#pragma once
+#include "Descriptor.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/gl/MaterialBinding.h>
+#include <fbrdf/gl/Renderer.h>
+
+#include <map>
+#include <memory>
+#include <new>
+#include <string>
+
+namespace fbrdf::capi {
+
+/// What all handles of one renderer keep alive: they may be released in any order.
+struct Shared {
+    gl::Renderer renderer;
+    fbrdf_log log{};
+};
+using SharedPtr = std::shared_ptr<Shared>;
+
+}  // namespace fbrdf::capi
+
+struct fbrdf_brdf {
+    fbrdf::Material material;
+};
+
+struct fbrdf_renderer {
+    fbrdf::capi::SharedPtr shared;
+};
+
+struct fbrdf_material {
+    fbrdf::capi::SharedPtr shared;
+    std::shared_ptr<fbrdf::gl::GpuMaterial> gpu;
+    std::map<uint64_t, std::string> functions;  ///< handed out, by version and lights
+};
+
+struct fbrdf_mesh {
+    fbrdf::capi::SharedPtr shared;
+    std::shared_ptr<fbrdf::gl::GpuMesh> gpu;
+};
+
+struct fbrdf_binding {
+    fbrdf::capi::SharedPtr shared;
+    fbrdf::gl::MaterialBinding binding;
+};
+
+namespace fbrdf::capi {
+
+inline fbrdf_result resultOf(ErrorKind kind)
+{
+    switch (kind) {
+        case ErrorKind::usage: return FBRDF_ERROR_ARGUMENT;
+        case ErrorKind::gl: return FBRDF_ERROR_GL;
+        case ErrorKind::input:
+        case ErrorKind::fit:
+        case ErrorKind::output: return FBRDF_ERROR_INPUT;
+    }
+    return FBRDF_ERROR_INTERNAL;
+}
+
+inline fbrdf_result fail(const fbrdf_log* log, fbrdf_result result, const char* text) noexcept
+{
+    if (log && log->function) log->function(log->user, FBRDF_ERROR, result, text);
+    return result;
+}
+
+/// Runs `act`; whatever it throws becomes a result and a log line.
+template <class Act>
+fbrdf_result guarded(const fbrdf_log* log, Act act) noexcept
+{
+    try {
+        act();
+        return FBRDF_OK;
+    } catch (const Failure& failure) {
+        return fail(log, failure.result, failure.what());
+    } catch (const Error& error) {
+        return fail(log, resultOf(error.kind()), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(log, FBRDF_ERROR_MEMORY, "found no memory, expected some");
+    } catch (const std::exception& error) {
+        return fail(log, FBRDF_ERROR_INTERNAL, error.what());
+    } catch (...) {
+        return fail(log, FBRDF_ERROR_INTERNAL, "found an exception of another kind");
+    }
+}
+
+/// The same for functions that make something: *out is null unless `make` returns.
+template <class T, class Make>
+fbrdf_result created(const fbrdf_log* log, T** out, Make make) noexcept
+{
+    if (!out) return fail(log, FBRDF_ERROR_ARGUMENT, "out: found NULL, expected a place");
+    *out = nullptr;
+    return guarded(log, [&] { *out = make(); });
+}
+
+template <class T>
+T& required(T* pointer, const char* name)
+{
+    if (!pointer)
+        throw Failure(FBRDF_ERROR_ARGUMENT, std::string(name) + ": found NULL, expected one");
+    return *pointer;
+}
+
+/// An enumerator from outside, at most `last`.
+template <class Enum>
+Enum enumerator(uint32_t value, Enum last, const char* name)
+{
+    if (value > static_cast<uint32_t>(last))
+        throw Failure(FBRDF_ERROR_ARGUMENT, std::string(name) + ": found " + std::to_string(value) +
+                                                ", expected at most " +
+                                                std::to_string(static_cast<uint32_t>(last)));
+    return static_cast<Enum>(value);
+}
+
+}  // namespace fbrdf::capi

@@ -1,0 +1,13 @@
+#include "Files.h"
+
+#include <fbrdf/brdf/Error.h>
+
+namespace fbrdf::capi {
+
+Material readFile(const std::string& path)
+{
+    throw Error(ErrorKind::usage, path,
+                "found a library built without files, expected fbrdf_brdf_create");
+}
+
+}  // namespace fbrdf::capi

@@ -1,0 +1,150 @@
+#include "Boundary.h"
+
+using namespace fbrdf::capi;
+
+namespace {
+
+fbrdf_severity severityOf(fbrdf::gl::Severity severity)
+{
+    switch (severity) {
+        case fbrdf::gl::Severity::note: return FBRDF_NOTE;
+        case fbrdf::gl::Severity::warning: return FBRDF_WARNING;
+        case fbrdf::gl::Severity::error: return FBRDF_ERROR;
+    }
+    return FBRDF_ERROR;
+}
+
+fbrdf::gl::RendererOptions optionsOf(const fbrdf_renderer_desc& desc)
+{
+    fbrdf::gl::RendererOptions options;
+    options.load = desc.load;
+    options.loadUser = desc.load_user;
+    if (desc.log.function)
+        options.log = [log = desc.log](fbrdf::gl::Severity severity, const std::string& text) {
+            log.function(log.user, severityOf(severity), FBRDF_OK, text.c_str());
+        };
+    options.debugLabels = desc.no_debug_labels == 0;
+    options.state = enumerator(desc.state_mode, fbrdf::gl::StateMode::leave, "state_mode");
+    if (desc.first_texture_unit > 1024)
+        throw Failure(FBRDF_ERROR_ARGUMENT, "first_texture_unit: found " +
+                                                std::to_string(desc.first_texture_unit) +
+                                                ", expected a texture unit");
+    options.firstTextureUnit = static_cast<int>(desc.first_texture_unit);
+    return options;
+}
+
+void checkVersion(const fbrdf_renderer_desc& desc)
+{
+    if ((desc.api_version >> 16) != (FBRDF_API_VERSION >> 16) ||
+        desc.api_version > FBRDF_API_VERSION)
+        throw Failure(FBRDF_ERROR_VERSION, "renderer: found api_version " +
+                                               std::to_string(desc.api_version >> 16) + "." +
+                                               std::to_string(desc.api_version & 0xffffu) +
+                                               ", expected a program of at most " +
+                                               std::to_string(FBRDF_API_VERSION >> 16) + "." +
+                                               std::to_string(FBRDF_API_VERSION & 0xffffu));
+}
+
+/// count x 3 floats.
+std::vector<fbrdf::Vec3f> vectors(const float* numbers, uint32_t count)
+{
+    std::vector<fbrdf::Vec3f> result(numbers ? count : 0);
+    for (size_t i = 0; i < result.size(); ++i)
+        result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+    return result;
+}
+
+fbrdf::gl::MeshData meshOf(const fbrdf_mesh_desc& desc)
+{
+    required(desc.positions, "positions");
+    required(desc.normals, "normals");
+    required(desc.indices, "indices");
+    return {vectors(desc.positions, desc.vertex_count),
+            vectors(desc.normals, desc.vertex_count),
+            vectors(desc.tangents, desc.vertex_count),
+            {desc.indices, desc.indices + desc.index_count}};
+}
+
+}  // namespace
+
+uint32_t fbrdf_api_version(void)
+{
+    return FBRDF_API_VERSION;
+}
+
+const char* fbrdf_result_text(fbrdf_result result)
+{
+    switch (result) {
+        case FBRDF_OK: return "done";
+        case FBRDF_ERROR_VERSION: return "a descriptor of another version";
+        case FBRDF_ERROR_ARGUMENT: return "an argument out of range";
+        case FBRDF_ERROR_INPUT: return "unreadable or invalid input";
+        case FBRDF_ERROR_GL: return "the OpenGL context cannot do it";
+        case FBRDF_ERROR_MEMORY: return "out of memory";
+        case FBRDF_ERROR_INTERNAL: return "a fault of the library";
+    }
+    return "no result of this library";
+}
+
+fbrdf_result fbrdf_renderer_create(const fbrdf_renderer_desc* desc, fbrdf_renderer** out)
+{
+    fbrdf_log log{};
+    const bool hasLog = desc && desc->struct_size >= offsetof(fbrdf_renderer_desc, state_mode);
+    if (hasLog) log = desc->log;
+    return created(&log, out, [&] {
+        const fbrdf_renderer_desc known = descriptor(desc, sizeof *desc, "renderer");
+        checkVersion(known);
+        return new fbrdf_renderer{
+            std::make_shared<Shared>(Shared{fbrdf::gl::Renderer(optionsOf(known)), known.log})};
+    });
+}
+
+void fbrdf_renderer_abandon(fbrdf_renderer* renderer)
+{
+    if (renderer) renderer->shared->renderer.abandonContext();
+}
+
+void fbrdf_renderer_release(fbrdf_renderer* renderer)
+{
+    delete renderer;
+}
+
+fbrdf_result fbrdf_material_create(fbrdf_renderer* renderer, const fbrdf_brdf* brdf,
+                                   fbrdf_material** out)
+{
+    return created(renderer ? &renderer->shared->log : nullptr, out, [&] {
+        const SharedPtr& shared = required(renderer, "renderer").shared;
+        auto gpu = shared->renderer.createMaterial(required(brdf, "brdf").material);
+        return new fbrdf_material{shared, std::move(gpu), {}};
+    });
+}
+
+fbrdf_result fbrdf_material_replace(fbrdf_material* material, const fbrdf_brdf* brdf)
+{
+    return guarded(material ? &material->shared->log : nullptr, [&] {
+        auto gpu = required(material, "material")
+                       .shared->renderer.createMaterial(required(brdf, "brdf").material);
+        material->functions.clear();
+        material->gpu = std::move(gpu);
+    });
+}
+
+void fbrdf_material_release(fbrdf_material* material)
+{
+    delete material;
+}
+
+fbrdf_result fbrdf_mesh_create(fbrdf_renderer* renderer, const fbrdf_mesh_desc* desc,
+                               fbrdf_mesh** out)
+{
+    return created(renderer ? &renderer->shared->log : nullptr, out, [&] {
+        const SharedPtr& shared = required(renderer, "renderer").shared;
+        return new fbrdf_mesh{
+            shared, shared->renderer.createMesh(meshOf(descriptor(desc, sizeof *desc, "mesh")))};
+    });
+}
+
+void fbrdf_mesh_release(fbrdf_mesh* mesh)
+{
+    delete mesh;
+}

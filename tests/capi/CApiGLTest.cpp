@@ -1,0 +1,237 @@
+// The C ABI in a GL context: a host in C11, one that draws by itself, contexts, threads, faults.
+#include "plain.h"
+
+#include <fbrdf/fbrdf.hpp>
+
+#include <gtest/gtest.h>
+
+#include "support/gl/GlTest.h"
+
+#include <thread>
+
+namespace fbrdf::test {
+namespace {
+
+constexpr int kSize = 16;
+constexpr float kTexel = 1e-4f;  // tables of floats, one exp2 in the shader
+
+struct Line {
+    fbrdf_severity severity;
+    fbrdf_result code;
+    std::string text;
+};
+using Lines = std::vector<Line>;
+
+void write(void* user, fbrdf_severity severity, fbrdf_result code, const char* text)
+{
+    static_cast<Lines*>(user)->push_back({severity, code, text});
+}
+
+class CApiGL : public GlTest {
+protected:
+    fbrdf_renderer_desc rendererDesc(Lines& lines)
+    {
+        auto desc = abi::describe<fbrdf_renderer_desc>();
+        desc.api_version = FBRDF_API_VERSION;
+        desc.load = context().loader();
+        desc.log = {write, &lines};
+        return desc;
+    }
+};
+
+void expectPlainPicture(const std::vector<float>& pixels)
+{
+    for (size_t i = 0; i < pixels.size(); i += 4) {
+        ASSERT_NEAR(pixels[i], 0.25f, kTexel);
+        ASSERT_NEAR(pixels[i + 1], 0.5f, kTexel);
+        ASSERT_NEAR(pixels[i + 2], 1.0f, kTexel);
+        ASSERT_EQ(pixels[i + 3], 1.0f);
+    }
+}
+
+TEST_P(CApiGL, AHostInCDrawsWhatTheNumbersSay)
+{
+    Offscreen offscreen = makeOffscreen(kSize);
+    Lines lines;
+    auto stats = abi::describe<fbrdf_draw_stats>();
+    ASSERT_EQ(plain_draw(context().loader(), nullptr, {write, &lines}, offscreen.framebuffer(),
+                         kSize, &stats),
+              FBRDF_OK)
+        << (lines.empty() ? "" : lines[0].text);
+    EXPECT_TRUE(lines.empty());
+    EXPECT_EQ(stats.passes, 1u);
+    EXPECT_EQ(stats.lights_used, 1u);
+    EXPECT_STREQ(stats.accumulation, "RGBA32F");
+    expectPlainPicture(offscreen.readPixels());
+}
+
+TEST_P(CApiGL, OlderStatsGetTheirPartOnly)
+{
+    Offscreen offscreen = makeOffscreen(kSize);
+    fbrdf_draw_stats stats{};
+    stats.struct_size = offsetof(fbrdf_draw_stats, lights_given);
+    stats.max_lookups = 77;
+    ASSERT_EQ(plain_draw(context().loader(), nullptr, {}, offscreen.framebuffer(), kSize, &stats),
+              FBRDF_OK);
+    EXPECT_EQ(stats.draw_calls, 1u);
+    EXPECT_EQ(stats.max_lookups, 77u);
+}
+
+TEST_P(CApiGL, AnEngineDrawsByItselfWithTheFunctions)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    abi::Brdf brdf;
+    abi::Material material;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
+    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
+    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
+    const char* functions = nullptr;
+    auto glsl = abi::describe<fbrdf_glsl_desc>();
+    glsl.glsl_version = 140;
+    glsl.max_lights = 2;
+    ASSERT_EQ(fbrdf_material_glsl(material.get(), &glsl, &functions), FBRDF_OK);
+    const std::string fragment =
+        "#version 140\n" + std::string(functions) +
+        "out vec4 colour;\nvoid main()\n{\n    vec3 n = vec3(0.0, 0.0, 1.0);\n"
+        "    vec3 f = fbrdfEvaluate(n, normalize(vec3(0.5, 0.0, 1.0)));\n"
+        "    vec3 radiance = fbrdfRadiance(vec3(0.0), n, vec3(1.0, 0.0, 0.0), n);\n"
+        "    colour = gl_FragCoord.x < 8.0 ? vec4(f, 1.0) : vec4(radiance, 1.0);\n}\n";
+    const GLuint program = linkProgram(
+        gl(),
+        "#version 140\nvoid main() { gl_Position = vec4(float(gl_VertexID % 2) * 4.0 - 1.0,"
+        " float(gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }\n",
+        fragment);
+    abi::Binding binding;
+    ASSERT_EQ(binding.create(fbrdf_binding_create, material.get(), program), FBRDF_OK);
+    uint32_t units = 0;
+    ASSERT_EQ(fbrdf_binding_apply(binding.get(), 2, &units), FBRDF_OK);
+    EXPECT_EQ(units, 2u);
+    fbrdf_light lights[2]{};
+    for (fbrdf_light& light : lights) {
+        light.type = FBRDF_DIRECTIONAL;
+        light.position[2] = 1.0f;
+        for (float& channel : light.intensity) channel = 0.5f;
+    }
+    float vectors[24];
+    for (int i = 0; i < 2; ++i)
+        ASSERT_EQ(fbrdf_light_vectors(&lights[i], nullptr, vectors + 12 * i), FBRDF_OK);
+    gl().Uniform4fv(gl().GetUniformLocation(program, "fbrdfLights"), 6, vectors);
+    gl().Uniform1i(gl().GetUniformLocation(program, "fbrdfLightCount"), 2);
+    Offscreen offscreen = makeOffscreen(kSize);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, offscreen.framebuffer());
+    gl().Viewport(0, 0, kSize, kSize);
+    GLuint array = 0;
+    gl().GenVertexArrays(1, &array);
+    gl().BindVertexArray(array);
+    gl().DrawArrays(GL_TRIANGLES, 0, 3);
+    gl().BindVertexArray(0);
+    gl().DeleteVertexArrays(1, &array);
+    expectPlainPicture(offscreen.readPixels());
+    EXPECT_EQ(fbrdf_binding_apply(binding.get(), 100000, nullptr), FBRDF_ERROR_GL);
+    EXPECT_EQ(fbrdf_binding_apply(binding.get(), 2, nullptr), FBRDF_OK);
+    gl().UseProgram(0);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl().DeleteProgram(program);
+}
+
+TEST_P(CApiGL, FaultsAreResultsAndLogLines)
+{
+    Lines lines;
+    auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    const auto expectRefused = [&](fbrdf_result expected, const char* words) {
+        EXPECT_EQ(renderer.create(fbrdf_renderer_create, &desc), expected) << words;
+        EXPECT_FALSE(renderer);
+        ASSERT_EQ(lines.size(), 1u) << words;
+        EXPECT_EQ(lines[0].code, expected);
+        EXPECT_EQ(lines[0].severity, FBRDF_ERROR);
+        EXPECT_NE(lines[0].text.find(words), std::string::npos) << lines[0].text;
+        lines.clear();
+    };
+    desc.api_version = FBRDF_VERSION(7, 0);
+    expectRefused(FBRDF_ERROR_VERSION, "api_version 7.0");
+    desc = rendererDesc(lines);
+    desc.struct_size -= 1;
+    expectRefused(FBRDF_ERROR_VERSION, "struct_size");
+    desc = rendererDesc(lines);
+    desc.state_mode = 9;
+    expectRefused(FBRDF_ERROR_ARGUMENT, "state_mode: found 9");
+    desc = rendererDesc(lines);
+    desc.load = [](void*, const char*) -> void* { return nullptr; };
+    expectRefused(FBRDF_ERROR_GL, "OpenGL");
+    desc = rendererDesc(lines);
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);  // the next good call
+
+    auto draw = abi::describe<fbrdf_draw_desc>();
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_GL);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NE(lines[0].text.find("0x0 pixels"), std::string::npos) << lines[0].text;
+    Offscreen offscreen = makeOffscreen(kSize);
+    draw.framebuffer = offscreen.framebuffer();
+    draw.width = draw.height = kSize;
+    for (const int diagonal : {0, 5, 10, 15})
+        draw.view[diagonal] = draw.projection[diagonal] = 1.0f;
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    draw.item_count = 1;
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_ARGUMENT);
+    fbrdf_item item{};
+    draw.items = &item;
+    draw.item_size = 4;
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_VERSION);
+    draw.item_size = sizeof item;
+    auto stats = abi::describe<fbrdf_draw_stats>();
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, &stats), FBRDF_OK);
+    EXPECT_EQ(stats.items_failed, 1u);
+    EXPECT_EQ(fbrdf_draw(nullptr, &draw, nullptr), FBRDF_ERROR_ARGUMENT);
+
+    fbrdf_renderer_abandon(renderer.get());
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_GL);
+}
+
+TEST_P(CApiGL, AMaterialThatCannotBeReplacedStays)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    abi::Brdf brdf;
+    abi::Material material;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
+    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
+    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
+    EXPECT_EQ(fbrdf_material_replace(material.get(), nullptr), FBRDF_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_material_replace(material.get(), brdf.get()), FBRDF_OK);
+    const char* functions = nullptr;
+    auto glsl = abi::describe<fbrdf_glsl_desc>();
+    EXPECT_EQ(fbrdf_material_glsl(material.get(), &glsl, &functions), FBRDF_OK);
+    glsl.glsl_version = 111;
+    EXPECT_EQ(fbrdf_material_glsl(material.get(), &glsl, &functions), FBRDF_ERROR_GL);
+    EXPECT_EQ(functions, nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, CApiGL, ::testing::ValuesIn(modernVariants()), variantName);
+
+TEST(CApiThreads, TwoContextsOnTwoThreadsDrawTheSame)
+{
+    std::vector<float> pixels[2];
+    const auto work = [&pixels](size_t index) {
+        HeadlessContext context({Backend::egl});
+        Offscreen offscreen(context.loader(), {kSize, kSize});
+        offscreen.clear();
+        for (int i = 0; i < 3; ++i)
+            if (plain_draw(context.loader(), nullptr, {}, offscreen.framebuffer(), kSize,
+                           nullptr) != FBRDF_OK)
+                return;
+        pixels[index] = offscreen.readPixels();
+    };
+    std::thread other(work, 1);
+    work(0);
+    other.join();
+    ASSERT_FALSE(pixels[0].empty());
+    expectPlainPicture(pixels[0]);
+    EXPECT_EQ(pixels[0], pixels[1]);
+}
+
+}  // namespace
+}  // namespace fbrdf::test
