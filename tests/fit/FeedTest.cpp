@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace fbrdf {
 namespace {
@@ -21,12 +22,12 @@ TEST(Feed, BlocksHoldEverySampleOnceInOrder)
 {
     const Source source = numbered(2 * kFeedBlock + 77);
     const Feed feed = makeFeed(source, 0, 1, 1);
-    ASSERT_EQ(feed.blocks, 3u);
+    ASSERT_EQ(feed.blocks(), 3u);
     EXPECT_FALSE(feed.exact);
     std::vector<Sample> scratch;
     float next = 0.0f;
-    for (size_t b = 0; b < feed.blocks; ++b) {
-        const FeedBlock block = feed.read(b, scratch);
+    for (size_t b = 0; b < feed.blocks(); ++b) {
+        const FeedBlock block = feed.block(b, scratch);
         for (size_t i = 0; i < block.count; ++i) EXPECT_EQ(block.samples[i].f.x, next++);
     }
     EXPECT_EQ(next, float(source.samples.size()));
@@ -43,9 +44,9 @@ TEST(Feed, AStreamGivesTheSamplesOfTheListItCameFrom)
     };
     const Feed a = makeFeed(held, 0, 1, 1), b = makeFeed(streamed, 0, 1, 2);
     std::vector<Sample> scratch, other;
-    ASSERT_EQ(a.blocks, b.blocks);
-    for (size_t k = 0; k < a.blocks; ++k) {
-        const FeedBlock p = a.read(k, scratch), q = b.read(k, other);
+    ASSERT_EQ(a.blocks(), b.blocks());
+    for (size_t k = 0; k < a.blocks(); ++k) {
+        const FeedBlock p = a.block(k, scratch), q = b.block(k, other);
         ASSERT_EQ(p.count, q.count);
         for (size_t i = 0; i < p.count; ++i) ASSERT_EQ(p.samples[i].f.x, q.samples[i].f.x);
     }
@@ -82,6 +83,36 @@ TEST(Folds, SomeSamplesOfAFoldAreThoseOfThatFold)
     }
     EXPECT_EQ(all, source.samples.size());
     EXPECT_LE(someSamples(feed, kNoFold, 100, 9).size(), 100u);
+}
+
+TEST(Folds, SomeSamplesAreSpreadOverAllOfThem)
+{
+    // Half of the samples: a stride of whole numbers would take the first half.
+    const Source source = numbered(20000);
+    const auto part = someSamples(makeFeed(source, 0, 1, 1), kNoFold, 10000, 9);
+    EXPECT_LE(part.size(), 10000u);
+    EXPECT_GT(part.size(), 9000u);
+    double sum = 0.0;
+    for (const Sample& s : part) sum += double(s.f.x);
+    // The mean of 10,000 of 0 .. 19,999 has a standard deviation of 58.
+    EXPECT_NEAR(sum / double(part.size()), 9999.5, 5 * 58.0);
+}
+
+TEST(Feed, ALongStreamIsLookedIntoHereAndThere)
+{
+    uint64_t rowsRead = 0;
+    Source source;
+    source.stream.rows = uint64_t{1} << 36;
+    source.stream.read = [&](uint64_t first, size_t count, std::vector<Sample>& out,
+                             SampleReport&) {
+        rowsRead += count;
+        for (uint64_t i = first; i < first + count; ++i)
+            out.push_back({Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(float(i)), 1.0f});
+    };
+    const auto part = someSamples(makeFeed(source, 0, 1, 1), kNoFold, 5000, 9);
+    EXPECT_GT(part.size(), 4000u);
+    EXPECT_LE(rowsRead, 20000u);
+    EXPECT_GT(part.back().f.x, 0.9f * std::ldexp(1.0f, 36));
 }
 
 }  // namespace

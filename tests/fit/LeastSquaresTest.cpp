@@ -2,13 +2,16 @@
 
 #include "Bake.h"
 #include "Known.h"
+#include "RankPair.h"
 #include "Solve.h"
 
 #include <fbrdf/brdf/Error.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
+#include <thread>
 
 namespace fbrdf {
 namespace {
@@ -39,6 +42,9 @@ double largestError(const Material& fitted, const Material& truth)
 // A product that the form holds exactly comes back to 1e-4: floats of the rows give 1e-6,
 // smoothness the rest.
 constexpr double kRecovered = 1e-4;
+
+// Two ways to one solution: double sums in another order, materials in floats.
+constexpr double kSolversAgree = 1e-6;
 
 class Recovery : public testing::TestWithParam<Form> {};
 
@@ -170,6 +176,130 @@ TEST(LeastSquares, TheStepMinimisesWhatCostMeasures)
         for (double& v : other) v += 0.01 * (double(random() % 2001) / 1000.0 - 1.0);
         EXPECT_GT(squares.cost(other, options), least);
     }
+}
+
+// Both solvers run to their last digits: rows are floats, and the gauge is fixed by 1e-11.
+double largestDifference(const LeastSquares& a, const State& x, const LeastSquares& b,
+                         const State& y)
+{
+    const Material p = bake(a.form(), a.layout(), x, Storage::float32),
+                   q = bake(b.form(), b.layout(), y, Storage::float32);
+    return largestError(p, q);
+}
+
+class Solvers : public testing::TestWithParam<bool> {};
+
+TEST_P(Solvers, FactorizationAndConjugateGradientsAgree)
+{
+    Source source =
+        test::scattered(test::sourceOf(test::waveMaterial(formHdio(16, 6, 6))), 15000, 5);
+    std::mt19937 random(3);
+    for (Sample& s : source.samples) s.f *= random() % 50 == 0 ? 30.0f : 1.0f;
+    Problem problem(source, 0);
+    for (const Form& form : {formPqpr(8, 0.5, 8), formHdio(12, 5, 5)}) {
+        LeastSquaresOptions factored, iterated;
+        factored.solver = SystemSolver::factored;
+        iterated.solver = SystemSolver::conjugateGradients;
+        iterated.tolerance = 1e-12;
+        factored.sharedShape = iterated.sharedShape = GetParam();
+        const LeastSquares a(form, problem.feed, problem.traits, 1, 2, factored),
+            b(form, problem.feed, problem.traits, 1, 2, iterated);
+        StepOptions options;
+        options.smoothness = 1e-2;
+        options.robust = true;
+        const State from = a.step(a.flatState(), {});
+        // From one state, so that the robust weights are the same.
+        const State x = a.step(from, options);
+        const State y = b.step(from, options);
+        EXPECT_LT(largestDifference(a, x, b, y), kSolversAgree) << form.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Solvers, testing::Bool());
+
+TEST(SharedShape, ComesBackWithItsThreeLevels)
+{
+    Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    for (Table& table : truth.tables)
+        for (size_t i = 0; i < table.texels.size(); ++i) table.texels[i] = table.texels[i - i % 3];
+    truth.scales = {Vec3f(0.7f, 0.2f, 0.05f)};
+    Problem problem(test::sourceOf(truth), 20000);
+    LeastSquaresOptions options;
+    options.sharedShape = true;
+    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2, options);
+    SolveOptions solveOptions;
+    solveOptions.smoothness = 1e-14;
+    const Material fitted =
+        bake(truth.form, squares.layout(), solve(squares, solveOptions).x, Storage::float32);
+    EXPECT_EQ(fitted.tables[0].channels, 1);
+    EXPECT_EQ(materialBytes(fitted), (16u * 6 + 6 * 6) * 4);
+    EXPECT_LT(largestError(fitted, truth), kRecovered);
+}
+
+TEST(SharedShape, CannotHoldThreeShapes)
+{
+    const Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    Problem problem(test::sourceOf(truth), 10000);
+    LeastSquaresOptions options;
+    options.sharedShape = true;
+    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2, options);
+    EXPECT_GT(
+        largestError(bake(truth.form, squares.layout(), solve(squares, {}).x, Storage::float32),
+                     truth),
+        0.1);
+}
+
+TEST(Cache, ASecondFitOnTheSameGridIsTheFitWithoutACache)
+{
+    FitCache cache;
+    for (const double f0 : {0.5, 0.04}) {
+        Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, f0, 0.1}), 20000);
+        ASSERT_FALSE(problem.feed.geometry.empty());
+        const Form form = formHdio(16, 6, 6);
+        LeastSquaresOptions cached;
+        cached.cache = &cache;
+        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
+            without(form, problem.feed, problem.traits, 1, 2);
+        SolveOptions options;
+        options.folds = 2;
+        const Solution a = solve(with, options), b = solve(without, options);
+        EXPECT_EQ(a.smoothness, b.smoothness);
+        EXPECT_EQ(a.x, b.x) << f0;
+    }
+}
+
+TEST(Cache, AnotherGridIsNotMistakenForIt)
+{
+    FitCache cache;
+    LeastSquaresOptions cached;
+    cached.cache = &cache;
+    const Form form = formHdio(16, 6, 6);
+    for (const size_t count : {20000, 10000}) {
+        Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), count);
+        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
+            without(form, problem.feed, problem.traits, 1, 2);
+        EXPECT_EQ(with.step(with.flatState(), {}), without.step(without.flatState(), {}));
+    }
+}
+
+TEST(Ranks, TwoProcessesTakeTheStepOfOne)
+{
+    Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 60000);
+    const Form form = formHdio(16, 6, 6);
+    const LeastSquares alone(form, problem.feed, problem.traits, 1, 1);
+    test::RankPair pair;
+    std::array<State, 2> states;
+    std::array<std::thread, 2> processes;
+    for (size_t r = 0; r < 2; ++r)
+        processes[r] = std::thread([&, r] {
+            LeastSquaresOptions options;
+            options.ranks = pair.rank(r);
+            const LeastSquares half(form, problem.feed, problem.traits, 1, 1, options);
+            states[r] = solve(half, {}).x;
+        });
+    for (std::thread& process : processes) process.join();
+    EXPECT_EQ(states[0], states[1]);
+    EXPECT_LT(largestDifference(alone, solve(alone, {}).x, alone, states[0]), kSolversAgree);
 }
 
 TEST(Traits, NothingAboveTheFloorIsAnError)

@@ -20,6 +20,56 @@ TEST(Layout, MirroredTexelsOfASymmetricTableAreOneUnknown)
                 << i << " " << j;
 }
 
+TEST(Layout, TheLargestTableOfASingleFactorIsBanded)
+{
+    const Layout hdio(formHdio(8, 4, 6));
+    EXPECT_EQ(hdio.banded(), 8 * 4);
+    EXPECT_EQ(hdio.bandwidth(), 2 * 4);  // second differences along theta_h, numbered across it
+    const Layout pqp(formPqp(8, 0.5));   // p is looked up twice
+    EXPECT_EQ(pqp.banded(), 64);
+    EXPECT_LT(pqp.unknownOf(1, 63), 64);
+    EXPECT_GE(pqp.unknownOf(0, 0), 64);
+    const Axis axis{5, {}};
+    const Layout symmetric(Form{"",
+                                {{"T", GridDomain{{axis, axis}, true}}},
+                                {{{{0, std::vector<Angle>{Angle::theta_i, Angle::theta_o}}}}}});
+    EXPECT_EQ(symmetric.banded(), 0);
+}
+
+TEST(Layout, WhatSamplesAndSmoothnessCoupleLiesWithinTheBand)
+{
+    const Axis h{7, {}}, d{5, {}}, phi{4, {}};
+    const Form forms[] = {
+        formHdio(9, 4, 5), formPqpr(8, 0.5, 6),
+        Form{"volume",
+             {{"V", GridDomain{{h, d, phi}}}},
+             {{{{0, std::vector<Angle>{Angle::theta_h, Angle::theta_d, Angle::phi_d}}}}}}};
+    for (const Form& form : forms) {
+        const Layout layout(form);
+        int widest = 0;
+        const auto look = [&](const int* unknown, int count) {
+            for (int a = 0; a < count; ++a)
+                for (int b = 0; b < count; ++b)
+                    if (unknown[a] < layout.banded() && unknown[b] < layout.banded())
+                        widest = std::max(widest, unknown[a] - unknown[b]);
+        };
+        for (const SmoothnessRow& row : smoothnessRows(form, layout, 0.1))
+            look(row.unknown, row.count);
+        const RowMaker maker(form, layout);
+        std::vector<int> unknown(size_t(maker.width()));
+        std::vector<float> weight(unknown.size());
+        for (const auto& pair : uniformPairs(2000, 3)) {
+            maker.make({Vec3f(pair.wo), Vec3f(pair.wi), Vec3f(1.0f), 1.0f}, unknown.data(),
+                       weight.data());
+            look(unknown.data(), maker.width());
+            for (int k = 0; k < maker.width(); ++k)
+                EXPECT_EQ(unknown[size_t(k)] < layout.banded(),
+                          k >= maker.bandedFirst() && k < maker.bandedLast());
+        }
+        EXPECT_EQ(widest, layout.bandwidth()) << form.name;
+    }
+}
+
 TEST(RowMaker, WeightsOfEveryFactorSumToOne)
 {
     const Form form = formPqpr(16, 0.5, 12);

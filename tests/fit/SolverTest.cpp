@@ -12,69 +12,94 @@ namespace {
 // A well-conditioned matrix of 300 unknowns loses at most n eps.
 constexpr double kTight = 1e-12;
 
-SymmetricMatrix decaying(size_t n)
+bool isStored(const BorderedShape& shape, size_t row, size_t column)
 {
-    SymmetricMatrix m(n);
-    for (size_t i = 0; i < n; ++i)
+    return row >= shape.banded || row - column <= shape.bandwidth;
+}
+
+BorderedMatrix decaying(const BorderedShape& shape)
+{
+    BorderedMatrix m(shape);
+    for (size_t i = 0; i < shape.unknowns(); ++i)
         for (size_t j = 0; j <= i; ++j)
-            m.at(i, j) = i == j ? 4.0 : 1.0 / double(1 + (i - j) * (i - j));
+            if (isStored(shape, i, j))
+                m.at(i, j) = i == j ? 4.0 : 1.0 / double(1 + (i - j) * (i - j));
     return m;
 }
 
-double residualOf(const SymmetricMatrix& m, const std::vector<double>& x,
-                  const std::vector<double>& b)
+double residualOf(const BorderedMatrix& m, const double* x, const double* b)
 {
     double largest = 0.0;
-    for (size_t i = 0; i < m.size; ++i) {
+    const size_t n = m.shape.unknowns();
+    for (size_t i = 0; i < n; ++i) {
         double sum = -b[i];
-        for (size_t j = 0; j < m.size; ++j) sum += (j <= i ? m.at(i, j) : m.at(j, i)) * x[j];
+        for (size_t j = 0; j < n; ++j)
+            if (isStored(m.shape, std::max(i, j), std::min(i, j)))
+                sum += m.at(std::max(i, j), std::min(i, j)) * x[j];
         largest = std::max(largest, std::abs(sum));
     }
     return largest;
 }
 
-TEST(Cholesky, SolvesSeveralRightHandSides)
+// Dense alone, banded alone, both, a diagonal band, a band as wide as the block.
+class CholeskyOf : public testing::TestWithParam<BorderedShape> {};
+
+TEST_P(CholeskyOf, SolvesSeveralRightHandSides)
 {
-    const SymmetricMatrix m = decaying(300);
-    std::vector<double> right(2 * 300);
+    const BorderedMatrix m = decaying(GetParam());
+    const size_t n = m.shape.unknowns();
+    std::vector<double> right(2 * n);
     for (size_t i = 0; i < right.size(); ++i) right[i] = std::sin(double(i));
     std::vector<double> x = right;
     const Cholesky cholesky(m);
     ASSERT_TRUE(cholesky.ok());
     cholesky.solve(x.data(), 2);
-    for (size_t c = 0; c < 2; ++c) {
-        const auto from = std::ptrdiff_t(c * 300), to = std::ptrdiff_t((c + 1) * 300);
-        EXPECT_LT(residualOf(m, {x.begin() + from, x.begin() + to},
-                             {right.begin() + from, right.begin() + to}),
-                  kTight);
+    for (size_t c = 0; c < 2; ++c) EXPECT_LT(residualOf(m, &x[c * n], &right[c * n]), kTight);
+    x[0] += 1e-6;  // the tester itself
+    EXPECT_GT(residualOf(m, x.data(), right.data()), kTight);
+}
+
+TEST_P(CholeskyOf, RefusesAnIndefiniteMatrix)
+{
+    for (const size_t u : {size_t{0}, GetParam().unknowns() / 2, GetParam().unknowns() - 1}) {
+        BorderedMatrix m = decaying(GetParam());
+        m.at(u, u) = -1.0;
+        EXPECT_FALSE(Cholesky(m).ok()) << u;
+        m.at(u, u) = std::nan("");
+        EXPECT_FALSE(Cholesky(m).ok()) << u;
     }
 }
 
-TEST(Cholesky, RefusesAnIndefiniteMatrix)
+#ifdef FBRDF_HAVE_AVX2_KERNELS
+BorderedParts partsOf(BorderedMatrix& m)
 {
-    SymmetricMatrix m = decaying(8);
-    m.at(5, 5) = -1.0;
-    EXPECT_FALSE(Cholesky(m).ok());
+    double* values = m.values.data();
+    return {values,
+            values + m.shape.bandSize(),
+            values + m.shape.bandSize() + m.shape.borderSize(),
+            std::ptrdiff_t(m.shape.banded),
+            std::ptrdiff_t(m.shape.bandwidth),
+            std::ptrdiff_t(m.shape.dense)};
 }
 
-#ifdef FBRDF_HAVE_AVX2_KERNELS
-TEST(Cholesky, BothKernelsAgree)
+TEST_P(CholeskyOf, BothKernelsAgree)
 {
     if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
         GTEST_SKIP() << "this processor has no AVX2 and FMA";
-    constexpr std::ptrdiff_t n = 257;
-    const SymmetricMatrix m = decaying(size_t(n));
-    std::vector<double> a = m.lower;
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-        for (std::ptrdiff_t j = 0; j < i; ++j) a[size_t(j * n + i)] = a[size_t(i * n + j)];
-    std::vector<double> b = a, x(size_t(n), 1.0), y(size_t(n), 1.0);
-    ASSERT_TRUE(factorBaseline(a.data(), n));
-    ASSERT_TRUE(factorAvx2(b.data(), n));
-    solveBaseline(a.data(), n, x.data(), 1);
-    solveAvx2(b.data(), n, y.data(), 1);
+    BorderedMatrix a = decaying(GetParam()), b = a;
+    std::vector<double> x(a.shape.unknowns(), 1.0), y = x;
+    ASSERT_TRUE(factorBaseline(partsOf(a)));
+    ASSERT_TRUE(factorAvx2(partsOf(b)));
+    solveBaseline(partsOf(a), x.data(), 1);
+    solveAvx2(partsOf(b), y.data(), 1);
     for (size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], y[i], kTight) << i;
 }
 #endif
+
+INSTANTIATE_TEST_SUITE_P(Shapes, CholeskyOf,
+                         testing::Values(BorderedShape{0, 0, 257}, BorderedShape{201, 13, 0},
+                                         BorderedShape{150, 21, 83}, BorderedShape{40, 0, 9},
+                                         BorderedShape{33, 32, 34}));
 
 }  // namespace
 }  // namespace fbrdf

@@ -22,16 +22,24 @@ struct Range {
     int count = 0;
 };
 
+// Where the texels of a channel start in a state.
+size_t columnOf(const Layout& layout, int channel)
+{
+    return layout.sharedShape()
+               ? 0
+               : static_cast<size_t>(channel) * static_cast<size_t>(layout.unknowns());
+}
+
 // Subtracts the mean of the reachable texels, or their maximum where the storage holds no more than
 // 1; returns it.
 Vec3d normalised(Table& table, Storage storage)
 {
     Vec3d levels(0.0);
     const int texels = texelCount(table.domain);
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < table.channels; ++c) {
         Range range;
         const auto at = [&](int t) -> float& {
-            return table.texels[static_cast<size_t>(t) * 3 + static_cast<size_t>(c)];
+            return table.texels[static_cast<size_t>(t * table.channels + c)];
         };
         for (int t = 0; t < texels; ++t) {
             if (!isReachable(table.domain, t)) continue;
@@ -46,7 +54,7 @@ Vec3d normalised(Table& table, Storage storage)
             at(t) = static_cast<float>(
                 std::clamp(static_cast<double>(at(t)), range.lower, range.upper) - levels[c]);
     }
-    return levels;
+    return table.channels == 1 ? Vec3d(levels[0]) : levels;
 }
 
 }  // namespace
@@ -55,22 +63,24 @@ Material bake(const Form& form, const Layout& layout, const State& x, Storage st
 {
     Material material;
     material.form = form;
-    const auto n = static_cast<size_t>(layout.unknowns());
     std::vector<Vec3d> levels;
     for (size_t t = 0; t < form.tables.size(); ++t) {
         Table table;
         table.name = form.tables[t].name;
         table.domain = form.tables[t].domain;
+        table.channels = layout.sharedShape() ? 1 : 3;
         for (int i = 0; i < texelCount(table.domain); ++i)
-            for (size_t c = 0; c < 3; ++c)
-                table.texels.push_back(
-                    static_cast<float>(x[c * n + static_cast<size_t>(layout.unknownOf(t, i))]));
+            for (int c = 0; c < table.channels; ++c)
+                table.texels.push_back(static_cast<float>(
+                    x[columnOf(layout, c) + static_cast<size_t>(layout.unknownOf(t, i))]));
         levels.push_back(normalised(table, storage));
         material.tables.push_back(quantized(table, storage));
     }
-    for (const Term& term : form.terms) {
+    for (size_t t = 0; t < form.terms.size(); ++t) {
         Vec3d logScale(0.0);
-        for (const Factor& factor : term.factors)
+        for (int c = 0; layout.sharedShape() && c < 3; ++c)
+            logScale[c] = x[static_cast<size_t>(layout.levelOf(t, c))];
+        for (const Factor& factor : form.terms[t].factors)
             logScale += levels[static_cast<size_t>(factor.table)];
         material.scales.push_back(
             Vec3f(Vec3d(std::exp2(logScale.x), std::exp2(logScale.y), std::exp2(logScale.z))));

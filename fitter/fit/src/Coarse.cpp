@@ -47,22 +47,29 @@ Form halved(const Form& form)
 
 State prolonged(const LeastSquares& coarse, const State& x, const LeastSquares& fine)
 {
-    State result(3 * fine.unknowns());
+    const size_t columns = fine.columns(), from = coarse.unknowns(), to = fine.unknowns();
+    State result(columns * to);
     for (size_t t = 0; t < fine.form().tables.size(); ++t) {
-        const Domain &from = coarse.form().tables[t].domain, &to = fine.form().tables[t].domain;
-        for (int texel = 0; texel < texelCount(to); ++texel) {
-            const Stencil<double> stencil = stencilAt(from, positionIn(from, to, texel));
+        const Domain &coarseDomain = coarse.form().tables[t].domain,
+                     &domain = fine.form().tables[t].domain;
+        for (int texel = 0; texel < texelCount(domain); ++texel) {
+            const Stencil<double> stencil =
+                stencilAt(coarseDomain, positionIn(coarseDomain, domain, texel));
             const auto target = static_cast<size_t>(fine.layout().unknownOf(t, texel));
-            for (size_t c = 0; c < 3; ++c) {
+            for (size_t c = 0; c < columns; ++c) {
                 double value = 0.0;
                 for (size_t k = 0; k < static_cast<size_t>(stencil.count); ++k)
                     value += stencil.weight[k] *
-                             x[c * coarse.unknowns() +
+                             x[c * from +
                                static_cast<size_t>(coarse.layout().unknownOf(t, stencil.texel[k]))];
-                result[c * fine.unknowns() + target] = value;
+                result[c * to + target] = value;
             }
         }
     }
+    for (size_t t = 0; fine.layout().sharedShape() && t < fine.form().terms.size(); ++t)
+        for (int c = 0; c < 3; ++c)
+            result[static_cast<size_t>(fine.layout().levelOf(t, c))] =
+                x[static_cast<size_t>(coarse.layout().levelOf(t, c))];
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <fbrdf/fit/SampleSets.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace fbrdf {
@@ -15,20 +16,16 @@ namespace {
 // A stream of at most this many rows (a MERL file, twice) is read once and held; 40 bytes a row.
 constexpr size_t kHeldRows = 3000000;
 
-size_t blocksOf(size_t rows)
-{
-    return (rows + kFeedBlock - 1) / kFeedBlock;
-}
+using Owner = std::shared_ptr<const std::vector<Sample>>;
 
-Feed feedOf(std::shared_ptr<const std::vector<Sample>> owner, const std::vector<Sample>& samples)
+Feed feedOf(Owner owner, const std::vector<Sample>& samples)
 {
     Feed feed;
     feed.rows = samples.size();
-    feed.blocks = blocksOf(feed.rows);
-    feed.read = [owner = std::move(owner), &samples](size_t block, std::vector<Sample>&) {
-        const size_t first = block * kFeedBlock;
-        return FeedBlock{samples.data() + first, std::min(kFeedBlock, samples.size() - first),
-                         first};
+    feed.held = true;
+    feed.read = [owner = std::move(owner), &samples](uint64_t first, size_t count,
+                                                     std::vector<Sample>&) {
+        return FeedBlock{samples.data() + first, count, first};
     };
     return feed;
 }
@@ -37,25 +34,39 @@ Feed feedOf(const SampleStream& stream)
 {
     Feed feed;
     feed.rows = stream.rows;
-    feed.blocks = blocksOf(feed.rows);
-    feed.read = [&stream](size_t block, std::vector<Sample>& scratch) {
-        const uint64_t first = block * kFeedBlock;
+    feed.read = [&stream](uint64_t first, size_t count, std::vector<Sample>& scratch) {
         SampleReport report;
         scratch.clear();
-        stream.read(first, std::min<uint64_t>(kFeedBlock, stream.rows - first), scratch, report);
+        stream.read(first, count, scratch, report);
         return FeedBlock{scratch.data(), scratch.size(), first};
     };
     return feed;
 }
 
-std::shared_ptr<const std::vector<Sample>> allSamples(const Feed& feed, int threads)
+Owner allSamples(const Feed& feed, int threads)
 {
-    std::vector<std::vector<Sample>> blocks(feed.blocks);
-    parallelTasks(feed.blocks, threads, [&](size_t b) { feed.read(b, blocks[b]); });
+    std::vector<std::vector<Sample>> blocks(feed.blocks());
+    parallelTasks(blocks.size(), threads, [&](size_t b) { feed.block(b, blocks[b]); });
     auto all = std::make_shared<std::vector<Sample>>();
     all->reserve(feed.rows);
     for (const auto& block : blocks) all->insert(all->end(), block.begin(), block.end());
     return all;
+}
+
+// Ranges of a feed, in order: all of it, or pieces at equal distances.
+struct Ranges {
+    uint64_t distance;
+    size_t length, count;
+};
+
+Ranges rangesFor(const Feed& feed, uint64_t wanted)
+{
+    constexpr size_t kPiece = 256;  // rows: a few points of a scan, many scans
+    constexpr uint64_t kSparse = 4;
+    const uint64_t pieces = (2 * wanted + kPiece - 1) / kPiece;
+    if (feed.held || feed.rows < kSparse * pieces * kPiece)
+        return {kFeedBlock, kFeedBlock, feed.blocks()};
+    return {feed.rows / pieces, kPiece, static_cast<size_t>(pieces)};
 }
 
 }  // namespace
@@ -66,17 +77,30 @@ Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
     if (source.stream) {
         const Feed stream = feedOf(source.stream);
         if (stream.rows > kHeldRows) return stream;
-        const auto held = allSamples(stream, threads);
-        return feedOf(held, *held);
+        const Owner all = allSamples(stream, threads);
+        Feed feed = feedOf(all, *all);
+        if (feed.rows == source.stream.rows) feed.geometry = source.stream.geometry;
+        return feed;
     }
     if (!source.evaluate)
         throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,
                     "found neither samples nor a function, expected one of them");
-    const auto taken = std::make_shared<const std::vector<Sample>>(
-        samplesAt(source, uniformPairs(count, seed + 1), threads));
-    Feed feed = feedOf(taken, *taken);
+    Feed feed = heldFeed(samplesAt(source, uniformPairs(count, seed + 1), threads));
     feed.exact = true;
+    feed.geometry = "uniform " + std::to_string(count) + " " + std::to_string(seed + 1);
     return feed;
+}
+
+Feed heldFeed(std::vector<Sample> samples)
+{
+    const auto owner = std::make_shared<const std::vector<Sample>>(std::move(samples));
+    return feedOf(owner, *owner);
+}
+
+FeedBlock Feed::block(size_t index, std::vector<Sample>& scratch) const
+{
+    const uint64_t first = index * kFeedBlock;
+    return read(first, static_cast<size_t>(std::min<uint64_t>(kFeedBlock, rows - first)), scratch);
 }
 
 // Folds show no pattern of the measurement.
@@ -87,17 +111,25 @@ int foldOf(uint64_t number, uint64_t seed)
 
 std::vector<Sample> someSamples(const Feed& feed, int fold, size_t limit, uint64_t seed)
 {
-    const size_t available = fold == kNoFold ? feed.rows : feed.rows / kFolds;
-    const uint64_t stride = std::max<uint64_t>(1, available / std::max<size_t>(1, limit));
+    const uint64_t folds = fold == kNoFold ? 1 : kFolds;
+    const Ranges ranges = rangesFor(feed, folds * limit);
+    const uint64_t seen = std::min<uint64_t>(feed.rows, ranges.count * ranges.length) / folds;
+    // A regular stride would beat with the grid of a measurement: a hash decides. Four standard
+    // deviations fewer than the limit are expected, so that it cuts nothing off at the end.
+    const auto most = static_cast<double>(limit);
+    const double share = seen <= limit ? 1.0 : (most - 4.0 * std::sqrt(most)) / double(seen);
+    auto kept = [&, met = uint64_t{0}]() mutable {
+        return share >= 1.0 || std::ldexp(double(mixed(met++ ^ ~seed) >> 11), -53) < share;
+    };
     std::vector<Sample> chosen, scratch;
-    uint64_t met = 0;
-    for (size_t b = 0; b < feed.blocks && chosen.size() < limit; ++b) {
-        const FeedBlock block = feed.read(b, scratch);
+    for (size_t r = 0; r < ranges.count && chosen.size() < limit; ++r) {
+        const uint64_t first = r * ranges.distance;
+        const auto length =
+            static_cast<size_t>(std::min<uint64_t>(ranges.length, feed.rows - first));
+        const FeedBlock block = feed.read(first, length, scratch);
         for (size_t i = 0; i < block.count && chosen.size() < limit; ++i) {
             if (fold != kNoFold && foldOf(block.first + i, seed) != fold) continue;
-            // A regular stride would beat with the grid of a measurement; the hash picks one in
-            // `stride`.
-            if (stride > 1 && mixed(met++ ^ ~seed) % stride != 0) continue;
+            if (!kept()) continue;
             chosen.push_back(block.samples[i]);
         }
     }

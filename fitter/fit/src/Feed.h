@@ -1,10 +1,11 @@
-// Feed.h - the samples of a source in blocks that can be read in any order, from any thread, again
+// Feed.h - the samples of a source in ranges that can be read in any order, from any thread, again
 // and again. Fits read them once a pass and hold none, so memory does not grow with the number of
 // samples.
 #pragma once
 #include <fbrdf/sources/Source.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace fbrdf {
@@ -20,21 +21,32 @@ struct FeedBlock {
 };
 
 struct Feed {
-    size_t blocks = 0;
     size_t rows = 0;     ///< samples at most
     bool exact = false;  ///< values of a function: no noise, no outliers
-    /// The view is valid until the next read into the same scratch.
-    std::function<FeedBlock(size_t block, std::vector<Sample>& scratch)> read;
+    bool held = false;   ///< in memory: reading costs nothing
+    /// Equal for two feeds whose row k is the same pair with the same weight for every k; empty
+    /// where that is not known.
+    std::string geometry;
+    /// The samples among rows [first, first + count); the view is valid until the next read into
+    /// the same scratch.
+    std::function<FeedBlock(uint64_t first, size_t count, std::vector<Sample>& scratch)> read;
+
+    size_t blocks() const { return (rows + kFeedBlock - 1) / kFeedBlock; }
+    FeedBlock block(size_t index, std::vector<Sample>& scratch) const;
 };
 
 /// Samples, held or streamed, of the source itself; `count` of its uniform pairs where it is only a
 /// function. The source must outlive the feed.
 Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads);
 
+/// The samples given, held by the feed.
+Feed heldFeed(std::vector<Sample> samples);
+
 /// Which of kFolds a sample belongs to.
 int foldOf(uint64_t number, uint64_t seed);
 
-/// Samples spread over all blocks, `limit` at most; of one fold, or of all with kNoFold.
+/// Samples spread over the whole feed, `limit` at most; of one fold, or of all with kNoFold. A long
+/// stream is looked into here and there, not read through.
 std::vector<Sample> someSamples(const Feed& feed, int fold, size_t limit, uint64_t seed);
 
 }  // namespace fbrdf

@@ -54,6 +54,15 @@ SolveOptions solveOptions(const Job& job)
     return options;
 }
 
+LeastSquaresOptions problemOptions(const Job& job)
+{
+    LeastSquaresOptions options;
+    options.sharedShape = job.options.sharedShape;
+    options.cache = job.options.cache.get();
+    options.ranks = job.options.ranks;
+    return options;
+}
+
 Job makeJob(const Source& source, const FitOptions& options)
 {
     Job job{
@@ -70,7 +79,8 @@ Job makeJob(const Source& source, const FitOptions& options)
 // Errors on samples that took no part: each fold in turn is left out of a fit of its own.
 SampleErrors heldOutErrors(const Job& job, const Form& form, double smoothness, int folds)
 {
-    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads);
+    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
+                               problemOptions(job));
     std::vector<Sample> held;
     std::vector<Vec3f> fitted;
     for (int fold = 0; fold < folds; ++fold) {
@@ -127,12 +137,8 @@ Job trialJob(const Job& job, const std::vector<Sample>& part)
 {
     Job trial = job;
     if (part.empty()) return trial;
-    trial.feed.rows = part.size();
-    trial.feed.blocks = (part.size() + kFeedBlock - 1) / kFeedBlock;
-    trial.feed.read = [&part](size_t block, std::vector<Sample>&) {
-        const size_t first = block * kFeedBlock;
-        return FeedBlock{part.data() + first, std::min(kFeedBlock, part.size() - first), first};
-    };
+    trial.feed = heldFeed(part);
+    trial.feed.exact = job.feed.exact;
     return trial;
 }
 
@@ -208,7 +214,8 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
                     "found " + std::to_string(options.maxBytes) + ", expected at least " +
                         std::to_string(formBytes(form, options.storage)) +
                         " for this form and resolution");
-    const LeastSquares problem(form, job.feed, job.traits, options.seed, options.threads);
+    const LeastSquares problem(form, job.feed, job.traits, options.seed, options.threads,
+                               problemOptions(job));
     const Solution solution = solve(problem, solveOptions(job));
     result.material = bake(form, problem.layout(), solution.x, options.storage);
     result.material.name = source.name;

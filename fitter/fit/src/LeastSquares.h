@@ -1,27 +1,33 @@
 // LeastSquares.h - Gauss-Newton steps that bring a form's log texels to the samples, which pass by
 // in blocks.
 //
-// The state x holds log2 texels, one column a channel. At x every sample gives a residual r = log2
-// f - log2 g(x) and a row sum_t share_t b_t, where share_t is what term t contributes to g. One
-// term has share 1: the problem is linear and the first step is its solution. A metric phi other
-// than log changes weight and residual of the same row: w phi'^2 and (phi(f) - phi(g)) / phi', with
-// derivatives by log2 g.
+// The state x holds log2 texels, one column a channel (one in all with a shared shape). At x every
+// sample gives a residual r = log2 f - log2 g(x) and a row sum_t share_t b_t, where share_t is what
+// term t contributes to g. One term has share 1: the problem is linear and the first step is its
+// solution. A metric phi other than log changes weight and residual of the same row: w phi'^2 and
+// (phi(f) - phi(g)) / phi', with derivatives by log2 g.
 //
 // Weights: f^2 / (f^2 + floor^2). A value below the noise floor is censored: known to lie below, it
 // pulls only a prediction that lies above.
+//
+// Small systems are factored, large ones solved by preconditioned conjugate gradients.
 #pragma once
 #include "Feed.h"
-#include "Rows.h"
-#include "Solver.h"
+#include "FitCache.h"
+#include "NormalSystem.h"
+#include "RowStore.h"
+#include "SmoothSystem.h"
 #include "Traits.h"
 
 #include <fbrdf/fit/Fit.h>
 
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace fbrdf {
 
-/// Unknowns x channels, column (channel) contiguous: log2 texels.
+/// Unknowns x columns, column contiguous: log2 texels, and the levels of a shared shape.
 using State = std::vector<double>;
 
 struct StepOptions {
@@ -32,56 +38,106 @@ struct StepOptions {
     double damping = 0.0;        ///< Levenberg-Marquardt, relative to the diagonal
 };
 
+enum class SystemSolver { automatic, factored, conjugateGradients };
+
+struct LeastSquaresOptions {
+    bool sharedShape = false;  ///< R, G, B have the same texels and a level each
+    SystemSolver solver = SystemSolver::automatic;
+    double tolerance = 1e-6;    ///< of conjugate gradients: residual over right-hand side
+    FitCache* cache = nullptr;  ///< where fits to data on the same grid meet; may be null
+    RankSum ranks;              ///< one data set over several processes
+};
+
 class LeastSquares {
 public:
     /// What `feed` reads from must outlive the object.
-    LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed, int threads);
+    LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed, int threads,
+                 const LeastSquaresOptions& options = {});
+    LeastSquares(const LeastSquares&) = delete;
 
     size_t unknowns() const { return static_cast<size_t>(layout_.unknowns()); }
+    size_t columns() const { return layout_.sharedShape() ? 1 : 3; }
     const Layout& layout() const { return layout_; }
     const Form& form() const { return form_; }
-    /// The same problem on every `stride`-th block of the data.
-    LeastSquares thinned(size_t stride) const;
+    size_t rows() const { return feed_.rows; }
+    /// The same problem on about `rows` samples spread over the data, without those of a fold.
+    LeastSquares thinned(size_t rows, int excludedFold) const;
     /// The same data with another form.
     LeastSquares withForm(const Form& form) const;
-    size_t blocks() const { return feed_.blocks; }
-    LeastSquares(const LeastSquares&) = delete;
 
     /// The state after one Gauss-Newton step. Throws Error(fit) when the system is singular beyond
     /// repair.
     State step(const State& x, const StepOptions& options) const;
-    /// One linear system, several smoothness strengths: the states after a step with each.
-    std::vector<State> steps(const State& x, const StepOptions& options,
-                             const std::vector<double>& strengths) const;
+    struct Choice {
+        State x;
+        double smoothness;
+    };
+    /// The step with the strength that does best on samples left out, each of `folds` in turn; the
+    /// smoothness of `options` does not count. The rows are added up once for all strengths.
+    /// Precondition: folds do not contain options.excludedFold.
+    Choice stepWithBest(const State& x, const StepOptions& options,
+                        const std::vector<double>& strengths, const std::vector<int>& folds) const;
     /// Weighted mean of squared residuals: what a damped step must lower.
     double cost(const State& x, const StepOptions& options) const;
-    /// Weighted mean |log2 f - log2 g| over the samples of one fold; over all with kNoFold.
-    double foldError(const State& x, int fold) const;
     /// Every table flat, the form equal to 2^level; of a sum, the terms but the last equal to
     /// 2^low.
     State flatState() const;
 
 private:
-    struct Part;
-    struct Normal;
+    struct Row;
+    struct Texels;
+    struct Pass;
+    struct NormalRowBuffer;
+    struct ChannelSystems;
+    using States = std::vector<State>;
+
+    /// Calls visit(part, block, scratch) for the blocks of this process, the parts at the same
+    /// time.
     template <class Visit>
-    void forEachRow(size_t part, const State& x, const StepOptions& options,
-                    const Visit& visit) const;
-    template <class Value>
-    double weightedMean(const State& x, const StepOptions& options, const Value& value) const;
+    void forEachBlock(const Visit& visit) const;
+    Row rowAt(const RowStore::Block& rows, size_t i, const Texels& texels,
+              const StepOptions& options, const Vec3f& scale, Vec3f* share) const;
+    /// Calls visit(row, fold) for the samples that take part.
+    template <class Visit>
+    void forEachRow(size_t block, RowStore::Scratch& scratch, const Texels& texels,
+                    const StepOptions& options, const Vec3f& scale, const Visit& visit) const;
     Vec3f tukeyScale(const State& x, const StepOptions& options) const;
-    Normal accumulate(const State& x, const StepOptions& options, const Vec3f& scale,
-                      int firstChannel, int channels) const;
-    void addSmoothness(Normal& normal, const State& x, double strength, int firstChannel) const;
+    std::vector<Pass> passes(const StepOptions& options, size_t groups) const;
+    template <class Add>
+    void forEachNormalRow(const Row& row, const Pass& pass, NormalRowBuffer& buffer,
+                          const Add& add) const;
+    std::vector<NormalSums> sums(const State& x, const StepOptions& options, const Pass& pass,
+                                 const std::vector<int>& folds) const;
+    std::vector<ChannelSystems> systems(const State& x, const StepOptions& options,
+                                        const Pass& pass, const std::vector<int>& folds) const;
+    std::string gridKey(const StepOptions& options, const Pass& pass,
+                        const std::vector<int>& folds) const;
+    std::vector<ChannelSystems> allSystems(const State& x, const StepOptions& options,
+                                           const std::vector<int>& folds) const;
+    void takeStep(State& x, const ChannelSystems& system, size_t which, double strength,
+                  double damping) const;
+    void repeatGrey(State& x) const;
+    std::vector<double> foldErrors(const std::vector<States>& states,
+                                   const std::vector<int>& folds) const;
+    struct GradientProblem;
+    State conjugateGradientStep(const State& x, const StepOptions& options, double tolerance) const;
+    Choice conjugateGradientChoice(const State& x, StepOptions options,
+                                   const std::vector<double>& strengths, int fold) const;
+    bool factorsSystems() const;
+    /// Rows or weights of a step differ from state to state.
+    bool dependsOnState(const StepOptions& options) const;
 
     Form form_;
     Feed feed_;
     DataTraits traits_;
+    LeastSquaresOptions options_;
     Layout layout_;
-    RowMaker rows_;
-    std::vector<SmoothnessRow> smoothness_;
+    RowMaker maker_;
+    Smoothness smoothness_;
     uint64_t seed_;
     int threads_;
+    std::string cacheKey_;  ///< empty: nothing can be shared
+    std::unique_ptr<RowStore> store_;
 };
 
 }  // namespace fbrdf

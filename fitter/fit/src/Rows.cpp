@@ -1,5 +1,8 @@
 #include "Rows.h"
 
+#include <algorithm>
+#include <array>
+
 namespace fbrdf {
 namespace {
 
@@ -24,21 +27,78 @@ void forEachLine(const Domain& domain, const Visit& visit)
     }
 }
 
+// The table whose block is banded: the largest that a single factor looks up; none (-1) where every
+// table is symmetric or looked up twice.
+int bandedTable(const Form& form)
+{
+    std::vector<int> uses(form.tables.size(), 0);
+    for (const Term& term : form.terms)
+        for (const Factor& factor : term.factors) ++uses[static_cast<size_t>(factor.table)];
+    int best = -1, most = 1;
+    for (size_t t = 0; t < form.tables.size(); ++t) {
+        const int texels = texelCount(form.tables[t].domain);
+        if (uses[t] != 1 || isSymmetric(form.tables[t].domain) || texels <= most) continue;
+        best = static_cast<int>(t);
+        most = texels;
+    }
+    return best;
+}
+
+/// Strides of a numbering that runs along the shortest axis first.
+struct BandOrder {
+    std::array<int, 3> stride{};
+    int bandwidth = 0;
+
+    explicit BandOrder(const Domain& domain)
+    {
+        const auto size = domainSize(domain);
+        std::array<size_t, 3> order{0, 1, 2};
+        std::stable_sort(order.begin(), order.end(),
+                         [&size](size_t a, size_t b) { return size[a] < size[b]; });
+        int step = 1, cell = 0, curvature = 0;
+        for (const size_t axis : order) {
+            stride[axis] = step;
+            if (size[axis] > 1) cell += step;  // opposite corners of a cell of interpolation
+            if (size[axis] > 1) curvature = (size[axis] > 2 ? 2 : 1) * step;
+            step *= size[axis];
+        }
+        bandwidth = std::max(cell, curvature);
+    }
+    int operator()(int texel, const std::array<int, 3>& size) const
+    {
+        return texel % size[0] * stride[0] + texel / size[0] % size[1] * stride[1] +
+               texel / (size[0] * size[1]) * stride[2];
+    }
+};
+
 }  // namespace
 
-Layout::Layout(const Form& form)
+Layout::Layout(const Form& form, bool sharedShape) : unknownOf_(form.tables.size())
 {
-    for (const TableSpec& spec : form.tables) {
-        const int texels = texelCount(spec.domain), side = domainSize(spec.domain)[0];
-        const auto mirrorOf = [&](int t) { return (t % side) * side + t / side; };
-        const bool symmetric = isSymmetric(spec.domain);
+    const int first = bandedTable(form);
+    if (first >= 0) {
+        const Domain& domain = form.tables[static_cast<size_t>(first)].domain;
+        const BandOrder order(domain);
+        for (int t = 0; t < texelCount(domain); ++t)
+            unknownOf_[static_cast<size_t>(first)].push_back(order(t, domainSize(domain)));
+        count_ = banded_ = texelCount(domain);
+        bandwidth_ = std::min(order.bandwidth, banded_ - 1);
+    }
+    for (size_t k = 0; k < form.tables.size(); ++k) {
+        if (static_cast<int>(k) == first) continue;
+        const Domain& domain = form.tables[k].domain;
+        const int texels = texelCount(domain), side = domainSize(domain)[0];
+        const auto mirrorOf = [side](int t) { return (t % side) * side + t / side; };
+        const bool symmetric = isSymmetric(domain);
         std::vector<int> unknown(static_cast<size_t>(texels));
         // Of a mirrored pair of texels the one met first gets the number, the other takes it over.
         for (int t = 0; t < texels; ++t)
             unknown[static_cast<size_t>(t)] =
                 symmetric && mirrorOf(t) < t ? unknown[static_cast<size_t>(mirrorOf(t))] : count_++;
-        unknownOf_.push_back(std::move(unknown));
+        unknownOf_[k] = std::move(unknown);
     }
+    firstLevel_ = count_;
+    if (sharedShape) count_ += 3 * static_cast<int>(form.terms.size());
 }
 
 RowMaker::RowMaker(const Form& form, const Layout& layout) : form_(form), layout_(layout)
@@ -50,6 +110,11 @@ RowMaker::RowMaker(const Form& form, const Layout& layout) : form_(form), layout
             for (const int n : domainSize(form.tables[static_cast<size_t>(factor.table)].domain))
                 if (n > 1) entries *= 2;
             width += entries;
+            if (layout.banded() > 0 &&
+                layout.unknownOf(static_cast<size_t>(factor.table), 0) < layout.banded()) {
+                bandedFirst_ = width - entries;
+                bandedLast_ = width;
+            }
         }
         termEnd_.push_back(width);
     }

@@ -1,7 +1,8 @@
 // Rows.h - one sample, one sparse row: the unknowns that a form mixes at a pair of directions.
 //
 // Unknowns are log2 texels. A symmetric table's (i, j) and (j, i) are one unknown; a table that
-// several factors use (p of pqp) is one set of unknowns, so reciprocity is exact.
+// several factors use (p of pqp) is one set of unknowns, so reciprocity is exact. With a shared
+// shape R, G and B have the same texels and differ by a level: three more unknowns a term.
 #pragma once
 #include <fbrdf/brdf/Form.h>
 #include <fbrdf/sources/Source.h>
@@ -11,27 +12,45 @@
 namespace fbrdf {
 
 /// Where each texel of each table sits in the vector of unknowns.
+///
+/// The unknowns of the largest table that one factor of one term alone looks up come first. A
+/// sample couples neighbours of it only, so their block of the normal equations is banded
+/// (NormalSystem.h): they are numbered along the shorter axes first, which keeps the band narrow.
 class Layout {
 public:
-    explicit Layout(const Form& form);
+    explicit Layout(const Form& form, bool sharedShape = false);
     int unknowns() const { return count_; }
     int unknownOf(size_t table, int texel) const
     {
         return unknownOf_[table][static_cast<size_t>(texel)];
     }
+    /// Levels of R, G, B of a term with a shared shape.
+    bool sharedShape() const { return firstLevel_ < count_; }
+    int levelOf(size_t term, int channel) const
+    {
+        return firstLevel_ + 3 * static_cast<int>(term) + channel;
+    }
+    /// Unknowns of the banded block, and how far apart two of them may lie that are coupled, by a
+    /// sample or by smoothness.
+    int banded() const { return banded_; }
+    int bandwidth() const { return bandwidth_; }
 
 private:
-    int count_ = 0;
+    int count_ = 0, firstLevel_ = 0, banded_ = 0, bandwidth_ = 0;
     std::vector<std::vector<int>> unknownOf_;
 };
 
 /// Makes rows, one after the other. A row holds the entries of all terms, term after term;
 /// termEnd[t] is one past the last entry of term t, and the last of them the width of every row.
+/// Levels of a shared shape are no entries: their weight is always 1.
 class RowMaker {
 public:
     RowMaker(const Form& form, const Layout& layout);
     int width() const { return termEnd_.back(); }
     const std::vector<int>& termEnd() const { return termEnd_; }
+    /// The entries of banded unknowns: [first, last) of every row.
+    int bandedFirst() const { return bandedFirst_; }
+    int bandedLast() const { return bandedLast_; }
     /// unknown, weight: width() entries each. The weights of each factor sum to 1.
     void make(const Sample& sample, int* unknown, float* weight) const;
 
@@ -39,6 +58,7 @@ private:
     const Form& form_;
     const Layout& layout_;
     std::vector<int> termEnd_;
+    int bandedFirst_ = 0, bandedLast_ = 0;
 };
 
 /// Smoothness: rows that are 0 where a table is linear along its axes.

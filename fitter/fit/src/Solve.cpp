@@ -12,7 +12,8 @@ constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
 constexpr int kMaxSteps = 24, kFineSteps = 4;
-constexpr size_t kCoarseBlocks = 4;  // 32,768 samples find the way
+constexpr size_t kCoarseRows = 32768;  // find the way for the halved form of a sum
+constexpr size_t kStartRows = 262144;  // find it for all rows; a last step is taken on all
 constexpr double kFirstDamping = 1e-3, kMaxDamping = 1e3;
 constexpr double kConverged = 1e-4;  // relative fall of the cost
 
@@ -46,9 +47,11 @@ State descend(const LeastSquares& problem, State x, StepOptions options, int max
 // are taken in full.
 State solveSum(const LeastSquares& problem, const StepOptions& step)
 {
-    const LeastSquares coarse = problem.withForm(halved(problem.form()))
-                                    .thinned(std::max<size_t>(1, problem.blocks() / kCoarseBlocks));
-    const State x = descend(coarse, coarse.flatState(), step, kMaxSteps);
+    const LeastSquares thin = problem.thinned(kCoarseRows, step.excludedFold);
+    const LeastSquares coarse = thin.withForm(halved(problem.form()));
+    StepOptions all = step;
+    all.excludedFold = kNoFold;  // the thinned samples have none of it
+    const State x = descend(coarse, coarse.flatState(), all, kMaxSteps);
     return descend(problem, prolonged(coarse, x, problem), step, kFineSteps);
 }
 
@@ -69,43 +72,42 @@ State solveAt(const LeastSquares& problem, const SolveOptions& options, double s
     return x;
 }
 
-double chooseSmoothness(const LeastSquares& problem, const State& x, const SolveOptions& options)
+// Where the last step starts from. A plain linear problem needs no start; the state of a large one
+// is found on a part of the samples: robust weights and shares of terms are statistics of the data.
+State startOf(const LeastSquares& problem, SolveOptions options, double smoothness)
 {
-    std::vector<double> error(kSmoothnessLadder.size(), 0.0);
-    for (int fold = 0; fold < options.folds; ++fold) {
-        StepOptions step;
-        step.metric = options.metric;
-        step.robust = options.robust;
-        // Within a fit that leaves a fold out, that fold must not choose either.
-        step.excludedFold =
-            options.excludedFold == kNoFold ? fold : (options.excludedFold + 1) % kFolds;
-        const auto states = problem.steps(x, step, kSmoothnessLadder);
-        for (size_t s = 0; s < states.size(); ++s)
-            error[s] += problem.foldError(states[s], step.excludedFold);
-        if (options.excludedFold != kNoFold) break;
-    }
-    const auto best = std::min_element(error.begin(), error.end());
-    return kSmoothnessLadder[static_cast<size_t>(best - error.begin())];
+    if (isLinear(problem, options.metric) && !options.robust) return problem.flatState();
+    if (problem.rows() < 2 * kStartRows) return solveAt(problem, options, smoothness);
+    const LeastSquares thin = problem.thinned(kStartRows, options.excludedFold);
+    options.excludedFold = kNoFold;
+    return solveAt(thin, options, smoothness);
+}
+
+// Folds that choose the smoothness. Within a fit that leaves a fold out, that fold must not choose
+// either.
+std::vector<int> choosingFolds(const SolveOptions& options)
+{
+    if (options.excludedFold != kNoFold) return {(options.excludedFold + 1) % kFolds};
+    std::vector<int> folds;
+    for (int fold = 0; fold < options.folds; ++fold) folds.push_back(fold);
+    return folds;
 }
 
 }  // namespace
 
 Solution solve(const LeastSquares& problem, const SolveOptions& options)
 {
-    if (options.smoothness > 0.0)
-        return {solveAt(problem, options, options.smoothness), options.smoothness};
-    Solution solution{solveAt(problem, options, kFirstSmoothness), kFirstSmoothness};
-    const double chosen = chooseSmoothness(problem, solution.x, options);
-    if (chosen != kFirstSmoothness) {
-        StepOptions step;
-        step.smoothness = chosen;
-        step.metric = options.metric;
-        step.robust = options.robust;
-        step.excludedFold = options.excludedFold;
-        step.damping = isLinear(problem, options.metric) ? 0.0 : kFirstDamping;
-        solution = {problem.step(solution.x, step), chosen};
-    }
-    return solution;
+    const bool fixed = options.smoothness > 0.0;
+    StepOptions last;
+    last.smoothness = fixed ? options.smoothness : kFirstSmoothness;
+    last.metric = options.metric;
+    last.robust = options.robust;
+    last.excludedFold = options.excludedFold;
+    last.damping = isLinear(problem, options.metric) ? 0.0 : kFirstDamping;
+    const State x = startOf(problem, options, last.smoothness);
+    if (fixed) return {problem.step(x, last), last.smoothness};
+    auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
+    return {std::move(choice.x), choice.smoothness};
 }
 
 }  // namespace fbrdf

@@ -2,8 +2,6 @@
 
 #include "SolverKernel.h"
 
-#include <algorithm>
-
 namespace fbrdf {
 namespace {
 
@@ -21,30 +19,29 @@ Kernels kernelsOfThisMachine()
     return {factorBaseline, solveBaseline};
 }
 
-// The kernels read the lower triangle of a column-major matrix, which is the upper one of ours:
-// mirror it, in tiles that fit the cache.
-void mirror(std::vector<double>& matrix, size_t n)
+BorderedParts partsOf(const BorderedMatrix& matrix)
 {
-    constexpr size_t kTile = 32;
-    for (size_t rowTile = 0; rowTile < n; rowTile += kTile)
-        for (size_t columnTile = 0; columnTile <= rowTile; columnTile += kTile)
-            for (size_t r = rowTile; r < std::min(n, rowTile + kTile); ++r)
-                for (size_t c = columnTile; c < std::min(r, columnTile + kTile); ++c)
-                    matrix[c * n + r] = matrix[r * n + c];
+    const BorderedShape& shape = matrix.shape;
+    auto* values = const_cast<double*>(matrix.values.data());
+    double* border = values + shape.bandSize();
+    return {values,
+            border,
+            border + shape.borderSize(),
+            static_cast<std::ptrdiff_t>(shape.banded),
+            static_cast<std::ptrdiff_t>(shape.bandwidth),
+            static_cast<std::ptrdiff_t>(shape.dense)};
 }
 
 }  // namespace
 
-Cholesky::Cholesky(SymmetricMatrix matrix) : size_(matrix.size), factor_(std::move(matrix.lower))
+Cholesky::Cholesky(BorderedMatrix matrix) : factor_(std::move(matrix))
 {
-    mirror(factor_, size_);
-    ok_ = kernelsOfThisMachine().factor(factor_.data(), static_cast<std::ptrdiff_t>(size_));
+    ok_ = kernelsOfThisMachine().factor(partsOf(factor_));
 }
 
 void Cholesky::solve(double* values, size_t columns) const
 {
-    kernelsOfThisMachine().solve(factor_.data(), static_cast<std::ptrdiff_t>(size_), values,
-                                 static_cast<std::ptrdiff_t>(columns));
+    kernelsOfThisMachine().solve(partsOf(factor_), values, static_cast<std::ptrdiff_t>(columns));
 }
 
 }  // namespace fbrdf

@@ -1,21 +1,25 @@
-// SolverKernel.h - the two dense kernels, compiled once for every x86-64 and once with AVX2 and FMA
-// (Solver.cpp picks). Raw pointers only: an inline function of the standard library instantiated
-// under AVX2 could be the one that the linker keeps for the whole program.
+// SolverKernel.h - the numeric kernels of Solver.h, compiled once for every x86-64 and once with
+// AVX2 and FMA (Solver.cpp picks). Raw pointers only: an inline function of the standard library
+// instantiated under AVX2 could be the one that the linker keeps for the whole program.
 #pragma once
 #include <cstddef>
 
 namespace fbrdf {
 
-/// Factors the n x n column-major matrix in place, its lower triangle being what is read; false if
-/// not positive definite.
-using FactorKernel = bool (*)(double* matrix, std::ptrdiff_t n);
-/// Solves with the factor, in place, for n x columns right-hand sides.
-using SolveKernel = void (*)(const double* factor, std::ptrdiff_t n, double* values,
-                             std::ptrdiff_t columns);
+/// A bordered matrix by its parts, stored as BorderedMatrix says.
+struct BorderedParts {
+    double *band, *border, *dense;
+    std::ptrdiff_t banded, bandwidth, size;  ///< n, w, m
+};
 
-bool factorBaseline(double* matrix, std::ptrdiff_t n);
-void solveBaseline(const double* factor, std::ptrdiff_t n, double* values, std::ptrdiff_t columns);
-bool factorAvx2(double* matrix, std::ptrdiff_t n);
-void solveAvx2(const double* factor, std::ptrdiff_t n, double* values, std::ptrdiff_t columns);
+/// Factors in place; false if not positive definite.
+using FactorKernel = bool (*)(const BorderedParts& matrix);
+/// Solves with the factor, in place, for unknowns x columns right-hand sides.
+using SolveKernel = void (*)(const BorderedParts& factor, double* values, std::ptrdiff_t columns);
+
+bool factorBaseline(const BorderedParts& matrix);
+void solveBaseline(const BorderedParts& factor, double* values, std::ptrdiff_t columns);
+bool factorAvx2(const BorderedParts& matrix);
+void solveAvx2(const BorderedParts& factor, double* values, std::ptrdiff_t columns);
 
 }  // namespace fbrdf

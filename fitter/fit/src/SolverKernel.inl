@@ -3,22 +3,90 @@
 #include <Eigen/Cholesky>
 
 namespace fbrdf {
+namespace {
 
+using Index = std::ptrdiff_t;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1>;
+using Segment = Eigen::Map<const Vector>;
 
-bool FBRDF_FACTOR(double* matrix, std::ptrdiff_t n)
+// L(row, from .. row - 1), contiguous.
+const double* bandRow(const BorderedParts& m, Index row, Index from)
 {
-    Eigen::Map<Matrix> map(matrix, n, n);
-    Eigen::Ref<Matrix> reference(map);
+    return m.band + row * (m.bandwidth + 1) + m.bandwidth - (row - from);
+}
+
+Index bandStart(const BorderedParts& m, Index row)
+{
+    return row > m.bandwidth ? row - m.bandwidth : 0;
+}
+
+bool factorBand(const BorderedParts& m)
+{
+    for (Index i = 0; i < m.banded; ++i) {
+        const Index start = bandStart(m, i);
+        double* row = m.band + i * (m.bandwidth + 1) + m.bandwidth - i;  // row[j] is A(i, j)
+        for (Index j = start; j <= i; ++j) {
+            const Index from = bandStart(m, j) > start ? bandStart(m, j) : start;
+            const double sum =
+                row[j] - Segment(row + from, j - from).dot(Segment(bandRow(m, j, from), j - from));
+            if (j < i) {
+                row[j] = sum / *bandRow(m, j, j);
+                continue;
+            }
+            if (!(sum > 0.0)) return false;
+            row[i] = sqrt(sum);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool FBRDF_FACTOR(const BorderedParts& m)
+{
+    if (!factorBand(m)) return false;
+    if (m.size == 0) return true;
+    Eigen::Map<RowMatrix> border(m.border, m.banded, m.size);
+    for (Index i = 0; i < m.banded; ++i) {
+        const Index start = bandStart(m, i), count = i - start;
+        auto row = border.row(i).transpose();
+        row.noalias() -=
+            border.middleRows(start, count).transpose() * Segment(bandRow(m, i, start), count);
+        row /= *bandRow(m, i, i);
+    }
+    Eigen::Map<Matrix> dense(m.dense, m.size, m.size);
+    dense.selfadjointView<Eigen::Lower>().rankUpdate(border.transpose(), -1.0);
+    Eigen::Ref<Matrix> reference(dense);
     return Eigen::LLT<Eigen::Ref<Matrix>>(reference).info() == Eigen::Success;
 }
 
-void FBRDF_SOLVE(const double* factor, std::ptrdiff_t n, double* values, std::ptrdiff_t columns)
+void FBRDF_SOLVE(const BorderedParts& m, double* values, Index columns)
 {
-    const Eigen::Map<const Matrix> map(factor, n, n);
-    Eigen::Map<Matrix> x(values, n, columns);
-    map.triangularView<Eigen::Lower>().solveInPlace(x);
-    map.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+    const Eigen::Map<const RowMatrix> border(m.border, m.banded, m.size);
+    const Eigen::Map<const Matrix> dense(m.dense, m.size, m.size);
+    for (Index c = 0; c < columns; ++c) {
+        double* x = values + c * (m.banded + m.size);
+        Eigen::Map<Vector> upper(x, m.banded), lower(x + m.banded, m.size);
+        for (Index i = 0; i < m.banded; ++i) {
+            const Index start = bandStart(m, i);
+            x[i] -= Segment(bandRow(m, i, start), i - start).dot(Segment(x + start, i - start));
+            x[i] /= *bandRow(m, i, i);
+        }
+        if (m.size > 0) {
+            lower.noalias() -= border.transpose() * upper;
+            dense.triangularView<Eigen::Lower>().solveInPlace(lower);
+            dense.triangularView<Eigen::Lower>().transpose().solveInPlace(lower);
+            upper.noalias() -= border * lower;
+        }
+        for (Index i = m.banded - 1; i >= 0; --i) {
+            const Index start = bandStart(m, i);
+            x[i] /= *bandRow(m, i, i);
+            Eigen::Map<Vector>(x + start, i - start) -=
+                x[i] * Segment(bandRow(m, i, start), i - start);
+        }
+    }
 }
 
 }  // namespace fbrdf

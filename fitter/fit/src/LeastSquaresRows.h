@@ -1,0 +1,169 @@
+// LeastSquaresRows.h - what LeastSquares.cpp and LeastSquaresStep.cpp share: one pass over rows.
+#pragma once
+#include "LeastSquares.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf {
+
+// Sums are made in this many parts whatever the number of threads, and added in order: the same
+// bits everywhere.
+constexpr size_t kParts = 4;
+
+/// A state as rows read it: floats, the channels of a texel side by side.
+struct LeastSquares::Texels {
+    std::vector<Vec3f> values;  ///< one an unknown
+    std::vector<Vec3f> levels;  ///< one a term; 0 without a shared shape
+
+    /// Predicts nothing: for rows whose weights do not depend on the state.
+    Texels() = default;
+    Texels(const LeastSquares& problem, const State& x);
+    /// log2 g of a row; share: one a term, what it contributes to g.
+    Vec3f predict(const std::vector<int>& termEnd, const int* unknown, const float* weight,
+                  Vec3f* share) const;
+};
+
+/// What a visitor of rows sees of one sample.
+struct LeastSquares::Row {
+    const int* unknown;
+    const float* weight;
+    const Vec3f* share;
+    Vec3f residual;      ///< in the metric's own terms
+    Vec3f sampleWeight;  ///< all in all; 0: the channel says nothing
+    Vec3f noiseWeight;   ///< without metric and robustness
+};
+
+/// Channels that one pass over the rows serves: [first, first + channels), a lane each, with a
+/// matrix a lane (kLanes), one for all (1) or none (0: it is known).
+struct LeastSquares::Pass {
+    size_t first, channels, matrices;
+};
+
+struct LeastSquares::NormalRowBuffer {
+    std::vector<int> unknown;
+    std::vector<Lanes> entry, scaled;
+
+    explicit NormalRowBuffer(size_t width) : unknown(width), entry(width), scaled(width) {}
+};
+
+// phi(f), phi(g) and d phi / d log2 g of the metrics; c is cos theta_i.
+struct Response {
+    float residual, weight;
+};
+Response responseOf(Metric metric, float c, float logF, float logG);
+
+// Beaton and Tukey 1974: (1 - (r / (c s))^2)^2 within c s, 0 beyond. 95 % efficiency for Gaussian
+// noise.
+inline float biweight(float residual, float scale)
+{
+    constexpr float kTukey = 4.685f;
+    const float ratio = residual / (kTukey * scale);
+    const float inside = std::max(0.0f, 1.0f - ratio * ratio);
+    return inside * inside;
+}
+
+template <class Visit>
+void LeastSquares::forEachBlock(const Visit& visit) const
+{
+    const RankSum& ranks = options_.ranks;
+    const size_t first = store_->blocks() * ranks.rank / ranks.count,
+                 last = store_->blocks() * (ranks.rank + 1) / ranks.count;
+    parallelTasks(kParts, threads_, [&](size_t part) {
+        RowStore::Scratch scratch;
+        const size_t blocks = last - first;
+        for (size_t b = blocks * part / kParts; b < blocks * (part + 1) / kParts; ++b)
+            visit(part, first + b, scratch);
+    });
+}
+
+inline LeastSquares::Row LeastSquares::rowAt(const RowStore::Block& rows, size_t i,
+                                             const Texels& texels, const StepOptions& options,
+                                             const Vec3f& scale, Vec3f* share) const
+{
+    const size_t from = i * static_cast<size_t>(maker_.width());
+    Row row{
+        &rows.geometry.unknown[from], &rows.geometry.weight[from], share, Vec3f(0.0f), Vec3f(0.0f),
+        rows.values.weight[i]};
+    const Vec3f logG = texels.values.empty()
+                           ? Vec3f(0.0f)
+                           : texels.predict(maker_.termEnd(), row.unknown, row.weight, share);
+    for (int c = 0; c < 3; ++c) {
+        if (row.noiseWeight[c] == 0.0f) continue;
+        const Response response = responseOf(options.metric, rows.geometry.cosine[i],
+                                             rows.values.logValue[i][c], logG[c]);
+        row.residual[c] = response.residual;
+        const bool censored = (rows.values.censored[i] >> c & 1) != 0;
+        if (censored && response.residual >= 0.0f) continue;
+        row.sampleWeight[c] = row.noiseWeight[c] * response.weight;
+        if (options.robust)
+            row.sampleWeight[c] *=
+                biweight(response.residual * std::sqrt(row.noiseWeight[c]), scale[c]);
+    }
+    return row;
+}
+
+template <class Visit>
+void LeastSquares::forEachRow(size_t block, RowStore::Scratch& scratch, const Texels& texels,
+                              const StepOptions& options, const Vec3f& scale,
+                              const Visit& visit) const
+{
+    const RowStore::Block rows = store_->block(block, scratch);
+    std::vector<Vec3f> share(form_.terms.size(), Vec3f(1.0f));
+    for (size_t i = 0; i < rows.geometry.count; ++i) {
+        const int fold = foldOf(rows.geometry.first + i, seed_);
+        if (options.excludedFold == kNoFold || fold != options.excludedFold)
+            visit(rowAt(rows, i, texels, options, scale, share.data()), fold);
+    }
+}
+
+// A row of the normal equations a sample; with a shared shape one a channel, levels included.
+template <class Add>
+void LeastSquares::forEachNormalRow(const Row& row, const Pass& pass, NormalRowBuffer& buffer,
+                                    const Add& add) const
+{
+    const auto width = static_cast<size_t>(maker_.width());
+    const bool shared = layout_.sharedShape();
+    NormalRow normal{row.unknown,
+                     buffer.entry.data(),
+                     buffer.scaled.data(),
+                     width,
+                     static_cast<size_t>(maker_.bandedFirst()),
+                     static_cast<size_t>(maker_.bandedLast()),
+                     Lanes{}};
+    for (size_t c = pass.first; c < (shared ? 3 : pass.first + 1); ++c) {
+        Lanes weight{};
+        bool counts = false;
+        for (size_t l = 0; l < pass.channels; ++l) {
+            const auto channel = static_cast<int>(c + l);
+            weight[l] = static_cast<double>(row.sampleWeight[channel]);
+            normal.residual[l] = static_cast<double>(row.residual[channel]);
+            counts = counts || weight[l] > 0.0;
+        }
+        if (!counts) continue;
+        const auto set = [&](size_t k, size_t t, double factor) {
+            for (size_t l = 0; l < pass.channels; ++l) {
+                buffer.entry[k][l] =
+                    static_cast<double>(row.share[t][static_cast<int>(c + l)]) * factor;
+                buffer.scaled[k][l] = weight[l] * buffer.entry[k][l];
+            }
+        };
+        size_t k = 0;
+        for (size_t t = 0; t < form_.terms.size(); ++t)
+            for (; k < static_cast<size_t>(maker_.termEnd()[t]); ++k)
+                set(k, t, static_cast<double>(row.weight[k]));
+        if (shared) {
+            std::copy(row.unknown, row.unknown + width, buffer.unknown.begin());
+            for (size_t t = 0; t < form_.terms.size(); ++t, ++k) {
+                buffer.unknown[k] = layout_.levelOf(t, static_cast<int>(c));
+                set(k, t, 1.0);
+            }
+            normal.unknown = buffer.unknown.data();
+            normal.width = k;
+        }
+        add(normal);
+    }
+}
+
+}  // namespace fbrdf

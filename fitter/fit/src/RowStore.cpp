@@ -1,0 +1,73 @@
+#include "RowStore.h"
+
+#include "Parallel.h"
+
+namespace fbrdf {
+namespace {
+
+constexpr size_t kKeptBytes = size_t{384} << 20;  // of rows; more are made again in every pass
+
+size_t bytesPerRow(int width)
+{
+    return static_cast<size_t>(width) * (sizeof(int) + sizeof(float)) + sizeof(float) +
+           2 * sizeof(Vec3f) + 1;
+}
+
+}  // namespace
+
+RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
+                   std::shared_ptr<const RowGeometries> known)
+    : maker_(maker), feed_(feed), traits_(traits), geometry_(std::move(known))
+{
+    if (!feed.held || feed.rows * bytesPerRow(maker.width()) > kKeptBytes) return;
+    values_.resize(blocks());
+    const auto made = geometry_ ? nullptr : std::make_shared<RowGeometries>(blocks());
+    parallelTasks(blocks(), threads, [&](size_t b) {
+        std::vector<Sample> scratch;
+        const FeedBlock block = feed_.block(b, scratch);
+        if (made) makeGeometry(block, (*made)[b]);
+        makeValues(block, values_[b]);
+    });
+    if (made) geometry_ = made;
+}
+
+void RowStore::makeGeometry(const FeedBlock& block, RowGeometry& geometry) const
+{
+    const auto width = static_cast<size_t>(maker_.width());
+    geometry.first = block.first;
+    geometry.count = block.count;
+    geometry.unknown.resize(block.count * width);
+    geometry.weight.resize(block.count * width);
+    geometry.cosine.resize(block.count);
+    for (size_t i = 0; i < block.count; ++i) {
+        maker_.make(block.samples[i], &geometry.unknown[i * width], &geometry.weight[i * width]);
+        geometry.cosine[i] = block.samples[i].wi.z;
+    }
+}
+
+void RowStore::makeValues(const FeedBlock& block, RowValues& values) const
+{
+    values.logValue.resize(block.count);
+    values.weight.resize(block.count);
+    values.censored.assign(block.count, 0);
+    for (size_t i = 0; i < block.count; ++i) {
+        const Sample& sample = block.samples[i];
+        for (int c = 0; c < 3; ++c) {
+            const Observed o = observe(sample.f[c], traits_.floor[c], sample.weight);
+            values.logValue[i][c] = o.logValue;
+            values.weight[i][c] = o.weight;
+            if (o.censored) values.censored[i] |= static_cast<unsigned char>(1 << c);
+        }
+    }
+}
+
+RowStore::Block RowStore::block(size_t index, Scratch& scratch) const
+{
+    if (!values_.empty()) return {(*geometry_)[index], values_[index]};
+    const FeedBlock block = feed_.block(index, scratch.samples);
+    makeGeometry(block, scratch.geometry);
+    makeValues(block, scratch.values);
+    return {scratch.geometry, scratch.values};
+}
+
+}  // namespace fbrdf
