@@ -57,9 +57,11 @@ bool FBRDF_FACTOR(const BorderedParts& m)
         row /= *bandRow(m, i, i);
     }
     Eigen::Map<Matrix> dense(m.dense, m.size, m.size);
-    dense.selfadjointView<Eigen::Lower>().rankUpdate(border.transpose(), -1.0);
+    if (m.banded > 0)  // Eigen divides by the depth of the update
+        dense.selfadjointView<Eigen::Lower>().rankUpdate(border.transpose(), -1.0);
     Eigen::Ref<Matrix> reference(dense);
-    return Eigen::LLT<Eigen::Ref<Matrix>>(reference).info() == Eigen::Success;
+    if (Eigen::LLT<Eigen::Ref<Matrix>>(reference).info() != Eigen::Success) return false;
+    return dense(m.size - 1, m.size - 1) > 0.0;  // what is no number gets that far unnoticed
 }
 
 void FBRDF_SOLVE(const BorderedParts& m, double* values, Index columns)
@@ -75,10 +77,10 @@ void FBRDF_SOLVE(const BorderedParts& m, double* values, Index columns)
             x[i] /= *bandRow(m, i, i);
         }
         if (m.size > 0) {
-            lower.noalias() -= border.transpose() * upper;
+            if (m.banded > 0) lower.noalias() -= border.transpose() * upper;
             dense.triangularView<Eigen::Lower>().solveInPlace(lower);
             dense.triangularView<Eigen::Lower>().transpose().solveInPlace(lower);
-            upper.noalias() -= border * lower;
+            if (m.banded > 0) upper.noalias() -= border * lower;
         }
         for (Index i = m.banded - 1; i >= 0; --i) {
             const Index start = bandStart(m, i);
