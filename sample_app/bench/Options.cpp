@@ -1,0 +1,77 @@
+#include "bench/Options.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace fbrdf::bench {
+namespace {
+
+constexpr int kLargestSide = 16384;  ///< what GL 3.3 implementations commonly render to
+constexpr int kMostLights = 65536;
+
+[[noreturn]] void fail(const std::string& where, const std::string& what)
+{
+    throw Error(ErrorKind::usage, where, what);
+}
+
+/// "640x480".
+void setSize(Options& options, const std::string& text)
+{
+    const char* const end = text.data() + text.size();
+    const auto [cross, error] = std::from_chars(text.data(), end, options.width);
+    const bool hasCross = error == std::errc() && cross != end && *cross == 'x';
+    const auto [last, error2] = std::from_chars(hasCross ? cross + 1 : end, end, options.height);
+    const auto inRange = [](int side) { return side >= 1 && side <= kLargestSide; };
+    if (!hasCross || error2 != std::errc() || last != end || !inRange(options.width) ||
+        !inRange(options.height))
+        fail("--size",
+             "found '" + text + "', expected WxH of 1 to " + std::to_string(kLargestSide));
+}
+
+}  // namespace
+
+Options optionsFromArguments(int argc, const char* const* argv)
+{
+    Options options;
+    std::string size, mesh, clock;
+    CLI::App app(
+        "Times the runtime against other ways to draw a material, all in one process, frame by "
+        "frame in turn: median milliseconds a frame, and the ratio to analytic GGX",
+        "fbrdf-bench");
+    app.add_option("--lights", options.lights, "Numbers of lights")
+        ->delimiter(',')
+        ->check(CLI::Range(1, kMostLights))
+        ->type_name("N,N,...");
+    app.add_option("--size", size, "Pixels (default 256x256)")->type_name("WxH");
+    app.add_option("--mesh", mesh, "One full-screen triangle, or a sphere (default: both)")
+        ->check(CLI::IsMember({"triangle", "sphere"}));
+    app.add_option("--only", options.only, "Nothing but these variants")
+        ->delimiter(',')
+        ->type_name("NAME,...");
+    app.add_option("--frame-limit", options.frameLimit,
+                   "Milliseconds; what would take longer a frame is left out, and named")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--clock", clock,
+                   "wall (default), or cpu: that of the process, steadier where a busy machine "
+                   "draws in software")
+        ->check(CLI::IsMember({"wall", "cpu"}));
+    app.add_flag("--json", options.json, "One object instead of tables");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        options.help = app.help();
+        return options;
+    } catch (const CLI::ParseError& error) {
+        fail("command line", error.what());
+    }
+    if (!size.empty()) setSize(options, size);
+    if (!mesh.empty()) options.meshes = {mesh};
+    if (clock == "cpu") options.clock = Options::Clock::cpu;
+    return options;
+}
+
+}  // namespace fbrdf::bench

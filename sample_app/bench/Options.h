@@ -1,0 +1,24 @@
+// Options.h - the command line of fbrdf-bench.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fbrdf::bench {
+
+struct Options {
+    std::vector<int> lights{1, 4, 16, 64, 256, 1024};
+    int width = 256, height = 256;
+    std::vector<std::string> meshes{"triangle", "sphere"};
+    std::vector<std::string> only;  ///< names of variants; empty: all
+    double frameLimit = 2000.0;     ///< ms; variants that would take longer are left out
+    /// What is timed: wall time, or CPU time of the process, which on a software renderer is nearly
+    /// the same and does not change with what else the machine does.
+    enum class Clock { wall, cpu } clock = Clock::wall;
+    bool json = false;
+    std::string help;  ///< not empty: --help was asked for, and this is the answer
+};
+
+/// Throws Error(usage) for everything that is not as --help says.
+Options optionsFromArguments(int argc, const char* const* argv);
+
+}  // namespace fbrdf::bench

@@ -1,0 +1,61 @@
+// Peer.h - another way to draw a material: a GLSL function f(wo, wi), its data and its CPU twin,
+// drawn by the same vertex shader and the same light loop as the runtime's.
+#pragma once
+#include "bench/Stage.h"
+#include "viewer/GlFunctions.h"
+
+#include <fbrdf/shaders/TextureImage.h>
+
+#include <glm/vec4.hpp>
+
+namespace fbrdf::bench {
+
+/// A texture of a peer.
+struct PeerMap {
+    std::string sampler;  ///< its name in the shader
+    TextureImage image;
+    bool repeats = false;  ///< along x; otherwise clamped
+};
+
+struct Peer {
+    std::string name, description;
+    std::string shader;                 ///< text that defines peerView and peerBrdf
+    std::vector<glm::vec4> parameters;  ///< peerParameters
+    std::vector<PeerMap> maps;
+    /// f(wo, wi) on the CPU, in double; local frame, unit, above the horizon.
+    std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate;
+    bool passPerLight = false;  ///< one additive pass a light, after a black one that lays depth
+};
+
+/// A peer and a stage in the context that is current when it is made.
+class PeerDrawing {
+public:
+    /// Lights that one pass may hold, whatever the context allows.
+    static constexpr int kMostLights = 1024;
+
+    /// Throws Error(gl) with the compiler's log.
+    PeerDrawing(const GladGLContext& gl, const Peer& peer, const Stage& stage, int lights);
+    ~PeerDrawing();
+    PeerDrawing(const PeerDrawing&) = delete;
+    PeerDrawing& operator=(const PeerDrawing&) = delete;
+
+    /// Adds to the target what gl::Renderer::draw would: depth test LESS against what is there.
+    void draw(const gl::Target& target, const std::vector<Light>& lights) const;
+
+private:
+    void uploadMesh(const gl::MeshData& mesh);
+    void uploadMap(const PeerMap& map);
+    void setUniforms() const;
+    void drawBlack() const;
+    GLint location(const char* name) const { return gl_.GetUniformLocation(program_, name); }
+
+    const GladGLContext& gl_;
+    const Peer& peer_;
+    gl::View view_;
+    GLsizei indexCount_ = 0;
+    int slots_ = 1;  ///< lights a pass
+    GLuint program_ = 0, array_ = 0, buffers_[4] = {};
+    std::vector<GLuint> textures_;
+};
+
+}  // namespace fbrdf::bench

@@ -1,0 +1,103 @@
+#include "bench/Print.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace fbrdf::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* clockName(const Measurement& measurement)
+{
+    return measurement.clock == Options::Clock::cpu ? "cpu" : "wall";
+}
+
+/// Names of all variants that any table of the mesh times, in order.
+std::vector<std::string> variantsOf(const std::vector<const Table*>& tables)
+{
+    std::vector<std::string> names;
+    for (const Table* table : tables)
+        for (const Timing& timing : table->timings)
+            if (std::find(names.begin(), names.end(), timing.variant) == names.end())
+                names.push_back(timing.variant);
+    return names;
+}
+
+std::string cell(const Table& table, const std::string& variant)
+{
+    for (const Timing& timing : table.timings)
+        if (timing.variant == variant)
+            return timing.ratio > 0.0
+                       ? fmt::format("{:>9.2f} {:>6.2f}", timing.milliseconds, timing.ratio)
+                       : fmt::format("{:>9.2f} {:>6}", timing.milliseconds, "");
+    return fmt::format("{:>9} {:>6}", "-", "");
+}
+
+std::string meshText(const std::vector<const Table*>& tables)
+{
+    std::string text =
+        fmt::format("\n{}: ms a frame, and ratio to ggx\n{:<20}", tables.front()->mesh, "lights");
+    for (const Table* table : tables) text += fmt::format("{:>9} {:>6}", table->lights, "");
+    text += "\n";
+    for (const std::string& variant : variantsOf(tables)) {
+        text += fmt::format("{:<20}", variant);
+        for (const Table* table : tables) text += cell(*table, variant);
+        text += "\n";
+    }
+    for (const Table* table : tables)
+        for (const LeftOut& out : table->leftOut)
+            text += fmt::format("left out: {} with {} lights ({})\n", out.variant, table->lights,
+                                out.reason);
+    return text;
+}
+
+}  // namespace
+
+std::string asText(const Measurement& measurement)
+{
+    std::string text = fmt::format("{}, OpenGL {}, {}x{} pixels, {} time\n", measurement.glRenderer,
+                                   measurement.glVersion, measurement.width, measurement.height,
+                                   clockName(measurement));
+    std::vector<const Table*> tables;
+    for (size_t i = 0; i < measurement.tables.size(); ++i) {
+        tables.push_back(&measurement.tables[i]);
+        const bool isLast = i + 1 == measurement.tables.size() ||
+                            measurement.tables[i + 1].mesh != tables.front()->mesh;
+        if (!isLast) continue;
+        text += meshText(tables);
+        tables.clear();
+    }
+    return text;
+}
+
+std::string asJson(const Measurement& measurement)
+{
+    Json results = Json::array(), leftOut = Json::array();
+    for (const Table& table : measurement.tables) {
+        for (const Timing& t : table.timings)
+            results.push_back({{"mesh", table.mesh},
+                               {"lights", table.lights},
+                               {"variant", t.variant},
+                               {"milliseconds", t.milliseconds},
+                               {"ratio", t.ratio > 0.0 ? Json(t.ratio) : Json()},
+                               {"frames", t.frames}});
+        for (const LeftOut& out : table.leftOut)
+            leftOut.push_back({{"mesh", table.mesh},
+                               {"lights", table.lights},
+                               {"variant", out.variant},
+                               {"reason", out.reason}});
+    }
+    return Json{{"renderer", measurement.glRenderer},
+                {"version", measurement.glVersion},
+                {"size", {measurement.width, measurement.height}},
+                {"clock", clockName(measurement)},
+                {"results", results},
+                {"left_out", leftOut}}
+               .dump(2) +
+           "\n";
+}
+
+}  // namespace fbrdf::bench

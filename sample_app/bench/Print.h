@@ -1,0 +1,15 @@
+// Print.h - a measurement for people, and for programs.
+#pragma once
+#include "bench/Measure.h"
+
+namespace fbrdf::bench {
+
+/// A table for each mesh: a row a variant, for each number of lights milliseconds and ratio.
+std::string asText(const Measurement& measurement);
+
+/// {"renderer", "version", "size": [w, h], "clock", "results": [{"mesh", "lights", "variant",
+/// "milliseconds", "ratio", "frames"}], "left_out": [{"mesh", "lights", "variant", "reason"}]}.
+/// ratio is null where `ggx` was not timed.
+std::string asJson(const Measurement& measurement);
+
+}  // namespace fbrdf::bench

@@ -1,0 +1,69 @@
+#include "bench/Variants.h"
+
+#include "bench/Materials.h"
+#include "bench/Peers.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <memory>
+
+namespace fbrdf::bench {
+namespace {
+
+struct Drawn {
+    std::shared_ptr<gl::GpuMaterial> material;
+    std::shared_ptr<gl::GpuMesh> mesh;
+};
+
+Draw drawWithRuntime(const Material& material, const gl::DrawOptions& options, const Scene& scene)
+{
+    const Drawn drawn{scene.renderer.createMaterial(material),
+                      scene.renderer.createMesh(scene.stage.mesh)};
+    scene.renderer.prepare(*drawn.material, options, static_cast<int>(scene.lights.size()));
+    return [drawn, options, &scene] {
+        const std::vector<gl::Item> items{{drawn.material.get(), drawn.mesh.get()}};
+        const gl::DrawStats stats =
+            scene.renderer.draw(scene.target, scene.stage.view, items, scene.lights, options);
+        if (stats.itemsFailed > 0)
+            throw Error(ErrorKind::gl, "runtime", "found an object that cannot be drawn");
+    };
+}
+
+Variant runtimeVariant(const std::string& form, Technique technique)
+{
+    gl::DrawOptions options;
+    options.technique = technique;
+    const std::string name = form + " " + techniqueName(technique);
+    const std::string how = technique == Technique::batched
+                                ? std::to_string(options.lightsPerPass) + " lights a pass"
+                            : technique == Technique::single ? "all lights in one pass"
+                                                             : "at most two look-ups a pass";
+    return {name, how, [form, options](const Scene& scene) {
+                return drawWithRuntime(ggxMaterial(form), options, scene);
+            }};
+}
+
+Variant peerVariant(Peer peer)
+{
+    const auto shared = std::make_shared<const Peer>(std::move(peer));
+    return {shared->name, shared->description, [shared](const Scene& scene) {
+                const auto drawing = std::make_shared<const PeerDrawing>(
+                    scene.gl, *shared, scene.stage, static_cast<int>(scene.lights.size()));
+                return [shared, drawing, &scene] { drawing->draw(scene.target, scene.lights); };
+            }};
+}
+
+}  // namespace
+
+std::vector<Variant> allVariants()
+{
+    std::vector<Variant> variants;
+    for (Peer& peer : peers()) variants.push_back(peerVariant(std::move(peer)));
+    for (const char* form : {"hdio", "pqp", "pqpr", "io+hdio"})
+        for (const Technique technique :
+             {Technique::single, Technique::batched, Technique::twoLookup})
+            variants.push_back(runtimeVariant(form, technique));
+    return variants;
+}
+
+}  // namespace fbrdf::bench

@@ -1,0 +1,21 @@
+// The loop over lights of every peer, as the runtime writes it. A peer defines peerView, which does once what does not
+// depend on the light, and peerBrdf. PEER_LIGHTS: room for lights.
+uniform vec4 fbrdfLights[3 * PEER_LIGHTS];
+uniform int fbrdfLightCount;
+
+void main()
+{
+    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);
+    vec3 wo = fbrdfToViewer();
+    float NoV = dot(frame.n, wo);
+    peerView(frame, wo, NoV);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < fbrdfLightCount; ++i) {
+        vec3 wi;
+        vec3 irradiance = fbrdfIrradiance(fbrdfLights[3 * i], fbrdfLights[3 * i + 1], fbrdfLights[3 * i + 2],
+                                          fbrdfPosition, wi);
+        float NoL = dot(frame.n, wi);
+        if (NoL > 0.0) sum += irradiance * NoL * peerBrdf(wi, NoL);
+    }
+    fbrdfColour = vec4(NoV > 0.0 ? sum : vec3(0.0), 1.0);
+}

@@ -1,0 +1,97 @@
+// fbrdf-bench as its users run it.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/DataDir.h"
+#include "support/TemporaryDir.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace fbrdf::test {
+namespace {
+
+struct Result {
+    int exitCode = -1;
+    std::string out, err;
+};
+
+std::string textOf(const std::string& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Result runBench(const std::string& arguments, const std::string& environment = "")
+{
+    const TemporaryDir dir;
+    const std::string command = environment + " '" FBRDF_BENCH_PATH "' " + arguments + " >'" +
+                                dir.file("out") + "' 2>'" + dir.file("err") + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, textOf(dir.file("out")),
+            textOf(dir.file("err"))};
+}
+
+#define NEEDS_GL(result) \
+    if (result.exitCode == 6 && !dataIsMandatory()) GTEST_SKIP() << result.err
+
+TEST(BenchProgram, TimesEveryVariantOnce)
+{
+    const Result result = runBench("--lights 2 --size 8x8 --json");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    std::set<std::string> variants;
+    for (const auto& row : json["results"]) {
+        EXPECT_GT(row["milliseconds"], 0.0);
+        EXPECT_GT(row["ratio"], 0.0);
+        variants.insert(row["mesh"].get<std::string>() + " " + row["variant"].get<std::string>());
+    }
+    EXPECT_EQ(variants.size(), json["results"].size());
+    for (const char* mesh : {"triangle ", "sphere "})
+        for (const char* variant :
+             {"ggx", "merl", "nbrdf", "nbrdf-baked", "poulin-fournier", "multipass-osgfx",
+              "hdio single", "hdio batched", "hdio two-lookup", "pqp single", "pqpr batched",
+              "io+hdio two-lookup"})
+            EXPECT_EQ(variants.count(std::string(mesh) + variant), 1u) << mesh << variant;
+    EXPECT_TRUE(json["left_out"].empty());
+    EXPECT_FALSE(json["renderer"].get<std::string>().empty());
+}
+
+TEST(BenchProgram, LeavesOutWhatWouldTakeTooLong)
+{
+    const Result result = runBench(
+        "--lights 1,64 --size 8x8 --mesh triangle --only ggx,merl --frame-limit 1e-6 --json");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["results"].size(), 2u);   // of one light nothing is known beforehand
+    EXPECT_EQ(json["left_out"].size(), 2u);  // of 64 it is
+}
+
+TEST(BenchProgram, RefusesWhatItDoesNotKnow)
+{
+    for (const char* arguments :
+         {"--lights 0", "--lights many", "--size 8", "--size 0x8", "--mesh cube", "--clock sun",
+          "--only hidio", "--frame-limit -1", "more"}) {
+        const Result result = runBench(arguments);
+        if (std::string(arguments) == "--only hidio") NEEDS_GL(result);
+        EXPECT_EQ(result.exitCode, 2) << arguments << result.err;
+        EXPECT_EQ(result.err.rfind("fbrdf-bench: ", 0), 0u) << result.err;
+        EXPECT_TRUE(result.out.empty());
+    }
+}
+
+TEST(BenchProgram, WithoutGlEndsWith6)
+{
+    const Result result = runBench("--lights 1", "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent");
+    EXPECT_EQ(result.exitCode, 6) << result.err;
+    EXPECT_EQ(result.err.rfind("fbrdf-bench: ", 0), 0u) << result.err;
+}
+
+}  // namespace
+}  // namespace fbrdf::test
