@@ -14,6 +14,12 @@ const char* __ubsan_default_options()
     return "print_stacktrace=1";
 }
 
+// Tests read what a program says on stderr.
+const char* __lsan_default_options()
+{
+    return "print_suppressions=0";
+}
+
 const char* __lsan_default_suppressions()
 {
     return "leak:libOSMesa.so\n";
