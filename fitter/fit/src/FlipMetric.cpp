@@ -145,7 +145,7 @@ std::vector<Vec3f> perceived(const RgbPlanes& ycxcz, double pixelsPerDegree)
 }
 
 // Positive weights summing to 1 and negative ones to -1.
-Kernel balanced(std::vector<double> weights)
+Kernel balanced(const std::vector<double>& weights)
 {
     double positive = 0.0, negative = 0.0;
     for (const double w : weights) (w > 0.0 ? positive : negative) += std::abs(w);
