@@ -85,15 +85,16 @@ TEST(Fit, AutoIsNoWorseThanTheBestNamedForm)
     EXPECT_LE(taken, 1.02 * best);
 }
 
-TEST(Fit, OneSampleStillGivesItsValue)
+TEST(Fit, OnePairMeasuredFiveTimesGivesItsValueAndFewerTimesNone)
 {
+    const Sample sample{Vec3f(0, 0, 1), glm::normalize(Vec3f(0.3f, 0, 1)), Vec3f(0.25f), 1.0f};
     Source source;
-    source.name = "one";
-    source.samples.push_back(
-        {Vec3f(0, 0, 1), glm::normalize(Vec3f(0.3f, 0, 1)), Vec3f(0.25f), 1.0f});
+    source.name = "one pair";
+    source.samples.assign(4, sample);
+    EXPECT_THROW(fitMaterial(source, small("hdio")), Error);
+    source.samples.push_back(sample);
     const FitResult result = fitMaterial(source, small("hdio"));
-    EXPECT_NEAR(evaluate(result.material, source.samples[0].wo, source.samples[0].wi).x, 0.25f,
-                0.01f);
+    EXPECT_NEAR(evaluate(result.material, sample.wo, sample.wi).x, 0.25f, 0.01f);
 }
 
 TEST(Fit, BadInputIsRefused)
