@@ -47,6 +47,16 @@ TEST(ShaderSource, RefusesOtherVersions)
 {
     EXPECT_THROW(vertexSource(110), Error);
     EXPECT_THROW(vertexSource(300), Error);
+    EXPECT_THROW(vertexSource(330, {true, false}), Error);  // gl_* are gone from there
+}
+
+TEST(ShaderSource, TakesBuiltInInputs)
+{
+    const std::string plain = vertexSource(120), builtIn = vertexSource(120, {true, false});
+    EXPECT_EQ(plain.find("#define FBRDF_BUILT_INS\n"), std::string::npos);
+    EXPECT_NE(builtIn.find("#define FBRDF_BUILT_INS\n"), std::string::npos);
+    EXPECT_NE(vertexSource(120, {true, true}).find("#define FBRDF_DERIVED_TANGENT\n"),
+              std::string::npos);
 }
 
 TEST(ShaderSource, IsTheSameForPassesThatDifferInTheirLights)

@@ -89,6 +89,20 @@ TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
     EXPECT_GT(count, 200u);
 }
 
+TEST_F(ShaderValidation, AcceptsBuiltInInputs)
+{
+    const Material material = test::testMaterials().front();
+    const std::vector<TableEncoding> encodings(material.form.tables.size());
+    for (const SurfaceInputs inputs : {SurfaceInputs{true, false}, SurfaceInputs{true, true}}) {
+        const std::string fragment =
+            fragmentSource(material.form, encodings,
+                           ProgramSpec{{{0, {0, 1, 2}, true}}, 1, true, false}, 120, inputs);
+        EXPECT_EQ(validate(write("surface.vert", vertexSource(120, inputs)) + " " +
+                           write("surface.frag", fragment)),
+                  0);
+    }
+}
+
 TEST_F(ShaderValidation, LinksTheStages)
 {
     for (const int glsl : {140, 330}) {  // glslang links neither GLSL 1.20 varyings nor built-ins

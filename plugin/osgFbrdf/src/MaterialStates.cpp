@@ -1,7 +1,5 @@
 #include "MaterialStates.h"
 
-#include "SurfaceVertex.h"
-
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/shaders/TextureImage.h>
@@ -20,6 +18,7 @@ namespace {
 
 using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
 constexpr auto kOurs = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
+constexpr fbrdf::SurfaceInputs kInputs{true, false};
 constexpr auto kOff = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE;
 
 struct Format {
@@ -117,7 +116,8 @@ fbrdf::Capabilities assumedCapabilities()
 MaterialStates::MaterialStates(const fbrdf::Material& material)
     : form_(material.form),
       name_(material.name.empty() ? material.form.name : material.name),
-      vertex_(new osg::Shader(osg::Shader::VERTEX, kSurfaceVertex))
+      vertex_(new osg::Shader(osg::Shader::VERTEX,
+                              fbrdf::vertexSource(assumedCapabilities().glsl, kInputs)))
 {
     for (size_t i = 0; i < material.tables.size(); ++i) {
         form_.tables[i].domain = material.tables[i].domain;
@@ -153,7 +153,7 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
 osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec)
 {
     const std::string fragment =
-        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl);
+        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl, kInputs);
     osg::ref_ptr<osg::Program>& program = programs_[fragment];
     if (program) return program;
     program = new osg::Program;

@@ -96,11 +96,8 @@ void Executor::setMatrices(const Item& item, const Program& program)
     // Products in double: model and view may cancel large translations.
     const glm::dmat4 modelView = glm::dmat4(frame_.view.view) * glm::dmat4(item.model);
     const glm::mat4 rounded(modelView);
-    const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(modelView))));
     gl_.UniformMatrix4fv(program.modelView, 1, GL_FALSE, glm::value_ptr(rounded));
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(frame_.view.projection));
-    if (program.normalMatrix >= 0)
-        gl_.UniformMatrix3fv(program.normalMatrix, 1, GL_FALSE, glm::value_ptr(normal));
     if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(frame_.eye));
 }
 

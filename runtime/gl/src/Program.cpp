@@ -9,7 +9,7 @@
 namespace fbrdf::gl {
 namespace {
 
-// The longest name of ours is fbrdfNormalMatrix; anything longer is cut and no name of ours.
+// The longest name of ours is fbrdfVertexTangent; anything longer is cut and no name of ours.
 constexpr GLsizei kNameLength = 64;
 
 [[noreturn]] void fail(const std::string& what)
@@ -159,7 +159,6 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
     };
     result->modelView = location("fbrdfModelView");
     result->projection = location("fbrdfProjection");
-    result->normalMatrix = location("fbrdfNormalMatrix");
     result->eye = location("fbrdfEye");
     result->lights = location("fbrdfLights");
     result->lightCount = location("fbrdfLightCount");

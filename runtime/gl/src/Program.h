@@ -17,7 +17,7 @@ namespace fbrdf::gl {
 /// Locations are -1 where a program has no such uniform.
 struct Program {
     Object object;
-    GLint modelView = -1, projection = -1, normalMatrix = -1, eye = -1;
+    GLint modelView = -1, projection = -1, eye = -1;
     GLint lights = -1, lightCount = -1, readScale = -1;
     int readUnit = -1;  ///< texture unit (from the device's first) of the surface that is read
     MaterialUniforms material;

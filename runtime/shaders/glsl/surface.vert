@@ -1,25 +1,49 @@
 // The one vertex shader of all passes: later passes test depth for equality, so every pass must compute gl_Position by
-// the same expression, and invariantly.
+// the same expression, and invariantly. FBRDF_BUILT_INS: an engine hands matrices and arrays over in gl_*.
 invariant gl_Position;
 
-FBRDF_ATTRIBUTE vec3 fbrdfVertex;
-FBRDF_ATTRIBUTE vec3 fbrdfVertexNormal;
-FBRDF_ATTRIBUTE vec3 fbrdfVertexTangent;
-
+#ifdef FBRDF_BUILT_INS
+#define fbrdfModelView gl_ModelViewMatrix
+#define fbrdfProjection gl_ProjectionMatrix
+#define fbrdfVertexNormal gl_Normal
+#define FBRDF_VERTEX gl_Vertex
+#else
 uniform mat4 fbrdfModelView;
 uniform mat4 fbrdfProjection;
-uniform mat3 fbrdfNormalMatrix;  // inverse transpose of the model-view matrix
+FBRDF_ATTRIBUTE vec3 fbrdfVertex;
+FBRDF_ATTRIBUTE vec3 fbrdfVertexNormal;
+#define FBRDF_VERTEX vec4(fbrdfVertex, 1.0)
+#endif
+FBRDF_ATTRIBUTE vec3 fbrdfVertexTangent;
 
 // Eye space: float is finest near the eye, where it matters.
 FBRDF_TO_FRAGMENT vec3 fbrdfPosition;
 FBRDF_TO_FRAGMENT vec3 fbrdfNormal;
 FBRDF_TO_FRAGMENT vec3 fbrdfTangent;
+#ifdef FBRDF_DERIVED_TANGENT
+FBRDF_TO_FRAGMENT vec2 fbrdfTextureCoordinate;
+#endif
+
+// A normal under the inverse transpose of m, by its cofactors. Not a matrix from the host: engines round theirs each in
+// a way of its own, and near the terminator an ulp of a normal is seen.
+vec3 fbrdfMovedNormal(mat3 m, vec3 n)
+{
+    vec3 yz = cross(m[1], m[2]), zx = cross(m[2], m[0]), xy = cross(m[0], m[1]);
+    return (yz * n.x + zx * n.y + xy * n.z) / dot(m[0], yz);
+}
 
 void main()
 {
-    vec4 position = fbrdfModelView * vec4(fbrdfVertex, 1.0);
+    vec4 position = fbrdfModelView * FBRDF_VERTEX;
+    mat3 turn = mat3(fbrdfModelView[0].xyz, fbrdfModelView[1].xyz, fbrdfModelView[2].xyz);
     fbrdfPosition = position.xyz;
-    fbrdfNormal = fbrdfNormalMatrix * fbrdfVertexNormal;
-    fbrdfTangent = mat3(fbrdfModelView[0].xyz, fbrdfModelView[1].xyz, fbrdfModelView[2].xyz) * fbrdfVertexTangent;
+    fbrdfNormal = fbrdfMovedNormal(turn, fbrdfVertexNormal);
+    fbrdfTangent = turn * fbrdfVertexTangent;
+#ifdef FBRDF_DERIVED_TANGENT
+    fbrdfTextureCoordinate = gl_MultiTexCoord0.st;
+#endif
+#ifdef FBRDF_BUILT_INS
+    gl_ClipVertex = position;
+#endif
     gl_Position = fbrdfProjection * position;
 }

@@ -24,10 +24,17 @@ std::string joined(std::initializer_list<const char*> files)
     return text;
 }
 
-std::string assembled(int glsl, std::initializer_list<const char*> files)
+std::string assembled(int glsl, const SurfaceInputs& inputs,
+                      std::initializer_list<const char*> files)
 {
     checkVersion(glsl);
-    return "#version " + std::to_string(glsl) + "\n" + joined(files);
+    if (glsl != 120 && inputs.builtIns)
+        throw Error(ErrorKind::gl, "shader",
+                    "found GLSL " + std::to_string(glsl) + ", expected 120 for built-in inputs");
+    std::string text = "#version " + std::to_string(glsl) + "\n";
+    if (inputs.builtIns) text += "#define FBRDF_BUILT_INS\n";
+    if (inputs.builtIns && inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
+    return text + joined(files);
 }
 
 /// All terms, all factors, lights in a loop.
@@ -58,19 +65,20 @@ ProgramSpec programSpec(const Pass& pass, int maxLights)
     return spec;
 }
 
-std::string vertexSource(int glsl)
+std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 {
-    return assembled(glsl, {"version.glsl", "surface.vert"});
+    return assembled(glsl, inputs, {"version.glsl", "surface.vert"});
 }
 
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
-                           const ProgramSpec& spec, int glsl)
+                           const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
 {
     const FragmentContext context{form, encodings, spec};
     // Declared first: that is where what does not agree is refused.
     const std::string uniforms = uniformDeclarations(context);
-    return assembled(glsl, {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
-                            "projection.glsl", "lights.glsl", "transfer.glsl"}) +
+    return assembled(glsl, inputs,
+                     {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
+                      "projection.glsl", "lights.glsl", "transfer.glsl"}) +
            uniforms + mainFunction(context);
 }
 

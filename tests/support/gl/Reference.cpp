@@ -49,11 +49,9 @@ void setMatrices(const GladGLContext& gl, GLuint program, const glm::mat4& model
 {
     const glm::dmat4 modelView = glm::dmat4(view.view) * glm::dmat4(model);
     const glm::mat4 rounded(modelView);
-    const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(modelView))));
     const auto at = [&](const char* name) { return gl.GetUniformLocation(program, name); };
     gl.UniformMatrix4fv(at("fbrdfModelView"), 1, GL_FALSE, glm::value_ptr(rounded));
     gl.UniformMatrix4fv(at("fbrdfProjection"), 1, GL_FALSE, glm::value_ptr(view.projection));
-    gl.UniformMatrix3fv(at("fbrdfNormalMatrix"), 1, GL_FALSE, glm::value_ptr(normal));
 }
 
 Vec3d pixelOf(const std::vector<float>& image, size_t pixel)

@@ -3,7 +3,7 @@
 //
 // Conventions of every program
 //   attributes  fbrdfVertex, fbrdfVertexNormal, fbrdfVertexTangent      vec3, object space
-//   matrices    fbrdfModelView, fbrdfProjection (mat4), fbrdfNormalMatrix (mat3)
+//   matrices    fbrdfModelView, fbrdfProjection (mat4)      or gl_*, see SurfaceInputs
 //   viewer      fbrdfEye (vec4)            see eyeFromProjection
 //   lights      fbrdfLights[3 slots] (vec4), fbrdfLightCount (int)      see LightVectors.h
 //   table k     fbrdfTable<k> (sampler), where ranged: fbrdfLower<k>, fbrdfExtent<k> (vec3);
@@ -40,11 +40,20 @@ struct ProgramSpec {
 /// seldom needs another program. maxLights: maxLightsInUniforms.
 ProgramSpec programSpec(const Pass& pass, int maxLights);
 
+/// Where vertices and tangents come from; the same for both shaders of a program.
+struct SurfaceInputs {
+    /// Matrices, positions and normals are the built-in gl_* of GLSL 1.20; only the tangent has a
+    /// name of ours.
+    bool builtIns = false;
+    /// With builtIns: the tangent is derived per pixel, towards increasing gl_MultiTexCoord0.s.
+    bool derivedTangent = false;
+};
+
 /// glsl: 120, 140, 150 or 330.
-std::string vertexSource(int glsl);
+std::string vertexSource(int glsl, const SurfaceInputs& inputs = {});
 /// encodings: one for each table of the form. Throws Error(gl) for a form that GLSL cannot express.
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
-                           const ProgramSpec& spec, int glsl);
+                           const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs = {});
 
 /// What somebody else's fragment shader needs to shade with a material, to be put after its
 /// #version line; it declares the uniforms above of lights, tables and terms, and
