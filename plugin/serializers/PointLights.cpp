@@ -1,6 +1,8 @@
 #include <osgFbrdf/PointLights.h>
 
 #include <osg/Notify>
+#include <osg/Vec2f>
+#include <osg/Vec3f>
 #include <osg/Vec4f>
 #include <osgDB/InputStream>
 #include <osgDB/ObjectWrapper>
@@ -18,7 +20,32 @@ bool checkLights(const PointLights& node)
     return !node.getLights().empty();
 }
 
-/// A line: x y z and 1 (point) or 0 (towards a directional light); red green blue radius.
+using Type = fbrdf::Light::Type;
+
+/// First line: x y z and 0 (towards a directional light), 1 (point) or 2 (spot); red green blue
+/// radius. A spot has a second: axis, inner and outer angle.
+osg::Vec4f placeOf(const fbrdf::Light& light)
+{
+    const float kind = light.type == Type::directional ? 0.0f
+                       : light.type == Type::spot      ? 2.0f
+                                                       : 1.0f;
+    return {light.position.x, light.position.y, light.position.z, kind};
+}
+
+void readLight(osgDB::InputStream& stream, PointLights& node)
+{
+    osg::Vec4f place, intensity;
+    stream >> place >> intensity;
+    const osg::Vec3f position(place.x(), place.y(), place.z()),
+        colour(intensity.x(), intensity.y(), intensity.z());
+    if (place.w() < 0.5f) return node.addDirectional(position, colour);
+    if (place.w() < 1.5f) return node.addPoint(position, colour, intensity.w());
+    osg::Vec3f axis;
+    osg::Vec2f angles;
+    stream >> axis >> angles;
+    node.addSpot(position, colour, axis, angles.x(), angles.y(), intensity.w());
+}
+
 bool readLights(osgDB::InputStream& stream, PointLights& node)
 {
     unsigned int count = 0;
@@ -28,16 +55,7 @@ bool readLights(osgDB::InputStream& stream, PointLights& node)
                  << std::endl;
         return false;
     }
-    for (unsigned int i = 0; i < count && !stream.getException(); ++i) {
-        osg::Vec4f place, intensity;
-        stream >> place >> intensity;
-        const osg::Vec3f position(place.x(), place.y(), place.z()),
-            colour(intensity.x(), intensity.y(), intensity.z());
-        if (place.w() > 0.0f)
-            node.addPoint(position, colour, intensity.w());
-        else
-            node.addDirectional(position, colour);
-    }
+    for (unsigned int i = 0; i < count && !stream.getException(); ++i) readLight(stream, node);
     stream >> stream.END_BRACKET;
     return true;
 }
@@ -47,10 +65,12 @@ bool writeLights(osgDB::OutputStream& stream, const PointLights& node)
     stream << static_cast<unsigned int>(node.getLights().size()) << stream.BEGIN_BRACKET
            << std::endl;
     for (const fbrdf::Light& light : node.getLights()) {
-        const float w = light.type == fbrdf::Light::Type::point ? 1.0f : 0.0f;
-        stream << osg::Vec4f(light.position.x, light.position.y, light.position.z, w)
+        stream << placeOf(light)
                << osg::Vec4f(light.intensity.x, light.intensity.y, light.intensity.z, light.radius)
                << std::endl;
+        if (light.type == Type::spot)
+            stream << osg::Vec3f(light.axis.x, light.axis.y, light.axis.z)
+                   << osg::Vec2f(light.innerAngle, light.outerAngle) << std::endl;
     }
     stream << stream.END_BRACKET << std::endl;
     return true;

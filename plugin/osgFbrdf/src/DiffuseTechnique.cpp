@@ -34,7 +34,7 @@ float irradianceAt(const fbrdf::Light& light, const fbrdf::Vec3f& place)
 osg::ref_ptr<osg::Light> glLight(const fbrdf::Light& source, int number)
 {
     osg::ref_ptr<osg::Light> light = new osg::Light(static_cast<unsigned int>(number));
-    const bool point = source.type == fbrdf::Light::Type::point;
+    const bool point = source.type != fbrdf::Light::Type::directional;
     const fbrdf::Vec3f colour = source.intensity / static_cast<float>(fbrdf::kPi);
     light->setPosition(
         {source.position.x, source.position.y, source.position.z, point ? 1.0f : 0.0f});
@@ -43,6 +43,10 @@ osg::ref_ptr<osg::Light> glLight(const fbrdf::Light& source, int number)
     light->setSpecular({0.0f, 0.0f, 0.0f, 1.0f});
     light->setConstantAttenuation(point ? 0.0f : 1.0f);
     light->setQuadraticAttenuation(point ? 1.0f : 0.0f);
+    if (source.type == fbrdf::Light::Type::spot) {
+        light->setDirection({source.axis.x, source.axis.y, source.axis.z});
+        light->setSpotCutoff(std::min(osg::RadiansToDegrees(source.outerAngle), 90.0f));
+    }
     return light;
 }
 

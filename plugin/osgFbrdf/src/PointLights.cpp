@@ -25,4 +25,11 @@ void PointLights::addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& ir
     lights_.push_back({fbrdf::Light::Type::directional, toVec3(toLight), toVec3(irradiance), 0.0f});
 }
 
+void PointLights::addSpot(const osg::Vec3f& position, const osg::Vec3f& intensity,
+                          const osg::Vec3f& axis, float innerAngle, float outerAngle, float radius)
+{
+    lights_.push_back({fbrdf::Light::Type::spot, toVec3(position), toVec3(intensity), radius,
+                       toVec3(axis), innerAngle, outerAngle});
+}
+
 }  // namespace osgFbrdf

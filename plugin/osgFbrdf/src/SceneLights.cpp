@@ -26,17 +26,25 @@ fbrdf::Vec3f toVec3(const osg::Vec3d& v)
     return fbrdf::Vec3f(fbrdf::Vec3d(v.x(), v.y(), v.z()));
 }
 
+osg::Vec3d toOsg(const fbrdf::Vec3f& v)
+{
+    const fbrdf::Vec3d d(v);
+    return {d.x, d.y, d.z};
+}
+
+fbrdf::Vec3f turned(const fbrdf::Vec3f& direction, const osg::Matrixd& matrix)
+{
+    osg::Vec3d result = osg::Matrixd::transform3x3(toOsg(direction), matrix);
+    result.normalize();
+    return toVec3(result);
+}
+
 fbrdf::Light moved(fbrdf::Light light, const osg::Matrixd& matrix)
 {
-    const osg::Vec3d p(static_cast<double>(light.position.x), static_cast<double>(light.position.y),
-                       static_cast<double>(light.position.z));
-    if (light.type == fbrdf::Light::Type::point) {
-        light.position = toVec3(p * matrix);
-        return light;
-    }
-    osg::Vec3d direction = osg::Matrixd::transform3x3(p, matrix);
-    direction.normalize();
-    light.position = toVec3(direction);
+    using Type = fbrdf::Light::Type;
+    light.position = light.type == Type::directional ? turned(light.position, matrix)
+                                                     : toVec3(toOsg(light.position) * matrix);
+    if (light.type == Type::spot) light.axis = turned(light.axis, matrix);
     return light;
 }
 
@@ -106,12 +114,23 @@ void addViewLight(SceneLights& scene, const osg::Camera* camera)
     scene.plain.push_back({view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT});
 }
 
+/// OpenGL's cone: nothing beyond the cut-off. Within it cos^exponent, of which is kept only whether
+/// the edge is sharp (exponent 0) or the light fades from the axis on.
+void setCone(fbrdf::Light& light, const osg::Light& source, const osg::Matrixd& toEye)
+{
+    if (source.getSpotCutoff() > 90.0f) return;  // OpenGL: 180 or at most 90
+    light.type = fbrdf::Light::Type::spot;
+    light.axis = toVec3(osg::Matrixd::transform3x3(osg::Vec3d(source.getDirection()), toEye));
+    light.outerAngle = osg::DegreesToRadians(source.getSpotCutoff());
+    light.innerAngle = source.getSpotExponent() > 0.0f ? 0.0f : light.outerAngle;
+}
+
 /// The light that stands for an osg::Light at a place: same direction, same irradiance.
 fbrdf::Light standIn(const PlainLight& plain, const osg::Matrixd& toEye, const osg::Vec3d& centre)
 {
     const osg::Light& source = *plain.light;
-    const osg::Vec4d position =
-        osg::Vec4d(source.getPosition()) * (plain.inEye ? plain.toWorld : plain.toWorld * toEye);
+    const osg::Matrixd matrix = plain.inEye ? plain.toWorld : plain.toWorld * toEye;
+    const osg::Vec4d position = osg::Vec4d(source.getPosition()) * matrix;
     const osg::Vec4f& diffuse = source.getDiffuse();
     fbrdf::Light light;
     // A white Lambertian (1 / pi) then reflects `diffuse`, as in fixed function.
@@ -128,6 +147,7 @@ fbrdf::Light standIn(const PlainLight& plain, const osg::Matrixd& toEye, const o
                                    static_cast<double>(source.getLinearAttenuation()) * d +
                                    static_cast<double>(source.getQuadraticAttenuation()) * d * d;
         if (attenuation > 0.0) light.intensity *= static_cast<float>(d * d / attenuation);
+        setCone(light, source, matrix);
     }
     light.position = toVec3(place);
     return light;

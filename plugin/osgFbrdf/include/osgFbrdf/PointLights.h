@@ -1,4 +1,4 @@
-// PointLights.h - any number of point and directional lights in a scene graph. Every
+// PointLights.h - any number of point, directional and spot lights in a scene graph. Every
 // FactorizedBrdf in the same scene is lit by all of them; nothing else is: osg::Light ends at
 // eight.
 #pragma once
@@ -24,6 +24,10 @@ public:
         void addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius = 0.0f);
     /// toLight: need not be unit; irradiance on a surface that faces the light.
     void addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& irradiance);
+    /// A point light inside a cone around `axis` (need not be unit): full up to innerAngle, nothing
+    /// beyond outerAngle; radians.
+    void addSpot(const osg::Vec3f& position, const osg::Vec3f& intensity, const osg::Vec3f& axis,
+                 float innerAngle, float outerAngle, float radius = 0.0f);
 
     void setLights(const std::vector<fbrdf::Light>& lights) { lights_ = lights; }
     const std::vector<fbrdf::Light>& getLights() const { return lights_; }
