@@ -51,9 +51,12 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
     } else if (name == "firstTextureUnit") {
         if (!integer(text, 0, number)) return false;
         effect.setFirstTextureUnit(number);
-    } else if (name == "floatTarget") {
+    } else if (name == "floatTarget" || name == "derivedTangents") {
         if (text != "0" && text != "1") return false;
-        effect.setFloatTarget(text == "1");
+        if (name == "floatTarget")
+            effect.setFloatTarget(text == "1");
+        else
+            effect.setDerivedTangents(text == "1");
     } else {
         known = false;
     }
@@ -85,7 +88,8 @@ std::vector<OptionText> optionTexts()
         {"lightsPerPass=<n>", "Of the technique batched; default 8"},
         {"lookupsPerPass=<n>", "Texture look-ups in any pass; default 0: as the technique says"},
         {"firstTextureUnit=<n>", "The maps take it and those after it; default 0"},
-        {"floatTarget=0|1", "The colour buffer is RGBA32F; default 0"}};
+        {"floatTarget=0|1", "The colour buffer is RGBA32F; default 0"},
+        {"derivedTangents=0|1", "Tangents along texture coordinate s; default 0"}};
 }
 
 std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options)

@@ -73,5 +73,6 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
     ADD_INT_SERIALIZER(LookupsPerPass, 0);
     ADD_INT_SERIALIZER(FirstTextureUnit, 0);
     ADD_BOOL_SERIALIZER(FloatTarget, false);
+    ADD_BOOL_SERIALIZER(DerivedTangents, false);
     ADD_USER_SERIALIZER(Technique);
 }

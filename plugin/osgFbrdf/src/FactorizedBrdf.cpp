@@ -53,7 +53,8 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
       lightsPerPass_(other.lightsPerPass_),
       lookupsPerPass_(other.lookupsPerPass_),
       firstTextureUnit_(other.firstTextureUnit_),
-      floatTarget_(other.floatTarget_)
+      floatTarget_(other.floatTarget_),
+      derivedTangents_(other.derivedTangents_)
 {
 }
 
@@ -129,6 +130,19 @@ void FactorizedBrdf::report(const DrawReport& report)
     report_ = report;
 }
 
+bool FactorizedBrdf::arraysReleased(unsigned int contextId) const
+{
+    const Lock lock(reporting_);
+    const auto known = forgotten_.find(contextId);
+    return releases_ != (known == forgotten_.end() ? 0 : known->second);
+}
+
+void FactorizedBrdf::arraysForgotten(unsigned int contextId)
+{
+    const Lock lock(reporting_);
+    forgotten_[contextId] = releases_;
+}
+
 bool FactorizedBrdf::define_techniques()
 {
     for (const auto kind :
@@ -178,6 +192,8 @@ void FactorizedBrdf::releaseGLObjects(osg::State* state) const
 {
     Effect::releaseGLObjects(state);
     if (material_) material_->releaseGLObjects(state);
+    const Lock lock(reporting_);
+    ++releases_;
 }
 
 }  // namespace osgFbrdf

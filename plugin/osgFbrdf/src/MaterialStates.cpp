@@ -18,7 +18,6 @@ namespace {
 
 using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
 constexpr auto kOurs = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
-constexpr fbrdf::SurfaceInputs kInputs{true, false};
 constexpr auto kOff = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE;
 
 struct Format {
@@ -74,10 +73,11 @@ osg::Vec3f toOsg(const fbrdf::Vec3f& v)
 
 std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, const PassPlace& place)
 {
-    std::string key = std::to_string(place.bin) + '@' + std::to_string(place.firstTextureUnit) +
-                      'b' + std::to_string(static_cast<int>(pass.blend)) + 'd' +
-                      std::to_string(static_cast<int>(pass.depth)) + (spec.lit ? 'l' : 'u') +
-                      std::to_string(spec.lightSlots);
+    std::string key = (place.derivedTangents ? "t" : "") + std::to_string(place.bin) + '@' +
+                      std::to_string(place.firstTextureUnit) + 'b' +
+                      std::to_string(static_cast<int>(pass.blend)) + 'd' +
+                      std::to_string(static_cast<int>(pass.depth)) + (spec.reads ? 'r' : '-') +
+                      (spec.lit ? 'l' : 'u') + std::to_string(spec.lightSlots);
     for (const fbrdf::Part& part : spec.parts) {
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
         for (const int factor : part.factors) key += ',' + std::to_string(factor);
@@ -102,6 +102,12 @@ void setDepth(osg::StateSet& state, fbrdf::Depth depth)
         new osg::Depth(lay ? osg::Depth::LESS : osg::Depth::EQUAL, 0.0, 1.0, lay), kOurs);
 }
 
+osg::Shader* vertexShader(bool derivesTangents)
+{
+    return new osg::Shader(osg::Shader::VERTEX, fbrdf::vertexSource(assumedCapabilities().glsl,
+                                                                    {true, derivesTangents}));
+}
+
 }  // namespace
 
 fbrdf::Capabilities assumedCapabilities()
@@ -110,14 +116,15 @@ fbrdf::Capabilities assumedCapabilities()
     assumed.maxTextureUnits = 16;
     assumed.maxUniformVectors = 1024;
     assumed.floatTextures = true;
+    assumed.framebufferObjects = assumed.floatTargets = true;
     return assumed;
 }
 
 MaterialStates::MaterialStates(const fbrdf::Material& material)
     : form_(material.form),
       name_(material.name.empty() ? material.form.name : material.name),
-      vertex_(new osg::Shader(osg::Shader::VERTEX,
-                              fbrdf::vertexSource(assumedCapabilities().glsl, kInputs)))
+      vertex_(vertexShader(false)),
+      derivingVertex_(vertexShader(true))
 {
     for (size_t i = 0; i < material.tables.size(); ++i) {
         form_.tables[i].domain = material.tables[i].domain;
@@ -150,15 +157,16 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
     return map;
 }
 
-osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec)
+osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec,
+                                                     bool derivedTangents)
 {
-    const std::string fragment =
-        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl, kInputs);
-    osg::ref_ptr<osg::Program>& program = programs_[fragment];
+    const std::string fragment = fbrdf::fragmentSource(
+        form_, encodings_, spec, assumedCapabilities().glsl, {true, derivedTangents});
+    osg::ref_ptr<osg::Program>& program = programs_[fragment + (derivedTangents ? "t" : "")];
     if (program) return program;
     program = new osg::Program;
     program->setName("fbrdf " + name_);
-    program->addShader(vertex_);
+    program->addShader(derivedTangents ? derivingVertex_ : vertex_);
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
     program->addBindAttribLocation("fbrdfVertexTangent", kTangentAttribute);
     return program;
@@ -185,7 +193,7 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, con
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, place)];
     if (state) return state;
     state = new osg::StateSet;
-    state->setAttributeAndModes(programOf(spec), kOurs);
+    state->setAttributeAndModes(programOf(spec, place.derivedTangents), kOurs);
     addMaps(*state, place.firstTextureUnit);
     setBlend(*state, pass.blend);
     setDepth(*state, pass.depth);

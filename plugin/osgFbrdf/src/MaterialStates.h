@@ -16,14 +16,15 @@
 
 namespace osgFbrdf {
 
-/// What plans assume of every context (a technique's validate() asks the context): GLSL 1.20, and
-/// as many uniforms as hardware with GLSL 1.40 has. Surfaces off screen belong to the host.
+/// What plans assume of every context (a technique's validate() asks the context): GLSL 1.20,
+/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has.
 fbrdf::Capabilities assumedCapabilities();
 
-/// Where a pass stands: bin number within the effect, and its textures.
+/// Where a pass stands: bin number within the effect, its textures, where tangents come from.
 struct PassPlace {
     int bin = 0;
     int firstTextureUnit = 0;
+    bool derivedTangents = false;
 };
 
 class MaterialStates : public osg::Referenced {
@@ -47,7 +48,7 @@ private:
         std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     };
     Map mapOf(int index, const fbrdf::Table& table);
-    osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec);
+    osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, bool derivedTangents);
     void addMaps(osg::StateSet& state, int firstTextureUnit) const;
 
     fbrdf::Form form_;
@@ -55,7 +56,7 @@ private:
     std::vector<fbrdf::TableEncoding> encodings_;
     std::vector<Map> maps_;         ///< one a table
     std::vector<size_t> textures_;  ///< maps with a texture, in the order of their units
-    osg::ref_ptr<osg::Shader> vertex_;
+    osg::ref_ptr<osg::Shader> vertex_, derivingVertex_;
     OpenThreads::Mutex mutex_;
     std::map<std::string, osg::ref_ptr<osg::Program>> programs_;  ///< by fragment shader
     std::map<std::string, osg::ref_ptr<osg::StateSet>> states_;

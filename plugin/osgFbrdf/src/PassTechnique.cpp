@@ -3,6 +3,7 @@
 #include "DiffuseTechnique.h"
 #include "MaterialStates.h"
 #include "SceneLights.h"
+#include "Surfaces.h"
 
 #include <fbrdf/plan/LightVectors.h>
 
@@ -19,11 +20,74 @@ constexpr int kOtherUniformVectors = 24;
 // Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
 constexpr int kEffectBin = 1;
 
-osg::StateSet* nestingState()
+/// What is culled while this lives goes into a bin of its own within the current one.
+class NestedBin {
+public:
+    NestedBin(osgUtil::CullVisitor& visitor, int number) : visitor_(visitor)
+    {
+        state_->setRenderBinDetails(number, "RenderBin");
+        visitor_.pushStateSet(state_);
+    }
+    ~NestedBin() { visitor_.popStateSet(); }
+    NestedBin(const NestedBin&) = delete;
+    NestedBin& operator=(const NestedBin&) = delete;
+    void setDrawCallback(osgUtil::RenderBin::DrawCallback* callback)
+    {
+        visitor_.getCurrentRenderBin()->setDrawCallback(callback);
+    }
+
+private:
+    osgUtil::CullVisitor& visitor_;
+    osg::ref_ptr<osg::StateSet> state_ = new osg::StateSet;
+};
+
+/// OSG 3.6 dispatches an array anew only when it is another one: after releaseGLObjects() it would
+/// draw from buffers that are gone (OpenGL reads address 0 then).
+class ForgetArrays : public osgUtil::RenderBin::DrawCallback {
+public:
+    explicit ForgetArrays(FactorizedBrdf& effect) : effect_(&effect) {}
+    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
+                            osgUtil::RenderLeaf*& previous) override
+    {
+        osg::State& state = *info.getState();
+        state.disableAllVertexArrays();
+        // State's own function of this name disables one.
+        state.getCurrentVertexArrayState()->disableVertexAttribArrayAboveAndIncluding(state, 0);
+        state.unbindVertexBufferObject();
+        state.unbindElementBufferObject();
+        effect_->arraysForgotten(state.getContextID());
+        bin->drawImplementation(info, previous);
+    }
+
+private:
+    osg::ref_ptr<FactorizedBrdf> effect_;
+};
+
+bool isOffscreen(const fbrdf::Pass& pass)
 {
-    auto* state = new osg::StateSet;
-    state->setRenderBinDetails(kEffectBin, "RenderBin");
-    return state;
+    return pass.writes != fbrdf::Surface::target;
+}
+
+bool needsSurfaces(const fbrdf::Plan& plan)
+{
+    return std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen);
+}
+
+/// Passes in runs that write the same surface; cullPass(i) culls one.
+template <class CullPass>
+void cullRuns(osgUtil::CullVisitor& visitor, const fbrdf::Plan& plan, Surfaces& surfaces,
+              CullPass cullPass)
+{
+    bool cleared = false;
+    for (size_t i = 0; i < plan.passes.size();) {
+        const fbrdf::Surface writes = plan.passes[i].writes;
+        NestedBin run(visitor, static_cast<int>(i) + 1);
+        if (isOffscreen(plan.passes[i])) {
+            run.setDrawCallback(new SurfaceDraw(surfaces, writes, !cleared));
+            cleared = true;
+        }
+        for (; i < plan.passes.size() && plan.passes[i].writes == writes; ++i) cullPass(i);
+    }
 }
 
 int limitOf(GLenum name)
@@ -71,8 +135,11 @@ osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
 class FrameStates {
 public:
     FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
-                std::vector<fbrdf::Light> lights)
-        : lights_(std::move(lights)), eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
+                std::vector<fbrdf::Light> lights, Surfaces* surfaces)
+        : lights_(std::move(lights)),
+          surfaces_(surfaces),
+          readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
+          eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
     {
         const auto& scales = effect.getMaterial()->material().scales;
         for (size_t t = 0; t < scales.size(); ++t) {
@@ -93,11 +160,24 @@ public:
             state->addUniform(lightUniform(lights_, pass));
             state->addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
         }
+        if (pass.reads) addSurface(*state, *pass.reads);
         return state;
     }
 
 private:
+    void addSurface(osg::StateSet& state, fbrdf::Surface surface) const
+    {
+        state.setTextureAttribute(static_cast<unsigned int>(readUnit_), surfaces_->texture(surface),
+                                  osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+        state.addUniform(new osg::Uniform("fbrdfRead", readUnit_));
+        state.addUniform(new osg::Uniform(
+            "fbrdfReadScale", osg::Vec2f(1.0f / static_cast<float>(surfaces_->width()),
+                                         1.0f / static_cast<float>(surfaces_->height()))));
+    }
+
     std::vector<fbrdf::Light> lights_;
+    osg::ref_ptr<Surfaces> surfaces_;
+    int readUnit_;
     osg::ref_ptr<osg::Uniform> eye_;
     std::vector<osg::ref_ptr<osg::Uniform>> scales_;
 };
@@ -138,15 +218,18 @@ bool PassTechnique::validate(osg::State& state) const
     if (extensions->glVersion < 3.0f &&
         !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
         return false;
-    const int units =
-        effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
+    const fbrdf::Plan several = plan(2, extensions->isFrameBufferObjectSupported);
+    const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
+                                   [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
+    const int units = effect_.getFirstTextureUnit() +
+                      effect_.getMaterial()->states()->textureUnits() + (reads ? 1 : 0);
     return units <= limitOf(GL_MAX_TEXTURE_IMAGE_UNITS) &&
            4 * uniformVectorsNeeded(effect_, kind_) <=
                limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) &&
-           plan(2).feasible();
+           several.feasible();
 }
 
-fbrdf::Plan PassTechnique::plan(int lights) const
+fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
 {
     fbrdf::PlanRequest request;
     request.technique = kind_;
@@ -155,7 +238,7 @@ fbrdf::Plan PassTechnique::plan(int lights) const
     request.maxLookups = effect_.getLookupsPerPass();
     request.target =
         effect_.getFloatTarget() ? fbrdf::ColourFormat::rgba32f : fbrdf::ColourFormat::rgba8;
-    request.offscreen = false;  // OSG's surfaces are the host's
+    request.offscreen = offscreen;
     return fbrdf::planPasses(effect_.getMaterial()->states()->form(), request,
                              assumedCapabilities());
 }
@@ -178,25 +261,41 @@ void PassTechnique::cull(osgUtil::CullVisitor& visitor)
         osg::Vec3d(effect_.getBound().center()) * *visitor.getModelViewMatrix();
     auto lights = lightsInEye(scene, worldToEye(visitor), centre);
     const int count = static_cast<int>(lights.size());
-    const fbrdf::Plan plan = this->plan(count);
+    osg::ref_ptr<Surfaces> surfaces;
+    fbrdf::Plan plan = this->plan(count, !isMultisampled(visitor));
+    if (needsSurfaces(plan)) {
+        surfaces = surfacesOf(visitor);
+        if (!surfaces || !surfaces->usable()) {
+            surfaces = nullptr;
+            plan = this->plan(count, false);
+        }
+    }
     if (!plan.feasible()) return cullDiffuse(visitor, effect_, plan.reason);
     effect_.report({techniqueName(), "", static_cast<int>(plan.passes.size()), count, scene.dropped,
                     plan.maxLookups});
-
-    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights));
-    const osg::ref_ptr<osg::StateSet> nesting = nestingState();
-    visitor.pushStateSet(nesting);
-    for (size_t i = 0; i < plan.passes.size(); ++i) {
+    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), surfaces);
+    const auto cullPass = [&](size_t i) {
         const osg::ref_ptr<osg::StateSet> state = effect_.getMaterial()->states()->stateOf(
-            plan.passes[i], {static_cast<int>(i) + 1, effect_.getFirstTextureUnit()});
-        visitor.pushStateSet(state);
+            plan.passes[i],
+            {static_cast<int>(i) + 1, effect_.getFirstTextureUnit(), effect_.getDerivedTangents()});
         const osg::ref_ptr<osg::StateSet> varying = frame.stateOf(plan.passes[i]);
+        visitor.pushStateSet(state);
         visitor.pushStateSet(varying);
         effect_.inherited_traverse(visitor);
         visitor.popStateSet();
         visitor.popStateSet();
+    };
+
+    NestedBin effectBin(visitor, kEffectBin);
+    if (visitor.getState() && effect_.arraysReleased(visitor.getState()->getContextID()))
+        effectBin.setDrawCallback(new ForgetArrays(effect_));
+    if (!surfaces) {
+        for (size_t i = 0; i < plan.passes.size(); ++i) cullPass(i);
+        return;
     }
-    visitor.popStateSet();
+    // Surfaces are shared: whole effects one after another, before those that need none.
+    const NestedBin own(visitor, --scene.lastOwnBin);
+    cullRuns(visitor, plan, *surfaces, cullPass);
 }
 
 }  // namespace osgFbrdf

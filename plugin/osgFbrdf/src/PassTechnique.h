@@ -25,8 +25,8 @@ public:
     bool validate(osg::State& state) const override;
     void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
 
-    /// The plan for so many lights, or its reason for being none.
-    fbrdf::Plan plan(int lights) const;
+    /// The plan for so many lights, or its reason for being none. offscreen: Surfaces can be used.
+    fbrdf::Plan plan(int lights, bool offscreen) const;
 
 protected:
     ~PassTechnique() override = default;

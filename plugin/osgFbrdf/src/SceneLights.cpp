@@ -1,5 +1,7 @@
 #include "SceneLights.h"
 
+#include "Surfaces.h"
+
 #include <osgFbrdf/PointLights.h>
 
 #include <osg/Camera>
@@ -9,6 +11,7 @@
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgFbrdf {
 namespace {
@@ -153,7 +156,35 @@ fbrdf::Light standIn(const PlainLight& plain, const osg::Matrixd& toEye, const o
     return light;
 }
 
+// Main window, and cameras within the view that have other sizes.
+constexpr size_t kMostSurfaces = 4;
+
 }  // namespace
+
+SceneLights::SceneLights() = default;
+SceneLights::SceneLights(const SceneLights& other, const osg::CopyOp& op) : osg::Object(other, op)
+{
+}
+SceneLights::~SceneLights() = default;
+
+Surfaces* surfacesOf(osgUtil::CullVisitor& visitor)
+{
+    const osg::Viewport* viewport = visitor.getViewport();
+    if (!viewport) return nullptr;
+    const int width = static_cast<int>(std::ceil(viewport->x() + viewport->width())),
+              height = static_cast<int>(std::ceil(viewport->y() + viewport->height()));
+    if (width < 1 || height < 1) return nullptr;
+    auto& kept = sceneLights(visitor).surfaces;
+    const auto found = std::find_if(kept.begin(), kept.end(), [&](const auto& surfaces) {
+        return surfaces->width() == width && surfaces->height() == height;
+    });
+    osg::ref_ptr<Surfaces> surfaces =
+        found == kept.end() ? new Surfaces(width, height) : found->get();
+    if (found != kept.end()) kept.erase(found);
+    kept.insert(kept.begin(), surfaces);
+    if (kept.size() > kMostSurfaces) kept.pop_back();
+    return surfaces;
+}
 
 SceneLights& sceneLights(osgUtil::CullVisitor& visitor)
 {
@@ -174,6 +205,7 @@ SceneLights& sceneLights(osgUtil::CullVisitor& visitor)
     scene->plain.clear();
     scene->dropped = 0;
     scene->fallbackPlaced = false;
+    scene->lastOwnBin = 0;
     scene->root_ = root;
     scene->frame_ = frame;
     scene->filled_ = true;

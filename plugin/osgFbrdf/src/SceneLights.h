@@ -20,6 +20,8 @@ class CullVisitor;
 
 namespace osgFbrdf {
 
+class Surfaces;
+
 /// An osg::LightSource. `toWorld` ends in the coordinates of the root, or of the eye.
 struct PlainLight {
     osg::ref_ptr<const osg::Light> light;
@@ -29,8 +31,8 @@ struct PlainLight {
 
 class SceneLights : public osg::Object {
 public:
-    SceneLights() = default;
-    SceneLights(const SceneLights& other, const osg::CopyOp& op) : osg::Object(other, op) {}
+    SceneLights();
+    SceneLights(const SceneLights& other, const osg::CopyOp& op);
     META_Object(osgFbrdf, SceneLights)
 
         std::vector<fbrdf::Light> lights;  ///< of PointLights, valid ones, world
@@ -38,9 +40,12 @@ public:
     int dropped = 0;
     int techniqueTraversals = 0;  ///< counted by techniques, see FactorizedBrdf::traverse
     bool fallbackPlaced = false;  ///< DiffuseTechnique placed GL's lights in this frame
+    int lastOwnBin = 0;           ///< of effects that draw to surfaces, downwards from -1
+    /// Latest used first; few, as a view seldom changes its size.
+    std::vector<osg::ref_ptr<Surfaces>> surfaces;
 
 protected:
-    ~SceneLights() override = default;
+    ~SceneLights() override;
 
 private:
     friend SceneLights& sceneLights(osgUtil::CullVisitor& visitor);
@@ -51,6 +56,9 @@ private:
 
 /// The lights of the scene that the visitor is in; valid until its next frame.
 SceneLights& sceneLights(osgUtil::CullVisitor& visitor);
+
+/// As large as the viewport of the visitor; null where it has none.
+Surfaces* surfacesOf(osgUtil::CullVisitor& visitor);
 
 /// From the coordinates of the lights to those of the eye.
 osg::Matrixd worldToEye(osgUtil::CullVisitor& visitor);

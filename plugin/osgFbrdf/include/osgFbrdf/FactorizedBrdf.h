@@ -6,10 +6,10 @@
 // selectTechnique() forces one. Plans and shaders are the runtime's (fbrdf/plan, fbrdf/shaders).
 //
 // Lights. osg::Light's diffuse colour is read so that a white Lambertian looks as it does in fixed
-// function; its attenuation is taken where the middle of the object is. Spot cones are ignored.
+// function; its attenuation is taken where the middle of the object is; of a spot's exponent only
+// whether it is 0.
 // Where the scene has no light, the light of the osg::View is used (osgViewer's headlight). Output
-// is linear radiance times exposure, alpha 1. Tangents (anisotropic materials) are vertex attribute
-// kTangentAttribute; where the model has none the frame is arbitrary.
+// is linear radiance times exposure, alpha 1. Tangents matter to anisotropic materials only.
 #pragma once
 #include <osgFbrdf/MaterialObject.h>
 
@@ -19,6 +19,7 @@
 #include <OpenThreads/Mutex>
 
 #include <atomic>
+#include <map>
 #include <string>
 
 namespace osgFbrdf {
@@ -65,13 +66,22 @@ public:
     int getLookupsPerPass() const { return lookupsPerPass_; }
     void setFirstTextureUnit(int unit);  ///< the maps take this unit and those after it
     int getFirstTextureUnit() const { return firstTextureUnit_; }
-    /// True when the colour buffer is RGBA32F: then passes add up in it exactly, and a sum may wait
-    /// there for its last factor. In others (a window's) such plans are refused, with the reason.
+    /// False: tangents are vertex attribute kTangentAttribute, and the frame is arbitrary where
+    /// the model has none. True: derived per pixel, towards increasing s of texture coordinates 0.
+    void setDerivedTangents(bool derived) { derivedTangents_ = derived; }
+    bool getDerivedTangents() const { return derivedTangents_; }
+    /// True when the colour buffer is RGBA32F: then passes add up in it. In others (a window's)
+    /// they add up in an RGBA32F surface; where the target is multisampled such plans are refused,
+    /// with the reason.
     void setFloatTarget(bool isFloat);
     bool getFloatTarget() const { return floatTarget_; }
 
     DrawReport lastReport() const;
     void report(const DrawReport& report);  ///< called by the techniques
+    /// True until arraysForgotten says that the context has drawn since releaseGLObjects; both are
+    /// called by the techniques.
+    bool arraysReleased(unsigned int contextId) const;
+    void arraysForgotten(unsigned int contextId);
 
     void traverse(osg::NodeVisitor& visitor) override;
     void resizeGLObjectBuffers(unsigned int maxSize) override;
@@ -89,11 +99,13 @@ private:
     osg::ref_ptr<MaterialObject> material_;
     float exposure_ = 1.0f;
     int lightsPerPass_ = 8, lookupsPerPass_ = 0, firstTextureUnit_ = 0;
-    bool floatTarget_ = false;
+    bool floatTarget_ = false, derivedTangents_ = false;
     std::atomic<bool> defined_{false};
     OpenThreads::Mutex definition_;
     mutable OpenThreads::Mutex reporting_;
     DrawReport report_;
+    mutable unsigned int releases_ = 0;               ///< guarded by reporting_
+    std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
 };
 
 /// Reads a material file through the osgdb_fbrdf plugin; null, with a warning through osg::notify

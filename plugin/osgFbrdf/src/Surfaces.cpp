@@ -1,0 +1,118 @@
+#include "Surfaces.h"
+
+#include <osg/Camera>
+#include <osg/GLExtensions>
+#include <osg/GraphicsContext>
+#include <osg/Notify>
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+
+// GL 3.0's, which headers of GL 2 lack.
+#ifndef GL_DRAW_FRAMEBUFFER_BINDING
+#define GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6
+#define GL_READ_FRAMEBUFFER_BINDING 0x8CAA
+#endif
+
+namespace osgFbrdf {
+namespace {
+
+osg::ref_ptr<osg::Texture2D> colourTexture(int width, int height)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setTextureSize(width, height);
+    texture->setInternalFormat(GL_RGBA32F_ARB);
+    texture->setSourceFormat(GL_RGBA);
+    texture->setSourceType(GL_FLOAT);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    texture->setResizeNonPowerOfTwoHint(false);
+    return texture;
+}
+
+/// What the host has bound, put back at the end.
+class BoundFramebuffers {
+public:
+    explicit BoundFramebuffers(const osg::GLExtensions& gl) : gl_(gl)
+    {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
+        if (gl.glBlitFramebuffer) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+    }
+    ~BoundFramebuffers()
+    {
+        // This sets both; where reading has a binding of its own, that one follows.
+        gl_.glBindFramebuffer(GL_FRAMEBUFFER_EXT, static_cast<GLuint>(draw_));
+        if (gl_.glBlitFramebuffer && read_ != draw_)
+            gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(read_));
+    }
+    BoundFramebuffers(const BoundFramebuffers&) = delete;
+    BoundFramebuffers& operator=(const BoundFramebuffers&) = delete;
+
+private:
+    const osg::GLExtensions& gl_;
+    GLint draw_ = 0, read_ = 0;
+};
+
+void clearDepth(osg::State& state)
+{
+    state.applyMode(GL_SCISSOR_TEST, false);
+    glDepthMask(GL_TRUE);
+    glClearDepth(1.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    state.haveAppliedAttribute(osg::StateAttribute::DEPTH);
+}
+
+}  // namespace
+
+Surfaces::Surfaces(int width, int height) : width_(width), height_(height)
+{
+    const osg::ref_ptr<osg::RenderBuffer> depth =
+        new osg::RenderBuffer(width, height, GL_DEPTH_COMPONENT24);
+    for (One& one : surfaces_) {
+        one.texture = colourTexture(width, height);
+        one.framebuffer = new osg::FrameBufferObject;
+        one.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
+                                       osg::FrameBufferAttachment(one.texture));
+        one.framebuffer->setAttachment(osg::Camera::DEPTH_BUFFER,
+                                       osg::FrameBufferAttachment(depth));
+    }
+}
+
+bool SurfaceDraw::bind(osg::State& state) const
+{
+    const auto& gl = *state.get<osg::GLExtensions>();
+    surfaces_->framebuffer(surface_).apply(state);
+    // Where the texture was made just now, this unit has it and the state does not know.
+    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
+    return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
+}
+
+void SurfaceDraw::drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
+                                     osgUtil::RenderLeaf*& previous)
+{
+    osg::State& state = *info.getState();
+    const auto& gl = *state.get<osg::GLExtensions>();
+    if (!gl.isFrameBufferObjectSupported) return surfaces_->refuse();
+    const BoundFramebuffers bound(gl);
+    if (!bind(state)) return surfaces_->refuse();
+    if (clearsDepth_) clearDepth(state);
+    bin->drawImplementation(info, previous);
+}
+
+bool isMultisampled(osgUtil::CullVisitor& visitor)
+{
+    const osg::Camera* camera = visitor.getCurrentCamera();
+    if (camera && !camera->getBufferAttachmentMap().empty()) {
+        const auto& attachments = camera->getBufferAttachmentMap();
+        return std::any_of(attachments.begin(), attachments.end(), [](const auto& attachment) {
+            return attachment.second._multisampleSamples > 1;
+        });
+    }
+    const osg::GraphicsContext* context =
+        visitor.getState() ? visitor.getState()->getGraphicsContext() : nullptr;
+    return context && context->getTraits() && context->getTraits()->samples > 1;
+}
+
+}  // namespace osgFbrdf

@@ -1,0 +1,77 @@
+// Surfaces.h - where sums wait for their last factor: RGBA32F surfaces as large as the viewport,
+// with a depth buffer in common. Shared by all effects of a view, which draw one after another.
+//
+// Passes switch framebuffer objects while the host's render stage is being drawn, and put back
+// whatever was bound: so they work in a window, in an RTT camera and in a host's own framebuffer.
+#pragma once
+#include <fbrdf/plan/Plan.h>
+
+#include <osg/FrameBufferObject>
+#include <osg/Texture2D>
+#include <osgUtil/RenderBin>
+
+#include <array>
+#include <atomic>
+
+namespace osgUtil {
+class CullVisitor;
+}
+
+namespace osgFbrdf {
+
+/// Size and attachments do not change. A context that cannot draw to them says so while drawing.
+class Surfaces : public osg::Referenced {
+public:
+    Surfaces(int width, int height);
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// surface: not the target.
+    osg::Texture2D* texture(fbrdf::Surface surface) const { return one(surface).texture; }
+    const osg::FrameBufferObject& framebuffer(fbrdf::Surface surface) const
+    {
+        return *one(surface).framebuffer;
+    }
+    bool usable() const { return usable_; }
+    void refuse() { usable_ = false; }
+
+protected:
+    ~Surfaces() override = default;
+
+private:
+    struct One {
+        osg::ref_ptr<osg::Texture2D> texture;
+        osg::ref_ptr<osg::FrameBufferObject> framebuffer;
+    };
+    const One& one(fbrdf::Surface surface) const
+    {
+        return surfaces_[static_cast<size_t>(surface) - 1];
+    }
+
+    int width_, height_;
+    std::array<One, 3> surfaces_;
+    std::atomic<bool> usable_{true};
+};
+
+/// Draws a bin into a surface instead of the host's target.
+class SurfaceDraw : public osgUtil::RenderBin::DrawCallback {
+public:
+    SurfaceDraw(Surfaces& surfaces, fbrdf::Surface surface, bool clearsDepth)
+        : surfaces_(&surfaces), surface_(surface), clearsDepth_(clearsDepth)
+    {
+    }
+    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
+                            osgUtil::RenderLeaf*& previous) override;
+
+private:
+    bool bind(osg::State& state) const;
+
+    osg::ref_ptr<Surfaces> surfaces_;
+    fbrdf::Surface surface_;
+    bool clearsDepth_;
+};
+
+/// True where pixels of the target have several samples: at edges surfaces of one sample hold
+/// nothing. Of a window that the host made only the host knows.
+bool isMultisampled(osgUtil::CullVisitor& visitor);
+
+}  // namespace osgFbrdf

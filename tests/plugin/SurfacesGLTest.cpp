@@ -1,0 +1,155 @@
+// Sums that wait for their last factor in surfaces of the plugin's own, whatever the host draws to.
+#include "EffectTest.h"
+
+#include "support/gl/CompareImages.h"
+#include "support/gl/Scenes.h"
+
+#include <osg/MatrixTransform>
+#include <osg/Texture2D>
+
+namespace fbrdf::test {
+namespace {
+
+// As for what adds up in the target: the same programs on the same numbers.
+constexpr double kAgainstRuntime = 1e-4;
+
+class SurfacesOf : public EffectTest {
+protected:
+    void compare(const Material& material, int technique, bool floatTarget)
+    {
+        const auto effect = osgEffect(material, sphereMesh(24));
+        effect->setFloatTarget(floatTarget);
+        effect->setLightsPerPass(4);
+        effect->selectTechnique(technique);
+        scene(effect, osgLights(testLights(9)));
+        const Notices notices;
+        const auto d =
+            compareImages(view_->frame(), runtimeImage(material, sphereMesh(24), testLights(9)));
+        EXPECT_LT(d.maxRelative, kAgainstRuntime)
+            << material.name << ", technique " << technique << ": " << describe(d);
+        EXPECT_EQ(effect->lastReport().reason, "");
+        EXPECT_EQ(notices.text(), "");
+    }
+};
+
+TEST_F(SurfacesOf, SumsOfTermsEqualTheRuntime)
+{
+    for (const Material& material : testMaterials())
+        for (const int technique :
+             {osgFbrdf::kSinglePass, osgFbrdf::kBatched, osgFbrdf::kTwoLookups})
+            compare(material, technique, false);
+    compare(testMaterials()[4], osgFbrdf::kTwoLookups, true);
+}
+
+TEST_F(SurfacesOf, AreDrawnToInTurnByEffectsThatOverlap)
+{
+    const Material material = testMaterials()[4];
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    std::vector<glm::mat4> places(2, glm::mat4(1.0f));
+    places[1][3] = {0.5f, 0.25f, 0.75f, 1.0f};
+    for (const glm::mat4& place : places) {
+        osg::ref_ptr<osg::MatrixTransform> above = new osg::MatrixTransform(osgMatrix(place));
+        const auto effect = osgEffect(material, sphereMesh(24));
+        effect->setFloatTarget(false);
+        effect->selectTechnique(osgFbrdf::kTwoLookups);
+        above->addChild(effect);
+        root->addChild(above);
+    }
+    root->addChild(osgLights(testLights(3)));
+    view_->setScene(root);
+    // Moved vertices are rounded elsewhere: a wrong order would be off by 1.
+    constexpr double kMoved = 1e-3;
+    const auto d = compareImages(view_->frame(),
+                                 runtimeImage(material, sphereMesh(24), testLights(3), places));
+    EXPECT_LT(d.maxRelative, kMoved) << describe(d);
+}
+
+TEST_F(SurfacesOf, FollowTheViewport)
+{
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    effect->setFloatTarget(false);
+    effect->selectTechnique(osgFbrdf::kTwoLookups);
+    scene(effect, osgLights(testLights(9)));
+    const auto whole = view_->frame();
+    view_->viewer().getCamera()->setViewport(16, 8, 32, 32);
+    view_->offscreen().clear();  // OSG clears the viewport alone
+    const auto part = view_->frame();
+    EXPECT_GT(meanOf(part, 3), 0.15 * meanOf(whole, 3));
+    EXPECT_NEAR(4.0 * meanOf(part, 1), meanOf(whole, 1), 0.05 * meanOf(whole, 1));
+    view_->viewer().getCamera()->setViewport(0, 0, kSize, kSize);
+    EXPECT_EQ(view_->frame(), whole);
+}
+
+/// The effect seen by a camera of its own, and what that camera drew laid over the view.
+osg::ref_ptr<osg::Group> throughCamera(osg::Node* scene, const gl::View& view, int samples)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setTextureSize(kSize, kSize);
+    texture->setInternalFormat(GL_RGBA32F_ARB);
+    texture->setSourceFormat(GL_RGBA);
+    texture->setSourceType(GL_FLOAT);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setRenderOrder(osg::Camera::PRE_RENDER);
+    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera->attach(osg::Camera::COLOR_BUFFER0, texture, 0, 0, false,
+                   static_cast<unsigned int>(samples), static_cast<unsigned int>(samples));
+    camera->setViewport(0, 0, kSize, kSize);
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    camera->setViewMatrix(osgMatrix(view.view));
+    camera->setProjectionMatrix(osgMatrix(view.projection));
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
+    camera->addChild(scene);
+    osg::ref_ptr<osg::Geometry> quad =
+        osg::createTexturedQuadGeometry({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    quad->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+    quad->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    osg::ref_ptr<osg::Camera> overlay = new osg::Camera;
+    overlay->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    overlay->setRenderOrder(osg::Camera::POST_RENDER);
+    overlay->setClearMask(0);
+    overlay->setProjectionMatrix(osg::Matrixd::ortho(-1, 1, -1, 1, -1, 1));
+    overlay->setViewMatrix(osg::Matrixd::identity());
+    overlay->addChild(quad);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(camera);
+    root->addChild(overlay);
+    return root;
+}
+
+TEST_F(SurfacesOf, WorkWithinACameraThatDrawsToATexture)
+{
+    const Material material = testMaterials()[4];
+    const auto effect = osgEffect(material, sphereMesh(24));
+    effect->setFloatTarget(false);
+    effect->selectTechnique(osgFbrdf::kTwoLookups);
+    osg::ref_ptr<osg::Group> inner = new osg::Group;
+    inner->addChild(effect);
+    inner->addChild(osgLights(testLights(3)));
+    view_->setScene(throughCamera(inner, perspectiveView(), 0));
+    auto found = view_->frame(), expected = runtimeImage(material, sphereMesh(24), testLights(3));
+    for (auto* image : {&found, &expected})  // the overlay is opaque
+        for (size_t i = 3; i < image->size(); i += 4) (*image)[i] = 1.0f;
+    const auto d = compareImages(found, expected);
+    EXPECT_LT(d.maxRelative, kAgainstRuntime) << describe(d);
+}
+
+TEST_F(SurfacesOf, AreRefusedWhereTheTargetIsMultisampled)
+{
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    effect->setFloatTarget(false);
+    effect->selectTechnique(osgFbrdf::kTwoLookups);
+    osg::ref_ptr<osg::Group> inner = new osg::Group;
+    inner->addChild(effect);
+    inner->addChild(osgLights(testLights(3)));
+    view_->setScene(throughCamera(inner, perspectiveView(), 4));
+    const Notices notices;
+    EXPECT_GT(meanOf(view_->frame(), 0), 0.01);
+    EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+    EXPECT_NE(notices.text().find("RGBA8"), std::string::npos) << notices.text();
+}
+
+}  // namespace
+}  // namespace fbrdf::test
