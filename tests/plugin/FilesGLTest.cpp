@@ -106,9 +106,9 @@ protected:
     /// Runs a program that knows the plugins by OSG_LIBRARY_PATH and nothing else.
     std::string run(const std::string& command) const
     {
-        const std::string whole = std::string("env -u LD_LIBRARY_PATH OSG_LIBRARY_PATH=") +
-                                  FBRDF_OSG_LIBRARY_PATH + " " + command + " >" + path("log") +
-                                  " 2>&1";
+        const std::string whole = std::string("env -u LD_LIBRARY_PATH " FBRDF_OSG_ENVIRONMENT
+                                              "OSG_LIBRARY_PATH=" FBRDF_OSG_LIBRARY_PATH) +
+                                  " " + command + " >" + path("log") + " 2>&1";
         status_ = std::system(whole.c_str());
         std::ostringstream text;
         text << std::ifstream(path("log")).rdbuf();
