@@ -52,6 +52,20 @@ TEST(Feed, AStreamGivesTheSamplesOfTheListItCameFrom)
     }
 }
 
+TEST(Feed, GeometryIsThatOfDirectionsAndWeightsAlone)
+{
+    Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.0}), 9000, 1);
+    const auto geometry = [&source] { return geometryOf(makeFeed(source, 0, 1, 2), 2); };
+    const std::string before = geometry();
+    for (Sample& s : source.samples) s.f *= 2.0f;
+    EXPECT_EQ(geometry(), before);
+    source.samples[8500].weight = 0.5f;
+    const std::string weighted = geometry();
+    EXPECT_NE(weighted, before);
+    std::swap(source.samples[10], source.samples[11]);
+    EXPECT_NE(geometry(), weighted);
+}
+
 TEST(Feed, AFunctionIsExact)
 {
     EXPECT_TRUE(makeFeed(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.0}), 100, 1, 1).exact);

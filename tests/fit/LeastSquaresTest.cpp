@@ -254,7 +254,7 @@ TEST(Cache, ASecondFitOnTheSameGridIsTheFitWithoutACache)
     FitCache cache;
     for (const double f0 : {0.5, 0.04}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, f0, 0.1}), 20000);
-        ASSERT_FALSE(problem.feed.geometry.empty());
+        ASSERT_FALSE(geometryOf(problem.feed, 1).empty());
         const Form form = formHdio(16, 6, 6);
         LeastSquaresOptions cached;
         cached.cache = &cache;

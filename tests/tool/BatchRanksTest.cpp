@@ -3,6 +3,7 @@
 #include "support/TemporaryDir.h"
 #include "Tool.h"
 
+#include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -81,6 +82,27 @@ TEST_F(BatchRanks, AWrongListIsSaidOnce)
     const size_t first = run.err.find("fbrdf: ");
     ASSERT_NE(first, std::string::npos) << run.err;
     EXPECT_EQ(run.err.find("fbrdf: ", first + 1), std::string::npos) << run.err;
+}
+
+TEST_F(BatchRanks, ShareOneDataSetAndComeToTheFitOfOne)
+{
+    writeText(list, samplesCsv(30000));  // four blocks of rows
+    const auto fit = [this](const std::string& output) {
+        return std::vector<std::string>{"fit",       list,    "-o",           folder.file(output),
+                                        "--form",    "hdio",  "--resolution", "16",
+                                        "--storage", "float", "--json"};
+    };
+    ASSERT_EQ(runTool(fit("alone.fbrdf")).code, 0);
+    const ToolRun run = runTool(fit("ranks.fbrdf"), ranks("2"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(jsonFrom(run)["samples"]["used"], 30000);  // rank 0 alone prints
+    const Material a = readMaterial(folder.file("alone.fbrdf")),
+                   b = readMaterial(folder.file("ranks.fbrdf"));
+    for (size_t k = 0; k < a.tables.size(); ++k)
+        for (size_t i = 0; i < a.tables[k].texels.size(); ++i)
+            EXPECT_NEAR(a.tables[k].texels[i], b.tables[k].texels[i], 1e-5) << k << " " << i;
+    const Vec3d wo(0.28, 0.0, 0.96), wi(0.0, 0.6, 0.8);
+    EXPECT_NEAR(evaluate(a, wo, wi).x / evaluate(b, wo, wi).x, 1.0, 1e-6);
 }
 
 // A rank that dies after its first material: mpirun ends the run, --resume does the rest.

@@ -7,7 +7,9 @@
 #include <fbrdf/fit/SampleSets.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 namespace fbrdf {
@@ -78,16 +80,13 @@ Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
         const Feed stream = feedOf(source.stream);
         if (stream.rows > kHeldRows) return stream;
         const Owner all = allSamples(stream, threads);
-        Feed feed = feedOf(all, *all);
-        if (feed.rows == source.stream.rows) feed.geometry = source.stream.geometry;
-        return feed;
+        return feedOf(all, *all);
     }
     if (!source.evaluate)
         throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,
                     "found neither samples nor a function, expected one of them");
     Feed feed = heldFeed(samplesAt(source, uniformPairs(count, seed + 1), threads));
     feed.exact = true;
-    feed.geometry = "uniform " + std::to_string(count) + " " + std::to_string(seed + 1);
     return feed;
 }
 
@@ -104,6 +103,27 @@ FeedBlock Feed::block(size_t index, std::vector<Sample>& scratch) const
 }
 
 // Folds show no pattern of the measurement.
+std::string geometryOf(const Feed& feed, int threads)
+{
+    if (!feed.held) return {};
+    std::vector<uint64_t> hashes(feed.blocks(), 0);
+    parallelTasks(hashes.size(), threads, [&](size_t b) {
+        std::vector<Sample> scratch;
+        const FeedBlock block = feed.block(b, scratch);
+        std::array<uint32_t, 8> words{};
+        for (size_t i = 0; i < block.count; ++i) {
+            const Sample& s = block.samples[i];
+            const float numbers[7] = {s.wo.x, s.wo.y, s.wo.z, s.wi.x, s.wi.y, s.wi.z, s.weight};
+            std::memcpy(words.data(), numbers, sizeof numbers);
+            for (size_t w = 0; w < 8; w += 2)
+                hashes[b] = mixed(hashes[b] ^ (uint64_t{words[w]} << 32 | words[w + 1]));
+        }
+    });
+    uint64_t hash = feed.rows;
+    for (const uint64_t part : hashes) hash = mixed(hash ^ part);
+    return std::to_string(feed.rows) + " rows " + std::to_string(hash);
+}
+
 int foldOf(uint64_t number, uint64_t seed)
 {
     return static_cast<int>(mixed(number ^ mixed(seed)) % kFolds);

@@ -24,9 +24,6 @@ struct Feed {
     size_t rows = 0;     ///< samples at most
     bool exact = false;  ///< values of a function: no noise, no outliers
     bool held = false;   ///< in memory: reading costs nothing
-    /// Equal for two feeds whose row k is the same pair with the same weight for every k; empty
-    /// where that is not known.
-    std::string geometry;
     /// The samples among rows [first, first + count); the view is valid until the next read into
     /// the same scratch.
     std::function<FeedBlock(uint64_t first, size_t count, std::vector<Sample>& scratch)> read;
@@ -41,6 +38,10 @@ Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads);
 
 /// The samples given, held by the feed.
 Feed heldFeed(std::vector<Sample> samples);
+
+/// Equal for two feeds whose row k is the same pair with the same weight for every k (but for one
+/// chance in 2^64); empty for a feed that is not held.
+std::string geometryOf(const Feed& feed, int threads);
 
 /// Which of kFolds a sample belongs to.
 int foldOf(uint64_t number, uint64_t seed);

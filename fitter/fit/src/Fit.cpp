@@ -63,12 +63,17 @@ LeastSquaresOptions problemOptions(const Job& job)
     return options;
 }
 
-Job makeJob(const Source& source, const FitOptions& options)
+Feed readFeed(const Source& source, const FitOptions& options)
 {
-    Job job{
-        options, makeFeed(source, kFunctionSamples, options.seed, options.threads), {}, false, 1};
-    if (job.feed.rows == 0)
+    Feed feed = makeFeed(source, kFunctionSamples, options.seed, options.threads);
+    if (feed.rows == 0)
         throw Error(ErrorKind::fit, source.name, "found no samples, expected at least one");
+    return feed;
+}
+
+Job makeJob(Feed feed, const FitOptions& options)
+{
+    Job job{options, std::move(feed), {}, false, 1};
     const auto probe = someSamples(job.feed, kNoFold, kProbeSamples, options.seed);
     job.traits = traitsOf(probe, job.feed.exact);
     job.robust = options.robust && !job.feed.exact;
@@ -201,10 +206,13 @@ void checkOptions(const FitOptions& options)
 FitResult fitMaterial(const Source& source, const FitOptions& options)
 {
     checkOptions(options);
-    const Clock clock;
-    const Job job = makeJob(source, options);
+    const Clock readClock;
+    Feed feed = readFeed(source, options);
     FitResult result;
     FitSummary& summary = result.summary;
+    summary.readSeconds = readClock.seconds();
+    const Clock clock;
+    const Job job = makeJob(std::move(feed), options);
     const Form form = options.form == "auto"   ? searchForm(source, job, summary.trials)
                       : options.resolution > 0 ? makeForm(options.form, options.resolution)
                                                : makeFormFor(options.form, job.feed.rows,

@@ -11,10 +11,12 @@ constexpr float kSmallestScale =
 constexpr size_t kScaleBlocks = 24;  // blocks that the scale of the residuals is taken from
 constexpr float kLn2 = 0.69314718056f;
 
-std::string keyOf(const Feed& feed, const Form& form, const LeastSquaresOptions& options)
+std::string keyOf(const Feed& feed, const Form& form, const LeastSquaresOptions& options,
+                  int threads)
 {
-    if (!options.cache || feed.geometry.empty() || options.sharedShape) return {};
-    return feed.geometry + "|" + describe(form);
+    if (!options.cache || options.sharedShape) return {};
+    const std::string geometry = geometryOf(feed, threads);
+    return geometry.empty() ? geometry : geometry + "|" + describe(form);
 }
 
 std::shared_ptr<const RowGeometries> knownRows(const std::string& key,
@@ -79,7 +81,7 @@ LeastSquares::LeastSquares(Form form, Feed feed, const DataTraits& traits, uint6
       smoothness_(form_, layout_),
       seed_(seed),
       threads_(threads),
-      cacheKey_(keyOf(feed_, form_, options)),
+      cacheKey_(keyOf(feed_, form_, options, threads)),
       store_(std::make_unique<RowStore>(maker_, feed_, traits_, threads,
                                         knownRows(cacheKey_, options)))
 {

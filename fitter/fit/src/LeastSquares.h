@@ -43,7 +43,7 @@ enum class SystemSolver { automatic, factored, conjugateGradients };
 struct LeastSquaresOptions {
     bool sharedShape = false;  ///< R, G, B have the same texels and a level each
     SystemSolver solver = SystemSolver::automatic;
-    double tolerance = 1e-6;    ///< of conjugate gradients: residual over right-hand side
+    double tolerance = 1e-3;    ///< of conjugate gradients: residual over right-hand side
     FitCache* cache = nullptr;  ///< where fits to data on the same grid meet; may be null
     RankSum ranks;              ///< one data set over several processes
 };
@@ -60,6 +60,8 @@ public:
     const Layout& layout() const { return layout_; }
     const Form& form() const { return form_; }
     size_t rows() const { return feed_.rows; }
+    /// Too large to be factored: steps take conjugate gradients, and stepWithBest is not for it.
+    bool isLarge() const;
     /// The same problem on about `rows` samples spread over the data, without those of a fold.
     LeastSquares thinned(size_t rows, int excludedFold) const;
     /// The same data with another form.
@@ -120,10 +122,7 @@ private:
     std::vector<double> foldErrors(const std::vector<States>& states,
                                    const std::vector<int>& folds) const;
     struct GradientProblem;
-    State conjugateGradientStep(const State& x, const StepOptions& options, double tolerance) const;
-    Choice conjugateGradientChoice(const State& x, StepOptions options,
-                                   const std::vector<double>& strengths, int fold) const;
-    bool factorsSystems() const;
+    State conjugateGradientStep(const State& x, const StepOptions& options) const;
     /// Rows or weights of a step differ from state to state.
     bool dependsOnState(const StepOptions& options) const;
 

@@ -6,7 +6,6 @@ namespace fbrdf {
 namespace {
 
 constexpr double kRidge = 1e-11;  // of the mean diagonal: fixes the gauge between factors
-constexpr double kRough = 1e-2;   // tolerance that tells smoothness strengths apart
 
 // Each smoothness row b adds sign strength b (b^T p).
 void addSmoothness(LaneVector& result, const LaneVector& p, const Smoothness& smoothness,
@@ -137,38 +136,16 @@ struct LeastSquares::GradientProblem {
     }
 };
 
-State LeastSquares::conjugateGradientStep(const State& x, const StepOptions& options,
-                                          double tolerance) const
+State LeastSquares::conjugateGradientStep(const State& x, const StepOptions& options) const
 {
     const GradientProblem gradient(*this, x, options);
     LaneVector delta;
-    solveByConjugateGradients(gradient, gradient.diagonal, gradient.right, {tolerance}, delta);
+    solveByConjugateGradients(gradient, gradient.diagonal, gradient.right, {options_.tolerance},
+                              delta);
     State next = x;
     for (size_t l = 0; l < gradient.pass.channels; ++l)
         for (size_t u = 0; u < unknowns(); ++u) next[l * unknowns() + u] += delta[u][l];
     return next;
-}
-
-// Each strength starts where the stronger one before it arrived.
-LeastSquares::Choice LeastSquares::conjugateGradientChoice(const State& x, StepOptions options,
-                                                           const std::vector<double>& strengths,
-                                                           int fold) const
-{
-    const int excluded = options.excludedFold;
-    options.excludedFold = fold;
-    std::vector<States> states(1);
-    State from = x;
-    for (size_t s = strengths.size(); s-- > 0;) {
-        options.smoothness = strengths[s];
-        from = conjugateGradientStep(from, options, kRough);
-        states[0].insert(states[0].begin(), from);
-    }
-    const std::vector<double> errors = foldErrors(states, {fold});
-    const auto best =
-        static_cast<size_t>(std::min_element(errors.begin(), errors.end()) - errors.begin());
-    options.excludedFold = excluded;
-    options.smoothness = strengths[best];
-    return {conjugateGradientStep(states[0][best], options, options_.tolerance), strengths[best]};
 }
 
 }  // namespace fbrdf

@@ -20,11 +20,11 @@ struct LeastSquares::ChannelSystems {
     std::vector<std::vector<double>> right;
 };
 
-bool LeastSquares::factorsSystems() const
+bool LeastSquares::isLarge() const
 {
     if (options_.solver != SystemSolver::automatic)
-        return options_.solver == SystemSolver::factored;
-    return shapeOf(layout_).size() <= kMostFactored;
+        return options_.solver == SystemSolver::conjugateGradients;
+    return shapeOf(layout_).size() > kMostFactored;
 }
 
 std::vector<LeastSquares::Pass> LeastSquares::passes(const StepOptions& options,
@@ -54,6 +54,12 @@ std::vector<NormalSums> LeastSquares::sums(const State& x, const StepOptions& op
                 parts[part]
                      [found == folds.end() ? 0 : 1 + static_cast<size_t>(found - folds.begin())];
             if (group.empty()) group = NormalSums(shape, pass.matrices);
+            if (pass.matrices == 0) {
+                const Vec3d w(row.sampleWeight), r(row.residual);
+                group.addRight(row.unknown, row.weight, static_cast<size_t>(maker_.width()),
+                               {w.x, w.y, w.z}, {r.x, r.y, r.z});
+                return;
+            }
             forEachNormalRow(row, pass, buffer,
                              [&group](const NormalRow& normal) { group.add(normal); });
         });
@@ -158,7 +164,7 @@ void LeastSquares::repeatGrey(State& x) const
 
 State LeastSquares::step(const State& x, const StepOptions& options) const
 {
-    if (!factorsSystems()) return conjugateGradientStep(x, options, options_.tolerance);
+    if (isLarge()) return conjugateGradientStep(x, options);
     State next = x;
     const auto channels = allSystems(x, options, {});
     parallelTasks(channels.size(), threads_, [&](size_t i) {
@@ -172,7 +178,6 @@ LeastSquares::Choice LeastSquares::stepWithBest(const State& x, const StepOption
                                                 const std::vector<double>& strengths,
                                                 const std::vector<int>& folds) const
 {
-    if (!factorsSystems()) return conjugateGradientChoice(x, options, strengths, folds.front());
     const auto channels = allSystems(x, options, folds);
     std::vector<States> states(folds.size(), States(strengths.size(), x));
     const size_t trials = folds.size() * strengths.size();

@@ -84,6 +84,16 @@ void NormalSums::add(const NormalRow& row)
                                row.residual);
 }
 
+void NormalSums::addRight(const int* unknown, const float* entry, size_t width, const Lanes& weight,
+                          const Lanes& residual)
+{
+    for (size_t k = 0; k < width; ++k) {
+        double* sum = &right_[kLanes * static_cast<size_t>(unknown[k])];
+        const auto factor = static_cast<double>(entry[k]);
+        for (size_t l = 0; l < kLanes; ++l) sum[l] += weight[l] * factor * residual[l];
+    }
+}
+
 NormalSums& NormalSums::operator+=(const NormalSums& other)
 {
     if (other.empty()) return *this;

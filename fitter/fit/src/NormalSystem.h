@@ -35,6 +35,9 @@ public:
     bool empty() const { return right_.empty(); }
 
     void add(const NormalRow& row);
+    /// Of a row with the same entries in all lanes, w b r alone; the same bits as add.
+    void addRight(const int* unknown, const float* entry, size_t width, const Lanes& weight,
+                  const Lanes& residual);
     NormalSums& operator+=(const NormalSums& other);
 
     /// The system of one lane.

@@ -30,7 +30,7 @@ using RowGeometries = std::vector<RowGeometry>;
 
 class RowStore {
 public:
-    /// `known`: geometry made before for a feed of the same Feed::geometry and an equal form, or
+    /// `known`: geometry made before for a feed of the same geometryOf and an equal form, or
     /// null. The references must outlive the store.
     RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
              std::shared_ptr<const RowGeometries> known);

@@ -1,7 +1,6 @@
 #include "Rows.h"
 
 #include <algorithm>
-#include <array>
 
 namespace fbrdf {
 namespace {
@@ -103,11 +102,12 @@ Layout::Layout(const Form& form, bool sharedShape) : unknownOf_(form.tables.size
 
 RowMaker::RowMaker(const Form& form, const Layout& layout) : form_(form), layout_(layout)
 {
+    for (const TableSpec& spec : form.tables) sizes_.push_back(domainSize(spec.domain));
     int width = 0;
     for (const Term& term : form.terms) {
         for (const Factor& factor : term.factors) {
             int entries = 1;
-            for (const int n : domainSize(form.tables[static_cast<size_t>(factor.table)].domain))
+            for (const int n : sizes_[static_cast<size_t>(factor.table)])
                 if (n > 1) entries *= 2;
             width += entries;
             if (layout.banded() > 0 &&
@@ -128,7 +128,7 @@ void RowMaker::make(const Sample& sample, int* unknown, float* weight) const
             const auto table = static_cast<size_t>(factor.table);
             const Domain& domain = form_.tables[table].domain;
             const Stencil<float> stencil =
-                stencilAt(domain, texelPosition(domain, factor.argument, geometry));
+                stencilAt(sizes_[table], texelPosition(domain, factor.argument, geometry));
             for (size_t k = 0; k < static_cast<size_t>(stencil.count); ++k) {
                 *unknown++ = layout_.unknownOf(table, stencil.texel[k]);
                 *weight++ = stencil.weight[k];

@@ -7,6 +7,7 @@
 #include <fbrdf/brdf/Form.h>
 #include <fbrdf/sources/Source.h>
 
+#include <array>
 #include <vector>
 
 namespace fbrdf {
@@ -57,6 +58,7 @@ public:
 private:
     const Form& form_;
     const Layout& layout_;
+    std::vector<std::array<int, 3>> sizes_;  ///< domainSize of each table
     std::vector<int> termEnd_;
     int bandedFirst_ = 0, bandedLast_ = 0;
 };

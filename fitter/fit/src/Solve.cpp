@@ -11,7 +11,7 @@ namespace {
 constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
-constexpr int kMaxSteps = 24, kFineSteps = 4;
+constexpr int kMaxSteps = 24, kFineSteps = 4, kLastSteps = 2;
 constexpr size_t kCoarseRows = 32768;  // find the way for the halved form of a sum
 constexpr size_t kStartRows = 262144;  // find it for all rows; a last step is taken on all
 constexpr double kFirstDamping = 1e-3, kMaxDamping = 1e3;
@@ -72,17 +72,6 @@ State solveAt(const LeastSquares& problem, const SolveOptions& options, double s
     return x;
 }
 
-// Where the last step starts from. A plain linear problem needs no start; the state of a large one
-// is found on a part of the samples: robust weights and shares of terms are statistics of the data.
-State startOf(const LeastSquares& problem, SolveOptions options, double smoothness)
-{
-    if (isLinear(problem, options.metric) && !options.robust) return problem.flatState();
-    if (problem.rows() < 2 * kStartRows) return solveAt(problem, options, smoothness);
-    const LeastSquares thin = problem.thinned(kStartRows, options.excludedFold);
-    options.excludedFold = kNoFold;
-    return solveAt(thin, options, smoothness);
-}
-
 // Folds that choose the smoothness. Within a fit that leaves a fold out, that fold must not choose
 // either.
 std::vector<int> choosingFolds(const SolveOptions& options)
@@ -93,21 +82,67 @@ std::vector<int> choosingFolds(const SolveOptions& options)
     return folds;
 }
 
+StepOptions lastStep(const SolveOptions& options, double smoothness)
+{
+    StepOptions last;
+    last.smoothness = smoothness;
+    last.metric = options.metric;
+    last.robust = options.robust;
+    last.excludedFold = options.excludedFold;
+    return last;
+}
+
+// All samples, all texels, nothing known before.
+Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
+{
+    const bool fixed = options.smoothness > 0.0;
+    const bool direct = isLinear(problem, options.metric);
+    StepOptions last = lastStep(options, fixed ? options.smoothness : kFirstSmoothness);
+    if (!direct) last.damping = kFirstDamping;
+    // A plain linear problem needs no start.
+    const State x = direct && !options.robust ? problem.flatState()
+                                              : solveAt(problem, options, last.smoothness);
+    if (fixed) return {problem.step(x, last), last.smoothness};
+    auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
+    return {std::move(choice.x), choice.smoothness};
+}
+
+// The last step from a solution that is near.
+Solution refined(const LeastSquares& problem, const SolveOptions& options, Solution near)
+{
+    StepOptions last = lastStep(options, near.smoothness);
+    near.x = isLinear(problem, options.metric) ? problem.step(near.x, last)
+                                               : descend(problem, near.x, last, kLastSteps);
+    return near;
+}
+
+// Robust weights, shares of terms and the smoothness are statistics of the data: a part of many
+// samples tells them (Bickel 1975, one-step M-estimators).
+Solution solveMany(const LeastSquares& problem, const SolveOptions& options)
+{
+    SolveOptions part = options;
+    part.excludedFold = kNoFold;  // the thinned samples have none of it
+    part.folds = 1;
+    return refined(problem, options,
+                   solve(problem.thinned(kStartRows, options.excludedFold), part));
+}
+
+// Many texels start from half as many along every axis, and keep their smoothness.
+Solution solveLarge(const LeastSquares& problem, const LeastSquares& coarse,
+                    const SolveOptions& options)
+{
+    Solution near = solve(coarse, options);
+    near.x = prolonged(coarse, near.x, problem);
+    return refined(problem, options, std::move(near));
+}
+
 }  // namespace
 
 Solution solve(const LeastSquares& problem, const SolveOptions& options)
 {
-    const bool fixed = options.smoothness > 0.0;
-    StepOptions last;
-    last.smoothness = fixed ? options.smoothness : kFirstSmoothness;
-    last.metric = options.metric;
-    last.robust = options.robust;
-    last.excludedFold = options.excludedFold;
-    last.damping = isLinear(problem, options.metric) ? 0.0 : kFirstDamping;
-    const State x = startOf(problem, options, last.smoothness);
-    if (fixed) return {problem.step(x, last), last.smoothness};
-    auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
-    return {std::move(choice.x), choice.smoothness};
+    if (problem.rows() >= 2 * kStartRows) return solveMany(problem, options);
+    if (!problem.isLarge()) return solveWhole(problem, options);
+    return solveLarge(problem, problem.withForm(halved(problem.form())), options);
 }
 
 }  // namespace fbrdf

@@ -99,6 +99,9 @@ void addFitOptions(CLI::App& command, FitOptions& options)
             [&options](const std::string& text) { options.smoothness = smoothnessFromText(text); },
             "auto (by held-out error), or the strength")
         ->type_name("X");
+    command.add_flag(
+        "--shared", options.sharedShape,
+        "one shape of every map for R, G and B, with a scale each: a third of the bytes");
     addInteger(command, "--seed", options.seed, 0, kAny, "of folds and sample sets; default 1")
         ->type_name("S");
     addThreads(command, options.threads);

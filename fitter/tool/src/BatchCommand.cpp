@@ -239,10 +239,11 @@ int conclude(const BatchCommand& command, const std::vector<BatchItem>& items,
     return counts.failed > 0 ? 1 : 0;
 }
 
-int run(const BatchCommand& command)
+int run(BatchCommand command)
 {
     const Ranks ranks;
     const std::vector<BatchItem> items = sharedItems(command, ranks);
+    command.job.fit.cache = makeFitCache();
     if (items.empty()) return 0;
     const std::string lines = ranks.gather(fitShare(command, items, ranks));
     return ranks.rank() == 0 ? conclude(command, items, outcomesOf(lines, items.size())) : 0;

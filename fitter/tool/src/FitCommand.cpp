@@ -4,6 +4,7 @@
 #include "FitJob.h"
 #include "FitReport.h"
 #include "Output.h"
+#include "Ranks.h"
 #include "TextTable.h"
 
 #include <fbrdf/brdf/Error.h>
@@ -132,13 +133,19 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
            errorsText(outcome);
 }
 
-int run(const FitCommand& command)
+// Under mpirun every rank adds up its share of the rows; all come to the same material, and rank 0
+// writes it.
+int run(FitCommand command)
 {
     requireWritable(command.output);
     requireMaterialExtension(command.output);
     if (!command.report.empty()) requireWritable(command.report);
-    Progress progress(!command.quiet);
+    const Ranks ranks;
+    command.job.fit.ranks = {static_cast<size_t>(ranks.rank()), static_cast<size_t>(ranks.count()),
+                             [&ranks](double* values, size_t count) { ranks.sum(values, count); }};
+    Progress progress(!command.quiet && ranks.rank() == 0);
     const FitOutcome outcome = runFitJob(command.job, progress);
+    if (ranks.rank() != 0) return 0;
     progress.phase("writing " + command.output);
     const double writeSeconds = secondsToWrite(*outcome.material, command.output);
     progress.phase("writing " + command.report);

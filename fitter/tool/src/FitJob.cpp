@@ -66,14 +66,16 @@ FitOutcome runFitJob(const FitJob& job, Progress& progress)
     outcome.times.read = watch.lap();
     progress.phase("fitting " + outcome.source.name);
     FitResult result = fitMaterial(outcome.source, job.fit);
-    outcome.times.fit = watch.lap();
+    outcome.times.read += result.summary.readSeconds;
+    outcome.times.fit = watch.lap() - result.summary.readSeconds;
     progress.phase("measuring " + outcome.source.name);
     const auto material = std::make_shared<Material>(std::move(result.material));
     outcome.summary = std::move(result.summary);
     outcome.heldOut = errorMap(outcome.summary.heldOut);
     outcome.all = errorMap(outcome.summary.all);
-    outcome.scene =
-        measureScene(shaderFunction(material), outcome.source.evaluate, job.fit.threads);
+    if (job.fit.ranks.rank == 0)  // the others only help to fit
+        outcome.scene =
+            measureScene(shaderFunction(material), outcome.source.evaluate, job.fit.threads);
     describe(*material, job, outcome);
     outcome.material = material;
     outcome.times.measure = watch.lap();
@@ -102,11 +104,11 @@ std::string optionsNote(const FitJob& job)
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} storage={} metric={} robust={} "
         "smoothness={} "
-        "seed={} cosine={}",
+        "seed={} cosine={}{}",
         fit.form, fit.resolution, fit.maxBytes, fit.lookups, storageName(fit.storage),
         metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
-        job.sourceOptions.cosine);
+        job.sourceOptions.cosine, fit.sharedShape ? " shared" : "");
 }
 
 std::string generatorNote()

@@ -1,6 +1,7 @@
-// Ranks.h - the processes that share a batch: those of `mpirun`, or this one alone.
+// Ranks.h - the processes that share a batch or a data set: those of `mpirun`, or this one alone.
 // Reference: MPI 3.1 standard; OpenMPI sets OMPI_COMM_WORLD_SIZE for what it starts.
 #pragma once
+#include <cstddef>
 #include <string>
 
 namespace fbrdf::tool {
@@ -22,6 +23,8 @@ public:
     std::string broadcast(const std::string& text) const;
     /// The texts of all ranks in their order, on rank 0; nothing on the others. All must call it.
     std::string gather(const std::string& text) const;
+    /// Sums over all ranks, element by element, on every rank. All must call it.
+    void sum(double* values, size_t count) const;
 
 private:
     int rank_ = 0, count_ = 1, onThisMachine_ = 1;

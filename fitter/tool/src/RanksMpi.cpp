@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <numeric>
 #include <vector>
@@ -55,6 +56,14 @@ std::string Ranks::gather(const std::string& text) const
     MPI_Gatherv(text.data(), size, MPI_CHAR, all.data(), sizes.data(), offsets.data(), MPI_CHAR, 0,
                 MPI_COMM_WORLD);
     return all;
+}
+
+void Ranks::sum(double* values, size_t count) const
+{
+    constexpr size_t kMost = size_t{1} << 26;  // a message: MPI counts in int
+    for (size_t from = 0; joined_ && from < count; from += kMost)
+        MPI_Allreduce(MPI_IN_PLACE, values + from, static_cast<int>(std::min(kMost, count - from)),
+                      MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
 }
 
 }  // namespace fbrdf::tool

@@ -176,7 +176,12 @@ Vec3<T> texelPosition(const Domain& domain, const Argument& argument, const Pair
 template <class T>
 Stencil<T> stencilAt(const Domain& domain, const Vec3<T>& position)
 {
-    const auto size = domainSize(domain);
+    return stencilAt(domainSize(domain), position);
+}
+
+template <class T>
+Stencil<T> stencilAt(const std::array<int, 3>& size, const Vec3<T>& position)
+{
     Stencil<T> stencil;
     stencil.count = 1;
     stencil.texel[0] = 0;
@@ -207,7 +212,8 @@ Stencil<T> stencilAt(const Domain& domain, const Vec3<T>& position)
     template Vec3<T> directionVector(const Direction&, const PairGeometry<T>&);             \
     template Vec2<T> discPosition(const DiscDomain&, const Vec3<T>&);                       \
     template Vec3<T> texelPosition(const Domain&, const Argument&, const PairGeometry<T>&); \
-    template Stencil<T> stencilAt(const Domain&, const Vec3<T>&);
+    template Stencil<T> stencilAt(const Domain&, const Vec3<T>&);                           \
+    template Stencil<T> stencilAt(const std::array<int, 3>&, const Vec3<T>&);
 FBRDF_INSTANTIATE(float)
 FBRDF_INSTANTIATE(double)
 #undef FBRDF_INSTANTIATE

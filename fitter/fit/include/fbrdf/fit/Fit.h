@@ -72,9 +72,10 @@ struct Trial {
 };
 
 struct FitSummary {
-    double seconds = 0;     ///< fitting alone: no reading, no reporting
-    size_t used = 0;        ///< samples with at least one channel above the floor
-    size_t belowFloor = 0;  ///< channel values censored
+    double readSeconds = 0;  ///< making or reading the samples
+    double seconds = 0;      ///< fitting alone: no reading, no reporting
+    size_t used = 0;         ///< samples with at least one channel above the floor
+    size_t belowFloor = 0;   ///< channel values censored
     Vec3f noiseFloor{0.0f};
     double smoothness = 0;  ///< the strength used
     int folds = 0;          ///< of the held-out errors; 0: a fresh set from the function

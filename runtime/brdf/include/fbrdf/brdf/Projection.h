@@ -140,5 +140,8 @@ struct Stencil {
 };
 template <class T>
 Stencil<T> stencilAt(const Domain& domain, const Vec3<T>& position);
+/// The same for a domain of that domainSize.
+template <class T>
+Stencil<T> stencilAt(const std::array<int, 3>& size, const Vec3<T>& position);
 
 }  // namespace fbrdf
