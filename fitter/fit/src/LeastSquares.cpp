@@ -116,7 +116,9 @@ LeastSquares LeastSquares::thinned(size_t rows, int excludedFold) const
 
 LeastSquares LeastSquares::withForm(const Form& form) const
 {
-    return LeastSquares(form, feed_, traits_, seed_, threads_, options_);
+    LeastSquaresOptions options = options_;
+    options.solver = SystemSolver::automatic;
+    return LeastSquares(form, feed_, traits_, seed_, threads_, options);
 }
 
 State LeastSquares::flatState() const

@@ -111,8 +111,11 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
 Solution refined(const LeastSquares& problem, const SolveOptions& options, Solution near)
 {
     StepOptions last = lastStep(options, near.smoothness);
-    near.x = isLinear(problem, options.metric) ? problem.step(near.x, last)
-                                               : descend(problem, near.x, last, kLastSteps);
+    const bool direct = isLinear(problem, options.metric);
+    if (!direct) last.damping = kFirstDamping;
+    // The cost counts outliers: it cannot judge a robust step.
+    near.x = direct || options.robust ? problem.step(near.x, last)
+                                      : descend(problem, near.x, last, kLastSteps);
     return near;
 }
 
