@@ -10,6 +10,7 @@ std::vector<std::string> namesIn(std::string_view line)
     std::vector<std::string_view> fields;
     splitFields(line, ',', fields);
     std::vector<std::string> names;
+    names.reserve(fields.size());
     for (const std::string_view field : fields) names.push_back(lowerCase(field));
     return names;
 }

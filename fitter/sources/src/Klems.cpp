@@ -227,7 +227,7 @@ Vec3d opposite(const Vec3d& w)
 
 std::string sideOf(const FileRequest& request)
 {
-    const std::string side = lowerCase(request.choice.empty() ? "front" : request.choice);
+    std::string side = lowerCase(request.choice.empty() ? "front" : request.choice);
     if (side != "front" && side != "back")
         throw Error(ErrorKind::usage, request.file->path(),
                     "found " + quoted(request.choice) + ", expected front or back");

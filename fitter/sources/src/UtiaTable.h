@@ -7,7 +7,7 @@
 
 namespace fbrdf {
 
-constexpr size_t kUtiaSide = 6 * 48;
+constexpr size_t kUtiaSide = size_t(6) * 48;
 constexpr size_t kUtiaCells = kUtiaSide * kUtiaSide;
 
 /// `cells` - kUtiaCells values of f, row (light) by row, 1/sr. The source evaluates linearly in all
