@@ -40,6 +40,7 @@ void addCommands(CLI::App& app, fbrdf::tool::Action& action)
     addInfoCommand(app, action);
     addConvertCommand(app, action);
     addBatchCommand(app, action);
+    addBenchFitCommand(app, action);
     addModelsCommand(app, action);
     addFormsCommand(app, action);
 }

@@ -169,3 +169,36 @@ TEST(Npf, AgreesWithTheReferenceEvaluator)
                      {4.372940361e+02, 5.506815026e+02, 5.994150565e+02}},
                     kReference);
 }
+
+TEST(MaterialsOf, ACollectionIsAllItsMaterials)
+{
+    const TempFolder folder;
+    const std::string path =
+        folder.write("nets.f32", constantNet(1) + constantNet(2) + constantNet(3));
+    EXPECT_EQ(materialsOf(path), (std::vector<std::string>{path + "#0", path + "#1", path + "#2"}));
+    folder.write("materials.txt", "merl gold\nrgl gold\nrgl foil\n");
+    EXPECT_EQ(materialsOf(path),
+              (std::vector<std::string>{path + "#merl/gold", path + "#rgl/gold", path + "#foil"}));
+    for (const std::string& spec : materialsOf(path)) EXPECT_NO_THROW(openSource(spec)) << spec;
+}
+
+TEST(MaterialsOf, ASetIsItsMaterialsAndAnythingElseIsItself)
+{
+    const TempFolder folder;
+    const std::string path = folder.write("nets.f32", constantNet(1) + constantNet(2));
+    folder.write("materials.txt", "merl gold\nrgl foil\n");
+    EXPECT_EQ(materialsOf(path + "#rgl"), std::vector<std::string>{path + "#foil"});
+    EXPECT_EQ(materialsOf(path + "#gold"), std::vector<std::string>{path + "#gold"});
+    EXPECT_EQ(materialsOf(path + "#none"), std::vector<std::string>{path + "#none"});
+    EXPECT_EQ(materialsOf("ggx:alpha=0.1"), std::vector<std::string>{"ggx:alpha=0.1"});
+    EXPECT_EQ(materialsOf("absent.csv"), std::vector<std::string>{"absent.csv"});
+}
+
+TEST(MaterialsOf, EmptyRowsOfNpfTablesAreNoMaterials)
+{
+    const TempFolder folder;
+    std::string bytes = emptyNpf();
+    setNpf(bytes, 1, 0, 0.5f);
+    const std::string path = folder.write("npf.bin", bytes);
+    EXPECT_EQ(materialsOf(path), (std::vector<std::string>{path + "#0", path + "#1"}));
+}

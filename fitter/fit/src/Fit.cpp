@@ -237,6 +237,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     for (const Sample& s : probe)
         for (int c = 0; c < 3; ++c)
             if (!(s.f[c] > job.traits.floor[c])) ++summary.belowFloor;
+    if (!options.heldOut) return result;
     if (job.feed.exact) {
         const auto test = samplesAt(source, uniformPairs(kTestSamples, 0), options.threads);
         summary.heldOut = sampleErrors(test, evaluateAt(result.material, test, options.threads),

@@ -21,6 +21,13 @@ Form formIo(int size)
     return form;
 }
 
+Form formPqp2001(int size)
+{
+    Form form = formPqp(size, 1.0);
+    form.name = "pqp-2001";
+    return form;
+}
+
 /// A form that stands alone or as a term of a sum: its sizes from the smallest to the one it has by
 /// default.
 struct BaseForm {
@@ -33,12 +40,17 @@ const std::vector<BaseForm>& baseForms()
 {
     const auto pqp = [](int n) { return formPqp(n, kGamma); };
     const auto pqpr = [](int n) { return formPqpr(n, kGamma, kKnots); };
+    const auto pqp2001 = [](int n) { return formPqp2001(n); };
     const auto hdio = [](int n) { return formHdio(n, std::max(4, n / 4), std::max(4, n / 4)); };
     static const std::vector<BaseForm> forms{
         {{"pqp", "p(wo) q(h) p(wi)",
           "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32},
          {pqp(8), pqp(12), pqp(16), pqp(24), pqp(32)},
          pqp},
+        {{"pqp-2001", "p(wo) q(h) p(wi)",
+          "the maps of 2001, without the warp that spends texels on the highlight", 32},
+         {pqp2001(16), pqp2001(32)},
+         pqp2001},
         {{"pqpr", "p(wo) q(h) p(wi) r(theta_d)",
           "as pqp; r is a uniform array and costs no look-up", 32},
          {pqpr(8), pqpr(12), pqpr(16), pqpr(24), pqpr(32)},

@@ -4,6 +4,7 @@
 
 #include <fbrdf/brdf/Error.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace fbrdf {
@@ -55,6 +56,15 @@ size_t rowNamed(const FileRequest& request, const std::vector<Entry>& entries)
     return row;
 }
 
+std::string choiceFor(const std::vector<Entry>& entries, size_t row)
+{
+    const Entry& entry = entries[row];
+    const auto sameName = std::count_if(entries.begin(), entries.end(), [&](const Entry& other) {
+        return other.name == entry.name;
+    });
+    return sameName == 1 ? entry.name : entry.set + "/" + entry.name;
+}
+
 }  // namespace
 
 Chosen chosenMaterial(const FileRequest& request, size_t rows)
@@ -72,6 +82,18 @@ Chosen chosenMaterial(const FileRequest& request, size_t rows)
     const size_t row = static_cast<size_t>(number);
     if (row < entries.size()) return {row, entries[row].name};
     return {row, request.file->stem() + "#" + std::to_string(row)};
+}
+
+std::vector<std::string> choicesOf(const FileRequest& request, size_t rows)
+{
+    const std::vector<Entry> entries = entriesBeside(*request.file);
+    std::vector<std::string> choices;
+    for (size_t row = 0; row < rows; ++row) {
+        const bool named = row < entries.size();
+        if (request.choice.empty() || (named && entries[row].set == request.choice))
+            choices.push_back(named ? choiceFor(entries, row) : std::to_string(row));
+    }
+    return choices;
 }
 
 }  // namespace fbrdf

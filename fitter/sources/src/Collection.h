@@ -15,4 +15,9 @@ struct Chosen {
 /// needs no choice.
 Chosen chosenMaterial(const FileRequest& request, size_t rows);
 
+/// What to write behind FILE# for each of the `rows` materials, or for those of the set that the
+/// request asks for: a name, set/name where the name is in several sets, a row where there is no
+/// name. Empty when the choice is a material and not a set.
+std::vector<std::string> choicesOf(const FileRequest& request, size_t rows);
+
 }  // namespace fbrdf

@@ -23,6 +23,8 @@ struct Format {
     bool takesChoice;        ///< FILE@choice or FILE#choice means something
     bool (*recognises)(const InputFile& file);  ///< by content alone
     Source (*read)(const FileRequest& request);
+    /// Materials in a collection, each a row; null for a file that is one data set.
+    size_t (*rows)(const InputFile& file) = nullptr;
 };
 
 /// The format of a file. Throws Error(input) when there is none.
@@ -36,8 +38,10 @@ bool isMerl(const InputFile& file);
 Source readMerl(const FileRequest& request);
 bool isNbrdf(const InputFile& file);
 Source readNbrdf(const FileRequest& request);
+size_t nbrdfRows(const InputFile& file);
 bool isNpf(const InputFile& file);
 Source readNpf(const FileRequest& request);
+size_t npfRows(const InputFile& file);
 bool isRgl(const InputFile& file);
 Source readRgl(const FileRequest& request);
 bool isBinaryColumns(const InputFile& file);

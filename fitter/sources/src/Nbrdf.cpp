@@ -90,13 +90,18 @@ bool isNbrdf(const InputFile& file)
     return file.extension() == "f32" && file.size() % kRowBytes == 0;
 }
 
+size_t nbrdfRows(const InputFile& file)
+{
+    return file.size() / kRowBytes;
+}
+
 Source readNbrdf(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     if (file.size() % kRowBytes != 0)
         throw inputError(file, "found " + std::to_string(file.size()) +
                                    " bytes, expected rows of 675 float32 weights");
-    const Chosen chosen = chosenMaterial(request, file.size() / kRowBytes);
+    const Chosen chosen = chosenMaterial(request, nbrdfRows(file));
     const auto weights = std::make_shared<const Weights>(readWeights(file, chosen.row));
     Source source;
     source.name = chosen.name;

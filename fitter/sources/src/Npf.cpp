@@ -74,6 +74,14 @@ bool isNpf(const InputFile& file)
     return file.extension() == "bin" && file.size() == kRows * kRowBytes;
 }
 
+// Rows after the last material are zero.
+size_t npfRows(const InputFile& file)
+{
+    const std::string_view bytes = file.bytes();
+    const size_t last = bytes.find_last_not_of('\0');
+    return last == std::string_view::npos ? 0 : last / kRowBytes + 1;
+}
+
 Source readNpf(const FileRequest& request)
 {
     const InputFile& file = *request.file;

@@ -1,5 +1,6 @@
 #include <fbrdf/sources/Source.h>
 
+#include "Collection.h"
 #include "Formats.h"
 
 #include <fbrdf/brdf/Error.h>
@@ -83,6 +84,19 @@ Source openSource(const std::string& spec, const SourceOptions& options)
     if (mustBeFile(spec))
         throw Error(ErrorKind::input, spec, "found no such file, expected a file or a model");
     return makeModelSource(spec);
+}
+
+std::vector<std::string> materialsOf(const std::string& spec)
+{
+    const FileSpec chosen = fileSpecOf(spec);
+    if (chosen.path.empty() || (chosen.choice.empty() && isMaterial(chosen.path))) return {spec};
+    const auto file = std::make_shared<const InputFile>(chosen.path);
+    const Format& format = formatOf(*file);
+    if (!format.rows) return {spec};
+    std::vector<std::string> specs;
+    for (const std::string& choice : choicesOf({file, chosen.choice, {}}, format.rows(*file)))
+        specs.push_back(chosen.path + "#" + choice);
+    return specs.empty() ? std::vector<std::string>{spec} : specs;
 }
 
 SampleReport& SampleReport::operator+=(const SampleReport& other)

@@ -79,6 +79,11 @@ void addFitOptions(CLI::App& command, FitOptions& options)
     addInteger(command, "--lookups", options.lookups, 1, kMaxLookups,
                "texture look-ups allowed in a pass; default 2")
         ->type_name("K");
+    addFitTuning(command, options);
+}
+
+void addFitTuning(CLI::App& command, FitOptions& options)
+{
     command
         .add_option_function<std::string>(
             "--storage",

@@ -20,9 +20,9 @@ std::optional<double> smoothnessFromText(const std::string& text);
 void addThreads(CLI::App& command, int& threads);
 /// --cosine.
 void addCosine(CLI::App& command, SourceOptions& options);
-/// --form, --resolution, --max-bytes, --lookups, --storage, --metric, --plain, --smoothness,
-/// --seed,
-/// --threads.
+/// --storage, --metric, --plain, --smoothness, --seed, --threads: what is the same for every form.
+void addFitTuning(CLI::App& command, FitOptions& options);
+/// --form, --resolution, --max-bytes, --lookups, and those of addFitTuning.
 void addFitOptions(CLI::App& command, FitOptions& options);
 
 }  // namespace fbrdf::tool

@@ -16,6 +16,7 @@ void addCompareCommand(CLI::App& app, Action& action);
 void addInfoCommand(CLI::App& app, Action& action);
 void addConvertCommand(CLI::App& app, Action& action);
 void addBatchCommand(CLI::App& app, Action& action);
+void addBenchFitCommand(CLI::App& app, Action& action);
 void addModelsCommand(CLI::App& app, Action& action);
 void addFormsCommand(CLI::App& app, Action& action);
 

@@ -88,4 +88,9 @@ struct SourceOptions {
 /// or a parameter out of range, Error(input) for a file that is missing or invalid.
 Source openSource(const std::string& spec, const SourceOptions& options = {});
 
+/// The materials that a specification stands for, each as openSource takes it: all of a collection
+/// for its FILE alone, those of a set of its materials.txt for FILE#set; for anything else the
+/// specification itself. Throws Error(input) for a file that cannot be read.
+std::vector<std::string> materialsOf(const std::string& spec);
+
 }  // namespace fbrdf

@@ -1,0 +1,289 @@
+#include <fbrdf/peers/Peer.h>
+
+#include <fbrdf/peers/AnalyticFactors.h>
+#include <fbrdf/peers/LinearMaps.h>
+#include <fbrdf/peers/PublishedFits.h>
+#include <fbrdf/peers/SvdBaseline.h>
+#ifdef FBRDF_HAVE_CERES
+#include <fbrdf/peers/GgxFit.h>
+#endif
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/Fit.h>
+#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/sources/Model.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace fbrdf {
+namespace {
+
+constexpr size_t kFloatBytes = 4;
+
+class Clock {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string pathIn(const PeerContext& context, const char* relative)
+{
+    return (std::filesystem::path(context.dataDir) / relative).string();
+}
+
+BrdfFunction shaderFunction(Material material)
+{
+    const auto shared = std::make_shared<const Material>(std::move(material));
+    return [shared](const Vec3d& wo, const Vec3d& wi) {
+        return Vec3d(evaluate<float>(*shared, Vec3f(wo), Vec3f(wi)));
+    };
+}
+
+// What peers that have a choice choose by: a small standard sphere where there is a function, else
+// the cube roots at samples. Smaller is better.
+class Choice {
+public:
+    Choice(const Source& source, const PeerContext& context) : threads_(context.threads)
+    {
+        constexpr int kSize = 48;
+        constexpr size_t kSamples = 4096;
+        if (source.evaluate)
+            reference_ = renderStandardSphere(source.evaluate, kSize, threads_);
+        else
+            samples_ = peerSamples(source, kSamples, context);
+    }
+
+    double error(const BrdfFunction& brdf) const
+    {
+        if (reference_)
+            return -imageErrors(renderStandardSphere(brdf, reference_->size, threads_), *reference_)
+                        .psnrLinear;
+        return sampleErrors(samples_, evaluateAt(brdf, samples_, threads_), Vec3f(0.0f))
+            .cubeRootRms;
+    }
+
+private:
+    int threads_;
+    std::optional<SphereImage> reference_;
+    std::vector<Sample> samples_;
+};
+
+#ifdef FBRDF_HAVE_CERES
+BrdfFunction functionOf(const GgxModel& model)
+{
+    return [model](const Vec3d& wo, const Vec3d& wi) { return evaluate(model, wo, wi); };
+}
+
+// Dielectrics want the cube root, metals the log: both are tried, the better is kept.
+GgxModel bestGgx(const Source& source, const PeerContext& context, GgxFitOptions options)
+{
+    constexpr size_t kSamples = 8192;
+    const std::vector<Sample> samples = peerSamples(source, kSamples, context);
+    const GgxModel cube = fitGgx(samples, options);
+    options.metric = GgxMetric::log1p;
+    const GgxModel log = fitGgx(samples, options);
+    const Choice choice(source, context);
+    return choice.error(functionOf(log)) < choice.error(functionOf(cube)) ? log : cube;
+}
+
+std::optional<PeerFit> fitGgxLobes(const Source& source, const PeerContext& context, int lobes)
+{
+    const Clock clock;
+    GgxFitOptions options;
+    options.lobes = lobes;
+    options.isotropic = source.isotropic;
+    options.threads = context.threads;
+    const GgxModel model = bestGgx(source, context, options);
+    PeerFit fit;
+    fit.seconds = clock.seconds();
+    fit.brdf = functionOf(model);
+    const size_t perLobe = options.isotropic ? 5 : 6;  // scale r g b, f0, alpha or two of it
+    fit.bytes = kFloatBytes * (3 + perLobe * model.lobes.size());
+    fit.note = describe(model);
+    return fit;
+}
+
+std::optional<PeerFit> fitGgxOne(const Source& source, const PeerContext& context)
+{
+    return fitGgxLobes(source, context, 1);
+}
+
+std::optional<PeerFit> fitGgxTwo(const Source& source, const PeerContext& context)
+{
+    return fitGgxLobes(source, context, 2);
+}
+#endif
+
+std::optional<PeerFit> published(const std::string& table, const std::string& material,
+                                 const std::string& model,
+                                 const std::vector<std::pair<std::string, std::string>>& parameters)
+{
+    const ParameterRow row = publishedRow(table, material);
+    if (row.empty()) return std::nullopt;
+    PeerFit fit;
+    fit.note = specFromRow(model, row, parameters);
+    fit.brdf = makeModelSource(fit.note).evaluate;
+    fit.bytes = kFloatBytes * row.size();
+    return fit;
+}
+
+std::optional<PeerFit> publishedSgd(const Source& source, const PeerContext& context)
+{
+    return published(pathIn(context, "merl_fits/csv/bagher_sgd.csv"), source.name, "sgd",
+                     {{"kd", "kd"},
+                      {"ks", "albedo"},
+                      {"alpha", "alpha"},
+                      {"p", "p"},
+                      {"f0", "eta0"},
+                      {"f1", "eta1"},
+                      {"K", "K"},
+                      {"Lambda", "Lambda"},
+                      {"c", "c"},
+                      {"k", "k"},
+                      {"theta0", "theta0"}});
+}
+
+std::optional<PeerFit> publishedAbc(const Source& source, const PeerContext& context)
+{
+    return published(pathIn(context, "merl_fits/csv/low_lowmicrofacet_E2.csv"), source.name, "abc",
+                     {{"kd", "kd"}, {"A", "A"}, {"B", "B"}, {"C", "C"}, {"eta", "eta"}});
+}
+
+std::optional<PeerFit> publishedNpf(const Source& source, const PeerContext& context)
+{
+    // rhoD, rhoS and three tables of 90 bins: half, difference, and one angle of the light.
+    constexpr size_t kColumns = 272;
+    const std::string path = pathIn(context, "npf_merl/npf.bin");
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    const std::vector<std::string> there = materialsOf(path);
+    const std::string spec = path + "#" + source.name;
+    if (std::find(there.begin(), there.end(), spec) == there.end()) return std::nullopt;
+    PeerFit fit;
+    fit.brdf = openSource(spec).evaluate;
+    fit.bytes = kFloatBytes * 3 * kColumns;
+    fit.lookups = 3;
+    fit.note = "tables as published";
+    return fit;
+}
+
+std::optional<PeerFit> resampledSvd(const Source& source, const PeerContext& context)
+{
+    constexpr int kTerms = 4;
+    if (!source.evaluate) return std::nullopt;
+    const Clock clock;
+    const SvdGrid grid = source.isotropic ? SvdGrid{} : SvdGrid{32, 32, 16, 32};
+    const auto model =
+        std::make_shared<const SvdModel>(fitSvd(source.evaluate, grid, kTerms, context.threads));
+    PeerFit fit;
+    fit.seconds = clock.seconds();
+    fit.brdf = [model](const Vec3d& wo, const Vec3d& wi) { return evaluate(*model, wo, wi); };
+    fit.bytes = bytesOf(*model);
+    fit.lookups = 2 * kTerms;
+    fit.note = "4 terms u(h) v(d), h " + std::to_string(grid.thetaH) + " x " +
+               std::to_string(grid.phiH) + ", d " + std::to_string(grid.thetaD) + " x " +
+               std::to_string(grid.phiD);
+    return fit;
+}
+
+std::optional<PeerFit> mapsOf2001(const Source& source, const PeerContext& context)
+{
+    constexpr size_t kSamples = 65536;  // more than ten a texel of the horizon's discs
+    constexpr double kSmoothness = 1e-4;
+    const Clock clock;
+    FitOptions options;
+    options.form = "pqp-2001";
+    options.storage = Storage::float32;
+    options.robust = false;
+    options.smoothness = kSmoothness;
+    options.heldOut = false;
+    options.threads = context.threads;
+    Source samples = source;
+    samples.samples = peerSamples(source, kSamples, context);
+    samples.stream = {};
+    samples.evaluate = {};
+    const Choice choice(source, context);
+    Material maps = linearMaps(fitMaterial(samples, options).material, [&](const Material& scaled) {
+        return choice.error(shaderFunction(scaled));
+    });
+    PeerFit fit;
+    fit.seconds = clock.seconds();
+    fit.bytes = materialBytes(maps);
+    fit.lookups = 2;
+    fit.note = describe(maps.form);
+    fit.brdf = shaderFunction(std::move(maps));
+    return fit;
+}
+
+std::optional<PeerFit> writtenDown(const Source& source, const PeerContext&)
+{
+    constexpr int kSize = 64;
+    if (source.format != "model" && !source.format.empty()) return std::nullopt;
+    if (!namesModel(source.name)) return std::nullopt;
+    std::optional<Material> material = analyticFactors(source.name, kSize, Storage::log8);
+    if (!material) return std::nullopt;
+    PeerFit fit;
+    fit.bytes = materialBytes(*material);
+    fit.lookups = 3;
+    fit.note = describe(material->form);
+    fit.brdf = shaderFunction(std::move(*material));
+    return fit;
+}
+
+}  // namespace
+
+const std::vector<Peer>& peers()
+{
+    static const std::vector<Peer> all{
+#ifdef FBRDF_HAVE_CERES
+        {"ggx", "GGX + Lambert",
+         "Walter et al. 2007; fitted here by least squares (Ceres) from several starts", fitGgxOne},
+        {"ggx2", "two GGX lobes + Lambert", "the same with a second lobe", fitGgxTwo},
+#endif
+        {"sgd", "shifted gamma distribution", "Bagher et al. 2012; parameters as published",
+         publishedSgd},
+        {"abc", "ABC microfacets", "Low et al. 2012; parameters as published", publishedAbc},
+        {"npf", "non-parametric factors", "Bagher et al. 2016; tables as published", publishedNpf},
+        {"svd", "singular values, 4 terms",
+         "Kautz and McCool 1999: resampled on a regular grid, signed terms u(h) v(d)",
+         resampledSvd},
+        {"pqp-2001", "maps of 2001",
+         "McCool, Ang, Ahmad 2001: p(wo) q(h) p(wi) in linear 8-bit maps", mapsOf2001},
+        {"analytic", "factors written down",
+         "after McCool 2002: Ward's and Ashikhmin and Shirley's models, no fit", writtenDown},
+    };
+    return all;
+}
+
+const Peer& findPeer(const std::string& name)
+{
+    std::string known;
+    for (const Peer& peer : peers()) {
+        if (peer.name == name) return peer;
+        known += (known.empty() ? "" : ", ") + peer.name;
+    }
+    throw Error(ErrorKind::usage, "peers", "found '" + name + "', expected some of " + known);
+}
+
+std::vector<Sample> peerSamples(const Source& source, size_t count, const PeerContext& context)
+{
+    if (source.evaluate)
+        return samplesAt(source, uniformPairs(count, context.seed + 1), context.threads);
+    std::vector<Sample> samples;
+    forEachBlock(source, [&](const Sample* block, size_t size) {
+        samples.insert(samples.end(), block, block + size);
+    });
+    const size_t stride = std::max<size_t>(1, samples.size() / count);
+    std::vector<Sample> thinned;
+    for (size_t i = 0; i < samples.size(); i += stride) thinned.push_back(samples[i]);
+    return thinned;
+}
+
+}  // namespace fbrdf

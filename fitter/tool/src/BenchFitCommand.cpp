@@ -1,0 +1,95 @@
+// fbrdf bench-fit: many materials, our forms and the peers, one table.
+#include "Arguments.h"
+#include "BenchSummary.h"
+#include "Commands.h"
+#include "Output.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <cstdlib>
+
+namespace fbrdf::tool {
+namespace {
+
+struct BenchFitCommand {
+    std::vector<std::string> sources;
+    std::string forms = "hdio:3900,hdio:1400,io+hdio:8192", peers = "all", csv;
+    BenchOptions options;
+    bool json = false;
+};
+
+std::string defaultDataDir()
+{
+    const char* folder = std::getenv("FBRDF_DATA_DIR");
+    return folder && *folder ? folder : "../shared/data";
+}
+
+std::vector<std::string> expanded(const std::vector<std::string>& sources)
+{
+    std::vector<std::string> all;
+    for (const std::string& source : sources)
+        for (const std::string& material : materialsOf(source)) all.push_back(material);
+    return all;
+}
+
+// One material that cannot be read or fitted must not lose the others.
+MaterialScores scoresOrError(const std::string& source, const BenchOptions& options,
+                             Progress& progress)
+{
+    try {
+        return scoreMaterial(source, options, progress);
+    } catch (const Error& error) {
+        return {source, source, {}, oneLine(error.what())};
+    }
+}
+
+int run(BenchFitCommand& command)
+{
+    command.options.contenders = contendersFrom(command.forms, command.peers);
+    command.options.peers.threads = command.options.fit.threads;
+    command.options.peers.seed = command.options.fit.seed;
+    if (!command.csv.empty()) requireWritable(command.csv);
+    Progress progress(true);
+    std::vector<MaterialScores> materials;
+    bool failed = false;
+    for (const std::string& source : expanded(command.sources)) {
+        materials.push_back(scoresOrError(source, command.options, progress));
+        failed = failed || !materials.back().error.empty();
+    }
+    progress.clear();
+    if (!command.csv.empty()) writeWhole(command.csv, benchCsv(materials));
+    writeOut(command.json ? text(benchJson(materials)) : benchText(materials));
+    return failed ? 1 : 0;
+}
+
+}  // namespace
+
+void addBenchFitCommand(CLI::App& app, Action& action)
+{
+    CLI::App* sub =
+        app.add_subcommand("bench-fit", "compare forms and other representations on many sources");
+    const auto command = std::make_shared<BenchFitCommand>();
+    command->options.peers.dataDir = defaultDataDir();
+    sub->add_option("SOURCES", command->sources,
+                    "files or models; a collection FILE or FILE#set stands for all its materials")
+        ->required();
+    sub->add_option("--forms", command->forms,
+                    "our forms, FORM or FORM:BYTES for a budget, separated by commas")
+        ->type_name("F,..")
+        ->capture_default_str();
+    sub->add_option("--peers", command->peers, "names separated by commas, all, or none")
+        ->type_name("P,..")
+        ->capture_default_str();
+    sub->add_option("--data", command->options.peers.dataDir,
+                    "folder of published parameters (merl_fits, npf_merl)")
+        ->type_name("DIR")
+        ->capture_default_str();
+    addFitTuning(*sub, command->options.fit);
+    addCosine(*sub, command->options.source);
+    sub->add_option("--csv", command->csv, "also write a row for each material and contender")
+        ->type_name("FILE");
+    sub->add_flag("--json", command->json, "print one JSON object");
+    sub->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace fbrdf::tool
