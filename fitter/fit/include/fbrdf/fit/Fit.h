@@ -50,10 +50,10 @@ struct FitOptions {
     Metric metric = Metric::log;
     bool robust = true;  ///< Tukey biweight reweighting of scattered samples
     std::optional<double>
-        smoothness;     ///< strength relative to the data, > 0; unset: by held-out error
+        smoothness;       ///< strength relative to the data, > 0; unset: by held-out error
     bool heldOut = true;  ///< measure held-out errors too: a fit of its own
-    uint64_t seed = 1;  ///< of the held-out folds and of the samples taken from functions
-    int threads = 0;    ///< 0: one a core
+    uint64_t seed = 1;    ///< of the held-out folds and of the samples taken from functions
+    int threads = 0;      ///< 0: one a core
     /// R, G and B share the shape of every map and differ by a scale: a third of the bytes.
     bool sharedShape = false;
     std::shared_ptr<FitCache> cache;  ///< may be null
