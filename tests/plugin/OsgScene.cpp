@@ -84,12 +84,17 @@ void OsgView::setView(const gl::View& view)
     viewer_->getCamera()->setProjectionMatrix(osgMatrix(view.projection));
 }
 
-std::vector<float> OsgView::frame()
+void OsgView::draw()
 {
     if (!viewer_->isRealized()) viewer_->realize();
     osg::GLExtensions::Get(window_->getState()->getContextID(), true)
         ->glBindFramebuffer(GL_FRAMEBUFFER, offscreen_.framebuffer());
     viewer_->frame();
+}
+
+std::vector<float> OsgView::frame()
+{
+    draw();
     return offscreen_.readPixels();
 }
 

@@ -34,7 +34,8 @@ public:
     void setView(const gl::View& view);
     osgViewer::Viewer& viewer() { return *viewer_; }
     Offscreen& offscreen() { return offscreen_; }
-    /// RGBA, rows from the bottom.
+    void draw();
+    /// Draws; RGBA, rows from the bottom.
     std::vector<float> frame();
 
 private:

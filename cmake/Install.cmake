@@ -1,0 +1,32 @@
+# What `cmake --install` leaves: libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg).
+# Without components it gives brdf, plan, shaders, runtime and c; io needs OpenImageIO, osg OpenSceneGraph.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(FBRDF_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fbrdf)
+
+# fbrdf_export(SET TARGET...): fbrdf_x becomes fbrdf::x in fbrdfSETTargets.cmake.
+function(fbrdf_export set)
+  foreach(target ${ARGN})
+    string(REGEX REPLACE "^fbrdf_" "" name ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  endforeach()
+  install(TARGETS ${ARGN} EXPORT fbrdf${set}Targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT fbrdf${set}Targets NAMESPACE fbrdf:: DESTINATION ${FBRDF_PACKAGE_DIR})
+endfunction()
+
+fbrdf_export(Core fbrdf_brdf fbrdf_plan fbrdf_shaders fbrdf_runtime fbrdf_c)
+fbrdf_export(Io fbrdf_io)
+if(TARGET osgFbrdf)
+  fbrdf_export(Osg osgFbrdf fbrdf_osg)
+endif()
+foreach(part brdf io plan shaders gl)
+  install(DIRECTORY runtime/${part}/include/fbrdf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endforeach()
+
+configure_package_config_file(cmake/fbrdfConfig.cmake.in ${CMAKE_BINARY_DIR}/fbrdfConfig.cmake
+  INSTALL_DESTINATION ${FBRDF_PACKAGE_DIR})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/fbrdfConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/fbrdfConfig.cmake ${CMAKE_BINARY_DIR}/fbrdfConfigVersion.cmake
+  DESTINATION ${FBRDF_PACKAGE_DIR})
