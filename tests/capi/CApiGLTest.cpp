@@ -174,6 +174,8 @@ TEST_P(CApiGL, FaultsAreResultsAndLogLines)
     for (const int diagonal : {0, 5, 10, 15})
         draw.view[diagonal] = draw.projection[diagonal] = 1.0f;
     EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    draw.struct_size = offsetof(fbrdf_draw_desc, max_lights);  // an older caller's
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
     draw.item_count = 1;
     EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_ARGUMENT);
     fbrdf_item item{};

@@ -97,6 +97,27 @@ TEST_P(State, MakingThingsPutsBackWhatItFindsAndIsNotDisturbedByIt)
     }
 }
 
+TEST_P(State, ListsOfLightsPutBackWhatTheyFind)
+{
+    const auto mesh = renderer_->createMesh(knotMesh(48, 8));
+    const auto material = renderer_->createMaterial(testMaterials()[4]);
+    Offscreen offscreen = makeOffscreen(kSize);
+    gl::DrawOptions options;
+    options.clustered = true;
+    const auto draw = [&] {
+        renderer_->draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                        {{material.get(), mesh.get()}}, testLights(12), options);
+    };
+    std::vector<float> expected;
+    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+        offscreen.clear();
+        expectKept(seed, draw);  // the first also makes the buffers
+        const auto pixels = offscreen.readPixels();
+        if (seed == 0) expected = pixels;
+        ASSERT_EQ(pixels, expected) << "seed " << seed;
+    }
+}
+
 TEST_P(State, PreparingPutsBackWhatItFinds)
 {
     const auto material = renderer_->createMaterial(testMaterials()[0]);

@@ -9,6 +9,9 @@ using namespace fbrdf::capi;
 
 namespace {
 
+// What version 0.1 began with; fields after it are younger.
+constexpr size_t kFirstDraw = offsetof(fbrdf_draw_desc, max_lights);
+
 /// Element `index` of a caller's array, whose elements may be of another version.
 template <class T>
 T elementAt(const T* array, uint32_t size, size_t index)
@@ -66,6 +69,8 @@ fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
     options.technique = enumerator(desc.technique, fbrdf::Technique::twoLookup, "technique");
     options.lightsPerPass = countOf(desc.lights_per_pass, 8, "lights_per_pass");
     options.maxLookups = countOf(desc.max_lookups, 0, "max_lookups");
+    options.maxLights = countOf(desc.max_lights, 0, "max_lights");
+    options.clustered = desc.clustered != 0;
     return options;
 }
 
@@ -87,6 +92,7 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.lights_given = count(from.lightsGiven);
     stats.lights_used = count(from.lightsUsed);
     stats.lights_dropped = count(from.lightsDropped);
+    stats.lights_culled = count(from.lightsCulled);
     stats.max_lookups = count(from.maxLookups);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
     std::memcpy(to, &stats, std::min<size_t>(to->struct_size, sizeof stats));
@@ -99,7 +105,7 @@ fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
 {
     return guarded(renderer ? &renderer->shared->log : nullptr, [&] {
         Shared& shared = *required(renderer, "renderer").shared;
-        const fbrdf_draw_desc known = descriptor(desc, sizeof *desc, "draw");
+        const fbrdf_draw_desc known = descriptor(desc, kFirstDraw, "draw");
         if (stats && stats->struct_size < offsetof(fbrdf_draw_stats, draw_calls))
             throw Failure(FBRDF_ERROR_VERSION, "stats: found struct_size " +
                                                    std::to_string(stats->struct_size) +

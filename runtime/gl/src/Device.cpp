@@ -62,6 +62,7 @@ Capabilities detected(const Functions& gl)
     c.floatTextures = gl3 || gl.ARB_texture_float;
     c.floatTargets = gl3 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
     c.vertexArrays = gl3 || gl.ARB_vertex_array_object;
+    c.bufferTextures = gl.version >= 31;
     c.debug = (gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup && gl.PopDebugGroup &&
               gl.ObjectLabel;
     return c;
@@ -73,6 +74,7 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     wanted.framebufferObjects = wanted.framebufferObjects && found.framebufferObjects;
     wanted.vertexArrays = wanted.vertexArrays && found.vertexArrays;
     wanted.debug = wanted.debug && found.debug;
+    wanted.bufferTextures = wanted.bufferTextures && found.bufferTextures && wanted.glsl >= 140;
     wanted.coreProfile = found.coreProfile;
     return wanted;
 }
@@ -105,6 +107,8 @@ DevicePtr createDevice(const RendererOptions& options)
     device->capabilities.debug = device->capabilities.debug && options.debugLabels;
     device->logTo = options.log;
     device->state = options.state;
+    if (device->gl.version >= 31)
+        device->maxBufferTexels = integer(device->gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     if (device->gl.version >= 30) device->drawBuffers = integer(device->gl, GL_MAX_DRAW_BUFFERS);
     device->renderer = text(device->gl, GL_RENDERER);
     device->version = text(device->gl, GL_VERSION);

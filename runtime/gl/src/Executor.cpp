@@ -17,8 +17,10 @@ std::vector<LightVectors> lightVectors(const std::vector<Light>& lights, const V
     return vectors;
 }
 
-int Executor::draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs)
+int Executor::draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs,
+                   const std::vector<LightVectors>& lights)
 {
+    lights_ = &lights;
     program_ = nullptr;
     int maxLookups = 0;
     bool offscreenCleared = false;
@@ -39,10 +41,12 @@ int Executor::draw(const Item& item, const Plan& plan, const std::vector<const P
         if (program.readUnit >= 0)
             state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_.texture(*pass.reads));
         setLights(pass, program);
+        setScissor(pass);
         item.mesh->draw();
-        maxLookups =
-            std::max(maxLookups, program.lookups.once + program.lookups.perLight * pass.lightCount);
+        maxLookups = std::max(
+            maxLookups, program.lookups.once + program.lookups.perLight * lightsOf(pass, program));
     }
+    state_.setScissor(nullptr);
     return maxLookups;
 }
 
@@ -113,8 +117,45 @@ void Executor::setLights(const Pass& pass, const Program& program)
 {
     if (program.lights >= 0 && pass.lightCount > 0)
         gl_.Uniform4fv(program.lights, kVectorsPerLight * pass.lightCount,
-                       glm::value_ptr(frame_.lights[static_cast<size_t>(pass.firstLight)].front()));
-    if (program.lightCount >= 0) gl_.Uniform1i(program.lightCount, pass.lightCount);
+                       glm::value_ptr((*lights_)[static_cast<size_t>(pass.firstLight)].front()));
+    if (program.clusters.listsUnit >= 0)
+        setClusters(program);
+    else if (program.lightCount >= 0)
+        gl_.Uniform1i(program.lightCount, pass.lightCount);
+}
+
+void Executor::setClusters(const Program& program)
+{
+    const LightClusters& clusters = *frame_.clusters;
+    const ClusterGrid& grid = clusters.grid;
+    const int units[] = {program.clusters.lightsUnit, program.clusters.indicesUnit,
+                         program.clusters.listsUnit};
+    for (int i = 0; i < ClusterBuffers::count; ++i)
+        state_.bindTexture(units[i], GL_TEXTURE_BUFFER,
+                           frame_.clusterBuffers->texture(static_cast<ClusterBuffers::Which>(i)));
+    gl_.Uniform3i(program.clusters.grid, grid.columns, grid.rows, grid.slices);
+    gl_.Uniform4f(program.clusters.scale,
+                  static_cast<float>(grid.columns) / static_cast<float>(frame_.target.width),
+                  static_cast<float>(grid.rows) / static_cast<float>(frame_.target.height),
+                  clusters.sliceScale, clusters.sliceBias);
+    gl_.Uniform1i(program.lightCount, clusters.everywhere);
+}
+
+int Executor::lightsOf(const Pass& pass, const Program& program) const
+{
+    return program.clusters.listsUnit >= 0 ? frame_.clusters->longest : pass.lightCount;
+}
+
+// Only a pass that adds may leave pixels out: another lays depth, replaces or multiplies.
+void Executor::setScissor(const Pass& pass)
+{
+    PixelRect rect{0, 0, frame_.target.width, frame_.target.height};
+    const PixelRect whole = rect;
+    if (pass.lit && pass.lightCount == 1 && pass.blend == Blend::add && !pass.reads)
+        rect = pixelBounds((*lights_)[static_cast<size_t>(pass.firstLight)],
+                           glm::dmat4(frame_.view.projection), whole.width, whole.height);
+    const bool isWhole = rect.width == whole.width && rect.height == whole.height;
+    state_.setScissor(isWhole ? nullptr : &rect);
 }
 
 }  // namespace fbrdf::gl

@@ -1,5 +1,6 @@
 // Executor.h - carries out a plan for one item.
 #pragma once
+#include "ClusterBuffers.h"
 #include "Mesh.h"
 #include "Program.h"
 #include "StateGuard.h"
@@ -20,7 +21,8 @@ struct Frame {
     Target target;
     View view;
     glm::vec4 eye{0.0f};
-    std::vector<LightVectors> lights;
+    const LightClusters* clusters = nullptr;  ///< where lights are in lists
+    const ClusterBuffers* clusterBuffers = nullptr;
 };
 
 class Executor {
@@ -30,8 +32,10 @@ public:
     {
     }
 
-    /// programs: one for each pass. Returns the look-ups of the most expensive pass.
-    int draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs);
+    /// programs: one for each pass. lights: of this item, as the plan counts them; unused where
+    /// they are in lists. Returns the look-ups of the most expensive pass.
+    int draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs,
+             const std::vector<LightVectors>& lights);
 
 private:
     void bindSurface(const Pass& pass);
@@ -41,13 +45,17 @@ private:
     void setMatrices(const Item& item, const Program& program);
     void bindTables(const GpuMaterial& material, const Program& program);
     void setLights(const Pass& pass, const Program& program);
+    void setClusters(const Program& program);
+    void setScissor(const Pass& pass);
+    int lightsOf(const Pass& pass, const Program& program) const;
 
     const Device& device_;
     const Functions& gl_;
     const Frame& frame_;
     const Surfaces& surfaces_;
     StateGuard& state_;
-    const Program* program_ = nullptr;  ///< in use, with the item's uniforms set
+    const std::vector<LightVectors>* lights_ = nullptr;  ///< of the item
+    const Program* program_ = nullptr;                   ///< in use, with the item's uniforms set
 };
 
 }  // namespace fbrdf::gl

@@ -36,6 +36,18 @@ void check(const MeshData& mesh)
                  std::to_string(count));
 }
 
+/// About the middle of the box around the positions.
+Sphere boundsOf(const MeshData& mesh)
+{
+    Vec3f low = mesh.positions.front(), high = low;
+    for (const Vec3f& position : mesh.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    const Vec3f centre = 0.5f * (low + high);
+    return {centre, glm::distance(centre, high)};
+}
+
 const void* offset(size_t bytes)
 {
     return reinterpret_cast<const void*>(bytes);
@@ -49,6 +61,7 @@ GpuMesh::GpuMesh(DevicePtr device, const MeshData& mesh) : device_(std::move(dev
     indexCount_ = static_cast<GLsizei>(mesh.indices.size());
     vertexCount_ = mesh.positions.size();
     hasTangents_ = !mesh.tangents.empty();
+    bounds_ = boundsOf(mesh);
     upload(mesh);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 #include "Objects.h"
 
+#include <fbrdf/plan/LightSelection.h>
+
 #include <vector>
 
 namespace fbrdf::gl {
@@ -15,6 +17,7 @@ public:
 
     const Device* device() const { return device_.get(); }
     bool hasTangents() const { return hasTangents_; }
+    const Sphere& bounds() const { return bounds_; }  ///< object space
     /// Draws between bind and unbind of a MeshBinding.
     void draw() const;
 
@@ -28,6 +31,7 @@ private:
     GLsizei indexCount_ = 0;
     size_t vertexCount_ = 0;
     bool hasTangents_ = false;
+    Sphere bounds_;
 };
 
 /// Makes a mesh the vertex input for its lifetime. Vertex array and array buffer are the caller's

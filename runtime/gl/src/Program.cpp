@@ -49,7 +49,7 @@ Object compiled(const DevicePtr& device, GLenum stage, const std::string& source
 bool isSampler(GLenum type)
 {
     return type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_1D ||
-           type == GL_SAMPLER_CUBE;
+           type == GL_SAMPLER_CUBE || type == GL_SAMPLER_BUFFER || type == GL_INT_SAMPLER_BUFFER;
 }
 
 std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
@@ -73,6 +73,7 @@ std::string keyOf(const ProgramSpec& spec)
 {
     std::string key = (spec.lit ? "l" : "u") + std::to_string(spec.lightSlots);
     if (spec.reads) key += 'r';
+    if (spec.clustered) key += 'c';
     key += static_cast<char>('0' + static_cast<int>(spec.transfer));
     for (const Part& part : spec.parts) {
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
@@ -164,6 +165,9 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
     result->lightCount = location("fbrdfLightCount");
     result->readScale = location("fbrdfReadScale");
     result->readUnit = unitOf("fbrdfRead");
+    result->clusters = {unitOf("fbrdfLightBuffer"), unitOf("fbrdfLightIndices"),
+                        unitOf("fbrdfLightLists"), location("fbrdfClusterGrid"),
+                        location("fbrdfClusterScale")};
     result->material = findUniforms(material, program);
     for (size_t i = 0; i < material.tables().size(); ++i)
         result->tableUnits.push_back(unitOf("fbrdfTable" + std::to_string(i)));

@@ -20,6 +20,10 @@ struct Program {
     GLint modelView = -1, projection = -1, eye = -1;
     GLint lights = -1, lightCount = -1, readScale = -1;
     int readUnit = -1;  ///< texture unit (from the device's first) of the surface that is read
+    struct ClusterUniforms {
+        int lightsUnit = -1, indicesUnit = -1, listsUnit = -1;
+        GLint grid = -1, scale = -1;
+    } clusters;
     MaterialUniforms material;
     std::vector<int> tableUnits;  ///< of each table of the form, as readUnit
     LookupCount lookups;          ///< counted from what the linker left active

@@ -52,14 +52,36 @@ std::vector<Light> usableLights(const std::vector<Light>& lights, const Target& 
     return used;
 }
 
+/// What one call of draw() is about.
+struct DrawRequest {
+    const Target& target;
+    const DrawOptions& options;
+    TargetInfo info;
+    std::vector<Light> lights;          ///< the valid ones, exposed
+    std::vector<LightVectors> vectors;  ///< of each, in eye space
+    bool clustered = false;
+};
+
+/// A matrix stretches nothing by more than its Frobenius norm.
+Sphere worldBounds(const Item& item)
+{
+    const Sphere& bounds = item.mesh->bounds();
+    const glm::dmat3 linear(item.model);
+    const double norm = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
+                                  glm::dot(linear[2], linear[2]));
+    return {Vec3f(glm::dmat4(item.model) * glm::dvec4(Vec3d(bounds.centre), 1.0)),
+            static_cast<float>(norm * static_cast<double>(bounds.radius) * (1.0 + 1e-6))};
+}
+
 }  // namespace
 
 struct Renderer::State {
     DevicePtr device;
     ProgramCache programs;
     Surfaces surfaces;
+    ClusterBuffers clusterBuffers;
 
-    explicit State(DevicePtr d) : device(d), programs(d), surfaces(d) {}
+    explicit State(DevicePtr d) : device(d), programs(d), surfaces(d), clusterBuffers(d) {}
 
     void checkAlive() const
     {
@@ -75,12 +97,16 @@ struct Renderer::State {
                 target.transfer};
     }
 
-    std::vector<const Program*> programsOf(const GpuMaterial& material, const Plan& plan)
+    std::vector<const Program*> programsOf(const GpuMaterial& material, const Plan& plan,
+                                           bool clustered)
     {
         const int maxLights = maxLightsInUniforms(material.form(), device->capabilities);
         std::vector<const Program*> result;
-        for (const Pass& pass : plan.passes)
-            result.push_back(&programs.find(material, programSpec(pass, maxLights)));
+        for (const Pass& pass : plan.passes) {
+            ProgramSpec spec = programSpec(pass, maxLights);
+            spec.clustered = clustered && pass.lit;
+            result.push_back(&programs.find(material, spec));
+        }
         return result;
     }
 
@@ -115,21 +141,54 @@ struct Renderer::State {
             fail("found a singular model matrix, expected an invertible one");
     }
 
-    void drawItem(Executor& executor, const Item& item, const PlanRequest& wanted,
-                  const Target& target, DrawStats& stats)
+    /// The lights of one item, as its plan counts them; with lists one stands for all.
+    std::vector<LightVectors> lightsOf(const Item& item, const DrawRequest& draw, DrawStats& stats)
+    {
+        if (draw.clustered) return {draw.vectors.begin(), draw.vectors.begin() + 1};
+        const LightSelection selection =
+            selectLights(draw.lights, worldBounds(item), draw.options.maxLights);
+        stats.lightsCulled += selection.culled;
+        stats.lightsDropped =
+            std::max(stats.lightsDropped,
+                     stats.lightsGiven - static_cast<int>(draw.lights.size()) + selection.dropped);
+        std::vector<LightVectors> vectors;
+        for (const int i : selection.lights)
+            vectors.push_back(draw.vectors[static_cast<size_t>(i)]);
+        return vectors;
+    }
+
+    void drawItem(Executor& executor, const Item& item, const DrawRequest& draw, DrawStats& stats)
     {
         checkItem(item);
         const DebugGroup group(*device, "fbrdf item " + item.material->name());
         if (!isIsotropic(item.material->form()) && !item.mesh->hasTangents())
             device->logOnce(Severity::warning, "material '" + item.material->name() +
                                                    "' is anisotropic, the mesh has no tangents");
-        const Plan plan = planFor(*item.material, wanted, &target);
-        const auto passPrograms = programsOf(*item.material, plan);
-        stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, plan, passPrograms));
+        const auto lights = lightsOf(item, draw, stats);
+        const Plan plan = planFor(*item.material,
+                                  request(draw.options, static_cast<int>(lights.size()), draw.info),
+                                  &draw.target);
+        const auto passPrograms = programsOf(*item.material, plan, draw.clustered);
+        stats.maxLookups =
+            std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
         const int passes = static_cast<int>(plan.passes.size());
         if (passes > stats.passes) stats.accumulation = colourFormatName(plan.accumulation);
         stats.passes = std::max(stats.passes, passes);
         stats.drawCalls += passes;
+    }
+
+    /// Whether lights go into lists: asked for, possible, and there are any.
+    bool isClustered(const DrawOptions& options, size_t lights)
+    {
+        if (!options.clustered || lights == 0) return false;
+        const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
+                              options.maxLights == 0 && device->capabilities.bufferTextures;
+        if (!possible)
+            device->logOnce(
+                Severity::warning,
+                "found lists of lights asked for, expected OpenGL 3.1, technique single "
+                "and no limits: drawing without");
+        return possible;
     }
 };
 
@@ -181,7 +240,7 @@ void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, 
         material,
         state_->request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}),
         nullptr);
-    state_->programsOf(material, plan);
+    state_->programsOf(material, plan, state_->isClustered(options, static_cast<size_t>(lights)));
 }
 
 DrawStats Renderer::draw(const Target& target, const View& view, const std::vector<Item>& items,
@@ -191,24 +250,35 @@ DrawStats Renderer::draw(const Target& target, const View& view, const std::vect
     const Device& device = *state_->device;
     checkTarget(device, target);
     checkView(view);
-    const std::vector<Light> used = usableLights(lights, target);
-    const Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection))),
-                      lightVectors(used, view)};
+    DrawRequest request{target, options, {}, usableLights(lights, target), {}};
+    request.vectors = lightVectors(request.lights, view);
     DrawStats stats;
     stats.lightsGiven = static_cast<int>(lights.size());
-    stats.lightsUsed = static_cast<int>(used.size());
+    stats.lightsUsed = static_cast<int>(request.lights.size());
     stats.lightsDropped = stats.lightsGiven - stats.lightsUsed;
 
     StateGuard guard(device);
     const DebugGroup group(device, "fbrdf draw");
     guard.setTarget(target);
-    const PlanRequest wanted =
-        state_->request(options, stats.lightsUsed, targetInfo(device, target));
-    validate(wanted);
+    request.info = targetInfo(device, target);
+    validate(state_->request(options, stats.lightsUsed, request.info));
+    if (options.maxLights < 0)
+        throw Error(ErrorKind::usage, "draw",
+                    "found a limit of " + std::to_string(options.maxLights) +
+                        " lights, expected 0 (none) or more");
+    Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
+    LightClusters clusters;
+    request.clustered = state_->isClustered(options, request.lights.size());
+    if (request.clustered) {
+        clusters = lightClusters(request.vectors, glm::dmat4(view.projection));
+        state_->clusterBuffers.update(clusters);
+        frame.clusters = &clusters;
+        frame.clusterBuffers = &state_->clusterBuffers;
+    }
     Executor executor(device, frame, state_->surfaces, guard);
     for (const Item& item : items) {
         try {
-            state_->drawItem(executor, item, wanted, target, stats);
+            state_->drawItem(executor, item, request, stats);
         } catch (const Error& error) {
             ++stats.itemsFailed;
             state_->device->logOnce(Severity::error, error.what());

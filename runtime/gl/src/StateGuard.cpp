@@ -202,6 +202,8 @@ void StateGuard::restoreFixed() const
     setFirst(gl_, GL_BLEND, blend_, 30);
     set(gl_, GL_DEPTH_TEST, depthTest_);
     setFirst(gl_, GL_SCISSOR_TEST, scissor_, 41);
+    if (scissorSet_ && mode_ == StateMode::restore)
+        setScissorBox({scissorBox_[0], scissorBox_[1], scissorBox_[2], scissorBox_[3]});
     gl_.DepthFunc(enumOf(depthFunction_));
     gl_.DepthMask(depthMask_);
     gl_.ClearDepth(clearDepth_);
@@ -244,7 +246,27 @@ void StateGuard::setTarget(const Target& target)
 StateGuard::SavedUnit StateGuard::savedUnit(GLenum name) const
 {
     return {name, integer(gl_, GL_TEXTURE_BINDING_2D), integer(gl_, GL_TEXTURE_BINDING_3D),
+            gl_.version >= 31 ? integer(gl_, GL_TEXTURE_BINDING_BUFFER) : 0,
             gl_.version >= 33 ? integer(gl_, GL_SAMPLER_BINDING) : 0};
+}
+
+void StateGuard::setScissor(const PixelRect* rect)
+{
+    setFirst(gl_, GL_SCISSOR_TEST, rect != nullptr, 41);
+    if (!rect) return;
+    if (!scissorSet_ && mode_ == StateMode::restore)
+        gl_.version >= 41 ? gl_.GetIntegeri_v(GL_SCISSOR_BOX, 0, scissorBox_)
+                          : gl_.GetIntegerv(GL_SCISSOR_BOX, scissorBox_);
+    scissorSet_ = true;
+    setScissorBox({rect->x, rect->y, rect->width, rect->height});
+}
+
+void StateGuard::setScissorBox(const PixelRect& box) const
+{
+    if (gl_.version >= 41)
+        gl_.ScissorIndexed(0, box.x, box.y, box.width, box.height);
+    else
+        gl_.Scissor(box.x, box.y, box.width, box.height);
 }
 
 void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
@@ -265,6 +287,7 @@ void StateGuard::restoreTextures() const
         gl_.ActiveTexture(saved.unit);
         gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(saved.texture2d));
         gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(saved.texture3d));
+        if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(saved.textureBuffer));
         if (gl_.version >= 33) gl_.BindSampler(saved.unit - GL_TEXTURE0, unsignedOf(saved.sampler));
     }
     gl_.ActiveTexture(enumOf(activeTexture_));

@@ -3,6 +3,8 @@
 #pragma once
 #include "Device.h"
 
+#include <fbrdf/plan/LightClusters.h>
+
 #include <vector>
 
 namespace fbrdf::gl {
@@ -20,13 +22,15 @@ public:
 
     /// Binds the target's framebuffer and makes the viewport all of it.
     void setTarget(const Target& target);
+    /// Limits drawing to the pixels given; nullptr: to nothing but the viewport.
+    void setScissor(const PixelRect* rect);
     /// Binds to a unit (counted from the device's first), saving what was there at first touch.
     void bindTexture(int unit, GLenum target, GLuint texture);
 
 private:
     struct SavedUnit {
         GLenum unit = 0;
-        GLint texture2d = 0, texture3d = 0, sampler = 0;
+        GLint texture2d = 0, texture3d = 0, textureBuffer = 0, sampler = 0;
     };
     void saveBindings();
     void saveFixed();
@@ -35,6 +39,7 @@ private:
     void setFixed();
     void restoreFixed() const;
     void restoreDepthRangeAndViewport() const;
+    void setScissorBox(const PixelRect& box) const;
     SavedUnit savedUnit(GLenum name) const;  ///< of the active unit
     void restoreTextures() const;
 
@@ -53,6 +58,8 @@ private:
           clampColour_ = GL_FIXED_ONLY, clipOrigin_ = GL_LOWER_LEFT,
           clipDepth_ = GL_NEGATIVE_ONE_TO_ONE;
     GLfloat viewport_[4] = {};
+    GLint scissorBox_[4] = {};
+    bool scissorSet_ = false;  ///< the box was changed
     GLdouble depthRange_[2] = {0.0, 1.0}, clearDepth_ = 1.0;
     GLboolean depthMask_ = GL_TRUE;
     bool blend_ = false, depthTest_ = false, scissor_ = false;

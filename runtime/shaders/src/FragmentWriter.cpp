@@ -241,9 +241,11 @@ std::string lightLines(const FragmentContext& c, const std::string& index,
                        const std::string& indent)
 {
     const bool local = needsLocalFrame(c);
-    std::string text =
-        indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(fbrdfLights[" + index +
-        "], fbrdfLights[" + index + " + 1], fbrdfLights[" + index + " + 2], fbrdfPosition, wi);\n";
+    std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(";
+    for (const char* const k : {"", " + 1", " + 2"})
+        text += (c.spec.clustered ? "texelFetch(fbrdfLightBuffer, " + index + k + "), "
+                                  : "fbrdfLights[" + index + k + "], ");
+    text += "fbrdfPosition, wi);\n";
     if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
     return text + indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n") +
            pairLines(c, indent);
@@ -264,6 +266,18 @@ std::string litLines(const FragmentContext& c, const std::string& indent)
     return text + indent + "}\n";
 }
 
+/// Lights that reach everywhere, then those of the fragment's list.
+std::string clusteredLoop(const FragmentContext& c)
+{
+    return "    ivec2 list = fbrdfLightList(gl_FragCoord.xy, -fbrdfPosition.z);\n"
+           "    for (int i = 0; i < fbrdfLightCount + list.y; ++i) {\n"
+           "        int light = " +
+           std::to_string(kVectorsPerLight) +
+           " * (i < fbrdfLightCount ? i\n"
+           "            : texelFetch(fbrdfLightIndices, list.x + i - fbrdfLightCount).r);\n" +
+           lightLines(c, "light", "        ") + litLines(c, "        ") + "    }\n";
+}
+
 std::string litBody(const FragmentContext& c)
 {
     std::string text, total;
@@ -272,7 +286,9 @@ std::string litBody(const FragmentContext& c)
         text += "    vec3 sum" + k + " = vec3(0.0);\n";
         total += (p ? " + product" : "product") + k + " * sum" + k;
     }
-    if (c.spec.lightSlots == 1)
+    if (c.spec.clustered)
+        text += clusteredLoop(c);
+    else if (c.spec.lightSlots == 1)
         text += lightLines(c, "0", "    ") + litLines(c, "    ");
     else
         text += "    for (int i = 0; i < fbrdfLightCount; ++i) {\n" +
@@ -334,10 +350,11 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert("uniform sampler2D fbrdfRead;\n");
         lines.insert("uniform vec2 fbrdfReadScale;\n");
     }
-    if (dependsOnLight(c))
+    if (dependsOnLight(c) && !c.spec.clustered)
         lines.insert("uniform vec4 fbrdfLights[" +
                      std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
-    if (c.spec.lit && c.spec.lightSlots > 1) lines.insert("uniform int fbrdfLightCount;\n");
+    if (c.spec.lit && (c.spec.clustered || c.spec.lightSlots > 1))
+        lines.insert("uniform int fbrdfLightCount;\n");
     std::string text;
     for (const std::string& line : lines) text += line;
     return text;

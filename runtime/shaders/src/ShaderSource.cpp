@@ -79,7 +79,7 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
                       "projection.glsl", "lights.glsl", "transfer.glsl"}) +
-           uniforms + mainFunction(context);
+           (spec.clustered ? joined({"clusters.glsl"}) : "") + uniforms + mainFunction(context);
 }
 
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,

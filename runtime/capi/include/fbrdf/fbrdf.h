@@ -180,6 +180,8 @@ typedef struct fbrdf_draw_desc {
     uint32_t technique;       /* fbrdf_technique */
     uint32_t lights_per_pass; /* FBRDF_BATCHED; 0: 8 */
     uint32_t max_lookups;     /* in any pass; 0: what the technique says */
+    uint32_t max_lights;      /* of one item, the strongest; 0: no limit */
+    uint32_t clustered;       /* 1: lists of lights for each part of the view */
 } fbrdf_draw_desc;
 
 typedef struct fbrdf_draw_stats {
@@ -187,7 +189,8 @@ typedef struct fbrdf_draw_stats {
     uint32_t passes, draw_calls, items_failed;
     uint32_t lights_given, lights_used, lights_dropped;
     uint32_t max_lookups;
-    char accumulation[16]; /* "RGBA32F", ... */
+    char accumulation[16];  /* "RGBA32F", ... */
+    uint32_t lights_culled; /* do not reach an item, summed over items */
 } fbrdf_draw_stats;
 
 /* stats may be NULL. FBRDF_OK although items were left out: they are counted and logged. */

@@ -17,7 +17,8 @@ struct Capabilities {
     bool floatTextures = false;  ///< half and float textures, linearly filtered
     bool floatTargets = false;   ///< RGBA32F is renderable and blendable
     bool vertexArrays = false;
-    bool debug = false;  ///< KHR_debug: labels and groups
+    bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
+    bool debug = false;           ///< KHR_debug: labels and groups
 };
 
 }  // namespace fbrdf

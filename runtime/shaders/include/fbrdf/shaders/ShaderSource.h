@@ -34,6 +34,9 @@ struct ProgramSpec {
     int lightSlots = 0;  ///< lights that fbrdfLights has room for; 0: nothing depends on the light
     bool lit = false, reads = false;
     Transfer transfer = Transfer::linear;
+    bool clustered =
+        false;  ///< lights come from the list of the fragment's cluster (clusters.glsl),
+                ///< the first fbrdfLightCount of them in every list; GLSL 1.40
 };
 
 /// The program of a pass; lightSlots becomes a power of 8 or so, so that a changed number of lights

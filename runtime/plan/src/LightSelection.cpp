@@ -1,0 +1,37 @@
+#include <fbrdf/plan/LightSelection.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fbrdf {
+
+double strongestIrradiance(const Light& light, const Sphere& bounds)
+{
+    const double mean = glm::dot(Vec3d(light.intensity), Vec3d(1.0)) / 3.0;
+    if (light.type == Light::Type::directional) return mean;
+    const double distance = std::max(
+        0.0, glm::distance(Vec3d(light.position), Vec3d(bounds.centre)) - double(bounds.radius));
+    return mean * falloff(distance * distance, double(light.radius));
+}
+
+LightSelection selectLights(const std::vector<Light>& lights, const Sphere& bounds, int most)
+{
+    LightSelection selection;
+    std::vector<std::pair<double, int>> reaching;
+    for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+        const double irradiance = strongestIrradiance(lights[static_cast<size_t>(i)], bounds);
+        if (irradiance != 0.0)
+            reaching.emplace_back(-irradiance, i);
+        else
+            ++selection.culled;
+    }
+    if (most > 0) std::sort(reaching.begin(), reaching.end());  // equal ones in the order given
+    if (most > 0 && reaching.size() > static_cast<size_t>(most)) {
+        selection.dropped = static_cast<int>(reaching.size()) - most;
+        reaching.resize(static_cast<size_t>(most));
+    }
+    for (const auto& [irradiance, index] : reaching) selection.lights.push_back(index);
+    return selection;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,169 @@
+// Many lights: lists, culling, scissor and caps against all lights in one pass.
+#include <fbrdf/brdf/Error.h>
+
+#include <gtest/gtest.h>
+
+#include "support/gl/CompareImages.h"
+#include "support/gl/GlTest.h"
+#include "support/gl/Hooks.h"
+#include "support/gl/Scenes.h"
+
+#include <random>
+
+namespace fbrdf::test {
+namespace {
+
+constexpr int kSize = 48;
+// The same terms in another order.
+constexpr double kOrder = 1e-4;
+
+/// Small lights near the surface of what is drawn, a few of them without a radius.
+std::vector<Light> smallLights(int count)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-1.3f, 1.3f), radius(0.2f, 0.8f);
+    std::vector<Light> lights = testLights(count);
+    for (size_t i = 0; i < lights.size(); ++i) {
+        if (i % 16 == 0 || lights[i].type == Light::Type::directional) continue;
+        lights[i].position = {place(random), place(random), place(random)};
+        lights[i].radius = radius(random);
+        lights[i].intensity *= 0.02f;
+    }
+    return lights;
+}
+
+class ManyLights : public GlTest {
+protected:
+    struct Drawn {
+        std::vector<float> pixels;
+        gl::DrawStats stats;
+    };
+    Drawn draw(gl::Renderer& renderer, const std::vector<Light>& lights,
+               const gl::DrawOptions& options, const gl::View& view = perspectiveView())
+    {
+        const auto material = renderer.createMaterial(testMaterials()[0]);
+        const auto mesh = renderer.createMesh(knotMesh(48, 8));
+        Offscreen offscreen = makeOffscreen(kSize);
+        Drawn drawn;
+        drawn.stats = renderer.draw({offscreen.framebuffer(), kSize, kSize}, view,
+                                    {{material.get(), mesh.get()}}, lights, options);
+        drawn.pixels = offscreen.readPixels();
+        return drawn;
+    }
+    bool hasLists() const { return !GetParam().legacy; }
+};
+
+TEST_P(ManyLights, ListsDrawWhatOnePassDraws)
+{
+    gl::Renderer renderer = makeRenderer();
+    gl::DrawOptions clustered;
+    clustered.clustered = true;
+    for (const gl::View& view : {perspectiveView(), orthographicView()})
+        for (const int count : {1, 7, 200}) {
+            const auto lights = smallLights(count);
+            const Drawn plain = draw(renderer, lights, {}, view),
+                        listed = draw(renderer, lights, clustered, view);
+            const auto difference = compareImages(listed.pixels, plain.pixels);
+            EXPECT_TRUE(difference.comparable);
+            EXPECT_LE(difference.maxRelative, kOrder) << describe(difference) << " of " << count;
+            EXPECT_EQ(listed.stats.lightsUsed, count);
+            EXPECT_TRUE(count < 200 || !hasLists() || listed.stats.maxLookups < 2 * 150);
+        }
+    EXPECT_EQ(log.empty(), hasLists());
+}
+
+TEST_P(ManyLights, ListsHoldMoreThanUniforms)
+{
+    if (!hasLists()) GTEST_SKIP() << "lists need OpenGL 3.1";
+    gl::RendererOptions options = rendererOptions();
+    options.capabilities = makeRenderer().capabilities();
+    options.capabilities->maxUniformVectors = 64;
+    gl::Renderer renderer(options);
+    gl::DrawOptions clustered;
+    clustered.clustered = true;
+    const Drawn listed = draw(renderer, smallLights(500), clustered),
+                passes = draw(renderer, smallLights(500), {});
+    EXPECT_EQ(listed.stats.passes, 1);
+    EXPECT_GT(passes.stats.passes, 5);
+    EXPECT_LE(compareImages(listed.pixels, passes.pixels).maxRelative, kOrder);
+}
+
+TEST_P(ManyLights, NewLightsMakeNoObjectsAndNoPrograms)
+{
+    if (!hasLists()) GTEST_SKIP() << "lists need OpenGL 3.1";
+    Hooks hooks(context().loader());
+    gl::RendererOptions options = rendererOptions();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    gl::Renderer renderer(options);
+    const auto material = renderer.createMaterial(testMaterials()[0]);
+    const auto mesh = renderer.createMesh(knotMesh(48, 8));
+    Offscreen offscreen = makeOffscreen(kSize);
+    gl::DrawOptions clustered;
+    clustered.clustered = true;
+    int made = 0;
+    for (const int count : {300, 10, 299, 1, 150}) {
+        renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                      {{material.get(), mesh.get()}}, smallLights(count), clustered);
+        if (made == 0) made = hooks.made;
+        EXPECT_EQ(hooks.made, made) << count;
+    }
+    EXPECT_GT(made, 0);
+}
+
+TEST_P(ManyLights, ScissoredPassesDrawWhatOnePassDraws)
+{
+    gl::Renderer renderer = makeRenderer();
+    const auto lights = smallLights(60);
+    gl::DrawOptions options;
+    options.technique = Technique::twoLookup;
+    for (const gl::View& view : {perspectiveView(), orthographicView()})
+        EXPECT_LE(compareImages(draw(renderer, lights, options, view).pixels,
+                                draw(renderer, lights, {}, view).pixels)
+                      .maxRelative,
+                  kOrder);
+}
+
+TEST_P(ManyLights, WhatDoesNotReachAnItemIsCulledAndCounted)
+{
+    gl::Renderer renderer = makeRenderer();
+    auto lights = testLights(4);
+    for (Light& light : lights) light.radius = 0.0f;
+    const Drawn before = draw(renderer, lights, {});
+    for (int i = 0; i < 100; ++i) {
+        Light far;
+        far.position = {50.0f + static_cast<float>(i), 0.0f, 0.0f};
+        far.radius = 3.0f;
+        lights.push_back(far);
+    }
+    const Drawn after = draw(renderer, lights, {Technique::twoLookup, 8, 0});
+    EXPECT_EQ(after.stats.lightsCulled, 100);
+    EXPECT_EQ(after.stats.passes, 5);
+    EXPECT_EQ(after.stats.lightsDropped, 0);
+    EXPECT_LE(compareImages(after.pixels, before.pixels).maxRelative, kOrder);
+}
+
+TEST_P(ManyLights, ACapKeepsTheStrongestAndCountsTheRest)
+{
+    gl::Renderer renderer = makeRenderer();
+    std::vector<Light> strong = testLights(3), all;
+    for (Light& light : strong) light.radius = 0.0f;
+    for (int i = 0; i < 20; ++i) {
+        Light weak = strong[0];
+        weak.intensity *= 1e-4f;
+        all.push_back(weak);
+    }
+    all.insert(all.end(), strong.begin(), strong.end());
+    gl::DrawOptions options;
+    options.maxLights = 3;
+    const Drawn capped = draw(renderer, all, options);
+    EXPECT_EQ(capped.stats.lightsDropped, 20);
+    EXPECT_LE(compareImages(capped.pixels, draw(renderer, strong, {}).pixels).maxRelative, kOrder);
+    options.maxLights = -1;
+    EXPECT_THROW(draw(renderer, all, options), Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, ManyLights, ::testing::ValuesIn(allVariants()), variantName);
+
+}  // namespace
+}  // namespace fbrdf::test
