@@ -95,6 +95,16 @@ TEST(ShaderSource, NeedsNoTangentFrameForAnIsotropicForm)
               std::string::npos);
 }
 
+TEST(ShaderSource, ComputesAnAxisOverTheViewOnce)
+{
+    const Form form = formHdio(16, 8, 8);
+    const std::string text = sourceOf(form, specOf(form, Technique::single, 9));
+    const size_t loop = text.find("for (int i");
+    ASSERT_NE(loop, std::string::npos);
+    EXPECT_LT(text.find("float theta_o1_1 = fbrdfAxis("), loop);
+    EXPECT_EQ(text.find("theta_o.x", loop), std::string::npos);
+}
+
 TEST(ShaderSource, TakesOneExponentialATermHoweverManyFactors)
 {
     const Form form = formPqpr(8, 0.5, 16);

@@ -59,6 +59,22 @@ TEST(TextureImage, KeepsHalvesAndFloatsExactly)
     EXPECT_FALSE(a.encoding.ranged || b.encoding.ranged);
 }
 
+TEST(TextureImage, IsDecodedWhereACpuSamples)
+{
+    Capabilities software = capabilities(true);
+    software.softwareSampling = true;
+    for (const Storage storage : {Storage::log8, Storage::linear8, Storage::half}) {
+        const Table table = tableOf(storage);
+        const TextureImage image = textureImage(table, software);
+        ASSERT_EQ(image.type, TexelType::float32);
+        EXPECT_EQ(image.floats, table.texels);
+        EXPECT_FALSE(image.encoding.ranged);
+        EXPECT_EQ(image.encoding.logarithmic, isLog(storage));
+    }
+    software.floatTextures = false;
+    EXPECT_EQ(textureImage(tableOf(Storage::log8), software).type, TexelType::unorm16);
+}
+
 TEST(TextureImage, FallsBackToWordsWithoutFloatTextures)
 {
     const Table table = tableOf(Storage::float32);

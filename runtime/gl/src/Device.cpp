@@ -46,6 +46,15 @@ int glslVersion(const Functions& gl)
     return 120;
 }
 
+bool isSoftware(const Functions& gl)
+{
+    const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const std::string renderer = text ? text : "";
+    for (const char* known : {"llvmpipe", "softpipe", "SwiftShader"})
+        if (renderer.find(known) != std::string::npos) return true;
+    return false;
+}
+
 Capabilities detected(const Functions& gl)
 {
     Capabilities c;
@@ -60,6 +69,7 @@ Capabilities detected(const Functions& gl)
     const bool gl3 = gl.version >= 30;
     c.framebufferObjects = gl3 || gl.ARB_framebuffer_object;
     c.floatTextures = gl3 || gl.ARB_texture_float;
+    c.softwareSampling = isSoftware(gl);
     c.floatTargets = gl3 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
     c.vertexArrays = gl3 || gl.ARB_vertex_array_object;
     c.bufferTextures = gl.version >= 31;

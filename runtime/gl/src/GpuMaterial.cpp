@@ -19,7 +19,7 @@ Format formatOf(TexelType type)
     switch (type) {
         case TexelType::unorm16: return {GL_RGB16, GL_UNSIGNED_SHORT};
         case TexelType::half: return {GL_RGB16F, GL_HALF_FLOAT};
-        case TexelType::float32: return {GL_RGB32F, GL_FLOAT};
+        case TexelType::float32: return {GL_RGBA32F, GL_FLOAT};
     }
     return {};
 }

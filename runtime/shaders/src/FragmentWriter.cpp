@@ -106,6 +106,37 @@ std::string axisCall(const AxisMap& map, Angle angle)
            number(map.exponent) + ", " + name + ".x, " + name + ".y)";
 }
 
+/// (position + 1/2) / size along one axis.
+std::string axisCoordinate(const Axis& axis, Angle angle)
+{
+    return axisCall(axis.map, angle) + " * " + number((axis.size - 1.0) / axis.size) + " + " +
+           number(0.5 / axis.size);
+}
+
+/// The variable that holds an axis over theta_o: the same for all lights, so it is computed once.
+std::string viewAxisName(const Factor& factor, size_t axis)
+{
+    return "theta_o" + std::to_string(factor.table) + "_" + std::to_string(axis);
+}
+
+/// Declares the axes over theta_o of the factors that also depend on the light.
+std::string viewAxisLines(const FragmentContext& c)
+{
+    std::set<std::string> lines;
+    forEachFactor(c, [&](const Factor& factor) {
+        const auto* grid = std::get_if<GridDomain>(&tableOf(c, factor).domain);
+        if (!grid || tableOf(c, factor).uniform || !fbrdf::dependsOnLight(factor)) return;
+        const auto& angles = std::get<std::vector<Angle>>(factor.argument);
+        for (size_t i = 0; i < angles.size(); ++i)
+            if (angles[i] == Angle::theta_o)
+                lines.insert("    float " + viewAxisName(factor, i) + " = " +
+                             axisCoordinate(grid->axes[i], angles[i]) + ";\n");
+    });
+    std::string text;
+    for (const std::string& line : lines) text += line;
+    return text;
+}
+
 /// Texture coordinate of a factor: (position + 1/2) / size.
 std::string coordinate(const FragmentContext& c, const Factor& factor)
 {
@@ -120,9 +151,11 @@ std::string coordinate(const FragmentContext& c, const Factor& factor)
     const auto& axes = std::get<GridDomain>(table.domain).axes;
     const auto& angles = std::get<std::vector<Angle>>(factor.argument);
     std::string text = axes.size() == 3 ? "vec3(" : "vec2(";
-    for (size_t i = 0; i < axes.size(); ++i)
-        text += (i ? ", " : "") + axisCall(axes[i].map, angles[i]) + " * " +
-                number((axes[i].size - 1.0) / axes[i].size) + " + " + number(0.5 / axes[i].size);
+    for (size_t i = 0; i < axes.size(); ++i) {
+        const bool ofView = angles[i] == Angle::theta_o && fbrdf::dependsOnLight(factor);
+        text += (i ? ", " : "") +
+                (ofView ? viewAxisName(factor, i) : axisCoordinate(axes[i], angles[i]));
+    }
     return text + (axes.size() == 1 ? ", 0.5)" : ")");
 }
 
@@ -208,6 +241,7 @@ std::string viewLines(const FragmentContext& c)
     if (variablesUsed(c).count("theta_o"))
         text += needsLocalFrame(c) ? "    vec2 theta_o = fbrdfZenith(wo);\n"
                                    : "    vec2 theta_o = fbrdfZenithAbout(n, wo);\n";
+    text += viewAxisLines(c);
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
         const Part& part = c.spec.parts[p];
         const std::string k = std::to_string(p);

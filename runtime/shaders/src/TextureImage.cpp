@@ -57,6 +57,12 @@ void encodeOverRange(TextureImage& image, const Table& table)
     });
 }
 
+void encodeFloat(TextureImage& image, const Table& table)
+{
+    image.type = TexelType::float32;
+    image.floats = converted(table, [&](int i, int c) { return table.texel(i, c); });
+}
+
 }  // namespace
 
 TextureImage textureImage(const Table& table, const Capabilities& capabilities)
@@ -64,7 +70,9 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
     TextureImage image;
     image.size = domainSize(table.domain);
     image.encoding.logarithmic = isLog(table.storage);
-    if (table.storage == Storage::log8 || table.storage == Storage::linear8) {
+    if (capabilities.softwareSampling && capabilities.floatTextures) {
+        encodeFloat(image, table);
+    } else if (table.storage == Storage::log8 || table.storage == Storage::linear8) {
         encodeUnorm16(image, table);
     } else if (!capabilities.floatTextures) {
         encodeOverRange(image, table);
@@ -73,8 +81,7 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
         image.words =
             converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });
     } else {
-        image.type = TexelType::float32;
-        image.floats = converted(table, [&](int i, int c) { return table.texel(i, c); });
+        encodeFloat(image, table);
     }
     return image;
 }

@@ -14,8 +14,10 @@ struct Capabilities {
     int maxUniformVectors = 64;  ///< vec4 uniforms of a fragment shader: lights, knots and the rest
     bool coreProfile = false;    ///< fixed-function state does not exist
     bool framebufferObjects = false;
-    bool floatTextures = false;  ///< half and float textures, linearly filtered
-    bool floatTargets = false;   ///< RGBA32F is renderable and blendable
+    bool floatTextures = false;     ///< half and float textures, linearly filtered
+    bool softwareSampling = false;  ///< texels are fetched by a CPU, where float ones cost least:
+                                    ///< nothing has to be unpacked
+    bool floatTargets = false;      ///< RGBA32F is renderable and blendable
     bool vertexArrays = false;
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
     bool debug = false;           ///< KHR_debug: labels and groups

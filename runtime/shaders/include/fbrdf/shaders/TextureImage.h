@@ -1,6 +1,6 @@
 // TextureImage.h - a table as the texels of a texture. Filtering hardware may be as coarse as its
 // texels (llvmpipe mixes 8-bit texels with 8-bit weights), so 8-bit tables become 16-bit ones,
-// which hold them exactly (unorm16Of, Table.h).
+// which hold them exactly (unorm16Of, Table.h), or floats where a CPU samples.
 #pragma once
 #include <fbrdf/brdf/Table.h>
 #include <fbrdf/plan/Capabilities.h>
