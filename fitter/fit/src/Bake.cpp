@@ -6,17 +6,6 @@
 namespace fbrdf {
 namespace {
 
-// A texel of a disc takes part in filtering only when it lies less than one texel outside the
-// horizon.
-bool isReachable(const Domain& domain, int texel)
-{
-    const auto* disc = std::get_if<DiscDomain>(&domain);
-    if (!disc) return true;
-    const double centre = 0.5 * (disc->size - 1);
-    const double x = texel % disc->size - centre, y = texel / disc->size - centre;
-    return std::hypot(x, y) <= disc->radius + std::sqrt(2.0);
-}
-
 struct Range {
     double lower = INFINITY, upper = -INFINITY, sum = 0.0;
     int count = 0;

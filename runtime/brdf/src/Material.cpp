@@ -24,6 +24,10 @@ void validateTable(const Table& table, const TableSpec& spec, const std::string&
     if (table.texels.size() != numbers)
         fail(where, name + " of " + std::to_string(table.texels.size()) + " numbers, expected " +
                         std::to_string(numbers));
+    if (!table.unsupported.empty() &&
+        table.unsupported.size() != static_cast<size_t>(texelCount(table.domain)))
+        fail(where, name + " with " + std::to_string(table.unsupported.size()) +
+                        " marks, expected one a texel or none");
     for (const float texel : table.texels)
         if (!std::isfinite(texel)) fail(where, name + " holds a number that is not finite");
     for (int c = 0; c < 3; ++c)

@@ -30,6 +30,17 @@ int texelCount(const Domain& domain)
     return size[0] * size[1] * size[2];
 }
 
+bool isReachable(const Domain& domain, int texel)
+{
+    const auto* disc = std::get_if<DiscDomain>(&domain);
+    if (!disc) return true;
+    // Filtering reads a texel within less than one texel along x and y.
+    const double centre = 0.5 * (disc->size - 1);
+    const double x = std::max(0.0, std::abs(texel % disc->size - centre) - 1.0),
+                 y = std::max(0.0, std::abs(texel / disc->size - centre) - 1.0);
+    return std::hypot(x, y) < disc->radius;
+}
+
 bool isDisc(const Domain& domain)
 {
     return std::holds_alternative<DiscDomain>(domain);

@@ -2,8 +2,10 @@
 
 #include <fbrdf/brdf/Half.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace fbrdf {
 namespace {
@@ -94,6 +96,40 @@ void decodeTexels(Table& table, const std::string& where)
             failInput(where + ": texel " + std::to_string(index),
                       "found a code that leads out of the range of the table");
     }
+}
+
+std::string runsOfMarks(const std::vector<bool>& marks)
+{
+    std::string runs;
+    bool marked = false;
+    size_t length = 0;
+    for (const bool mark : marks) {
+        if (mark != marked) runs += std::to_string(std::exchange(length, 0)) + " ";
+        marked = mark;
+        ++length;
+    }
+    return runs + std::to_string(length);
+}
+
+std::vector<bool> marksFromRuns(const std::string& runs, int texels, const std::string& where)
+{
+    std::vector<bool> marks;
+    const auto left = [&] { return static_cast<size_t>(texels) - marks.size(); };
+    const char *at = runs.data(), *const end = at + runs.size();
+    for (bool marked = false; at != end; marked = !marked) {
+        size_t length = 0;
+        const auto parsed = std::from_chars(at, end, length);
+        if (parsed.ec != std::errc() || length > left())
+            failInput(where, "found runs of marks that are not numbers within " +
+                                 std::to_string(texels) + " texels");
+        marks.insert(marks.end(), length, marked);
+        at = parsed.ptr;
+        if (at != end && *at == ' ') ++at;
+    }
+    if (left() != 0)
+        failInput(where, "found marks of " + std::to_string(marks.size()) + " texels, expected " +
+                             std::to_string(texels));
+    return marks;
 }
 
 void checkStorable(const Table& table, ErrorKind kind, const std::string& where)

@@ -23,6 +23,11 @@ void checkCoding(const Table& table, const std::string& where);
 /// Error(input) naming `where` for a code that is not an integer of 0..255 or leaves the range.
 void decodeTexels(Table& table, const std::string& where);
 
+/// Table::unsupported as text: lengths of runs, the first of texels without a mark ("5 2 9"); back,
+/// throwing Error(input) naming `where` unless they add up to `texels`.
+std::string runsOfMarks(const std::vector<bool>& marks);
+std::vector<bool> marksFromRuns(const std::string& runs, int texels, const std::string& where);
+
 /// Throws Error(kind) naming `where` and the table unless its storage holds its texels exactly, as
 /// those of quantized() are.
 void checkStorable(const Table& table, ErrorKind kind, const std::string& where);

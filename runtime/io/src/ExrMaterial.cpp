@@ -19,7 +19,8 @@ constexpr char kVersion[] = "fbrdf:version", kForm[] = "fbrdf:form", kScales[] =
                kUnits[] = "fbrdf:units", kColorSpace[] = "fbrdf:colorspace", kName[] = "fbrdf:name",
                kNote[] = "fbrdf:note:", kError[] = "fbrdf:error:", kStorage[] = "fbrdf:storage",
                kLower[] = "fbrdf:lower", kUpper[] = "fbrdf:upper", kStride[] = "fbrdf:stride",
-               kOffset[] = "fbrdf:offset", kStart[] = "fbrdf:start";
+               kOffset[] = "fbrdf:offset", kStart[] = "fbrdf:start",
+               kUnsupported[] = "fbrdf:unsupported";
 constexpr char kUnitsValue[] = "1/sr", kColorSpaceValue[] = "lin_rec709";
 // OpenEXR allows names of 255 bytes.
 constexpr size_t kMaxKey = 200;
@@ -117,6 +118,8 @@ ExrImage imageFromTable(const Table& table, const std::string& name)
         image.values.insert(image.values.end(), {tripleValue(kStride, table.log8.stride),
                                                  tripleValue(kOffset, table.log8.offset),
                                                  tripleValue(kStart, table.log8.start)});
+    if (!table.unsupported.empty())
+        image.values.push_back(textValue(kUnsupported, runsOfMarks(table.unsupported)));
     image.pixels = table.texels;
     if (bytesPerChannel(table.storage) == 1) {
         const std::vector<uint16_t> codes = codesOfTable(table);
@@ -256,6 +259,9 @@ Table readTable(const std::string& bytes, size_t index, const TableSpec& spec,
     if (table.storage == Storage::log8)
         table.log8 = {reader.integerTriple(kStride), reader.integerTriple(kOffset),
                       reader.integerTriple(kStart)};
+    if (part.find(kUnsupported))
+        table.unsupported = marksFromRuns(reader.text(kUnsupported), texelCount(spec.domain),
+                                          reader.where() + ": " + kUnsupported);
     checkCoding(table, reader.where());
     table.texels = readExrPixels(bytes, index, part, reader.where());
     if (bytesPerChannel(table.storage) == 1) decodeTexels(table, reader.where());
@@ -276,7 +282,8 @@ bool sameTable(const Table& a, const Table& b)
 {
     return a.storage == b.storage && a.channels == b.channels && a.lower == b.lower &&
            a.upper == b.upper && a.texels == b.texels && a.log8.stride == b.log8.stride &&
-           a.log8.offset == b.log8.offset && a.log8.start == b.log8.start;
+           a.log8.offset == b.log8.offset && a.log8.start == b.log8.start &&
+           a.unsupported == b.unsupported;
 }
 
 // OpenEXR's own stream does not report a disk that is full on closing, so the file is read again.

@@ -7,7 +7,9 @@
 //   fbrdf:note:KEY string, fbrdf:error:METRIC double;
 // that of every part describes its table:
 //   fbrdf:storage string, fbrdf:lower and fbrdf:upper float[3] (range of log8 and linear8), and for
-//   log8 fbrdf:stride, fbrdf:offset, fbrdf:start int[3] (Table.h: Log8).
+//   log8 fbrdf:stride, fbrdf:offset, fbrdf:start int[3] (Table.h: Log8);
+//   fbrdf:unsupported string, where the fit said so: texels that no sample supports, as lengths of
+//   runs of texels in storage order, the first without the mark ("5 2 9": texels 5 and 6 of 16).
 #pragma once
 #include <fbrdf/brdf/Material.h>
 

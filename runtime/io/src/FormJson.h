@@ -1,4 +1,5 @@
-// FormJson.h - forms as JSON text, and checked access to the fields of any JSON.
+// FormJson.h - forms as JSON text (as files: fbrdf/io/FormFile.h), and checked access to the fields
+// of any JSON.
 // {"name": "pqp",
 //  "tables": [{"name": "p", "domain": {"disc": {"size": 32, "gamma": 0.5, "radius": 15.5}}},
 //             {"name": "r", "uniform": true, "domain": {"grid": {"symmetric": false,

@@ -143,6 +143,7 @@ Map mapFromTable(const Table& table, const std::string& where)
         map.json["log8"] = {{"stride", table.log8.stride},
                             {"offset", table.log8.offset},
                             {"start", table.log8.start}};
+    if (!table.unsupported.empty()) map.json["unsupported"] = runsOfMarks(table.unsupported);
     map.png = encodePng(image, where);
     return map;
 }
@@ -215,6 +216,9 @@ Table tableFromMap(const JsonField& json, const TableSpec& spec, const std::stri
     const JsonField storage = json.at("storage");
     if (!knownStorage(storage.text(), table.storage))
         storage.fail("'log8', 'half', 'float', 'linear8' or 'signed'");
+    if (json.has("unsupported"))
+        table.unsupported = marksFromRuns(json.at("unsupported").text(), texelCount(spec.domain),
+                                          json.where() + "/unsupported");
     const Range range{tripleFromJson(json.at("lower")), tripleFromJson(json.at("upper"))};
     const std::string path = mapPath(json.at("file"), manifest);
     const PngImage image = decodePng(readFile(path), path);

@@ -4,11 +4,12 @@
 //  "colorspace": "lin_rec709", "form": (FormJson.h), "scales": [[r, g, b] a term],
 //  "maps": [{"table": "p", "file": "NAME_p.png", "storage": "log8", "bits": 16,
 //            "lower": [r, g, b], "upper": [r, g, b],
-//            "log8": {"stride": [...], "offset": [...], "start": [...]}}],
+//            "log8": {"stride": [...], "offset": [...], "start": [...]}, "unsupported": "5 2 9"}],
 //  "notes": {...}, "errors": {...}}
 // Code k of a channel means lower + (upper - lower) k / (2^bits - 1): log2 F for the log storages,
 // F for linear8, so a PNG can be used as a texture as it is. linear8 has 8 bits. log8 has the
 // 16-bit integers that its 8-bit differences add up to (Table.h: Log8); both come back bit for bit.
+// "unsupported", where the fit said so: texels that no sample supports, as in ExrMaterial.h.
 // half and float become 16-bit codes over the range of their texels and come back within half a
 // step. Texel (x, y, z) is pixel (x, y + z size_y); the first row of the PNG is y = 0.
 #pragma once

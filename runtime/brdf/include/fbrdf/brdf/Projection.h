@@ -89,6 +89,8 @@ using Argument = std::variant<Direction, std::vector<Angle>>;
 /// Texels along x, y, z; 1 where the domain has no such dimension.
 std::array<int, 3> domainSize(const Domain& domain);
 int texelCount(const Domain& domain);
+/// True when filtering at some position reads the texel; the corners of a disc are read by none.
+bool isReachable(const Domain& domain, int texel);
 /// Number of coordinates: 2 for a disc, the number of axes for a grid.
 int dimensionCount(const Domain& domain);
 bool isDisc(const Domain& domain);

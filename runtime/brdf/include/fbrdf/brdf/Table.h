@@ -2,6 +2,7 @@
 #pragma once
 #include <fbrdf/brdf/Projection.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -47,11 +48,18 @@ struct Table {
     /// and float.
     Vec3f lower{0.0f}, upper{1.0f};
     Log8 log8;  ///< of log8 alone
+    /// Texels that no sample of the fit supports: what they hold is a guess of the smoothness.
+    /// One mark a texel, or empty where nothing is known of them.
+    std::vector<bool> unsupported{};
 
     float texel(int index, int channel) const
     {
         return texels[static_cast<size_t>(index) * static_cast<size_t>(channels) +
                       static_cast<size_t>(channels == 1 ? 0 : channel)];
+    }
+    size_t unsupportedCount() const
+    {
+        return static_cast<size_t>(std::count(unsupported.begin(), unsupported.end(), true));
     }
     /// texels x channels x bytes a channel: what the budgets of the fitter count.
     size_t bytes() const { return texels.size() * static_cast<size_t>(bytesPerChannel(storage)); }
