@@ -69,22 +69,6 @@ TEST(Fit, SharperIncludedMetricsLowerTheErrorTheyMeasure)
     EXPECT_LT(cube.cubeRootRms, 0.98 * log.cubeRootRms);
 }
 
-TEST(Fit, AutoIsNoWorseThanTheBestNamedForm)
-{
-    const Source source =
-        test::scattered(test::sourceOf(test::Ggx{0.25, 0.25, 0.04, 0.3}), 6000, 3);
-    const FitResult chosen = fitMaterial(source, small("auto"));
-    ASSERT_GE(chosen.summary.trials.size(), 3u);
-    double best = 1e9, taken = 1e9;
-    for (const Trial& trial : chosen.summary.trials) {
-        best = std::min(best, trial.score);
-        if (trial.chosen) taken = trial.score;
-        EXPECT_GT(trial.bytes, 0u);
-        EXPECT_FALSE(trial.description.empty());
-    }
-    EXPECT_LE(taken, 1.02 * best);
-}
-
 TEST(Fit, OnePairMeasuredFiveTimesGivesItsValueAndFewerTimesNone)
 {
     const Sample sample{Vec3f(0, 0, 1), glm::normalize(Vec3f(0.3f, 0, 1)), Vec3f(0.25f), 1.0f};

@@ -9,15 +9,54 @@ namespace fbrdf {
 namespace {
 
 constexpr double kGamma = 0.5;  // the warp that spends texels on the highlight
-constexpr int kKnots = 24;      // of r(theta_d)
+constexpr int kKnots = 24;      // of r(theta_d) and g(theta)
 constexpr int kMinResolution = 4, kMaxResolution = 256;
+
+const AxisMap kHalfAxis{AxisMap::From::oneMinusCosine, 0.25},
+    kDifferenceAxis{AxisMap::From::oneMinusCosine, 0.5}, kGrazingAxis{AxisMap::From::cosine, 0.5};
+
+using Angles = std::vector<Angle>;
+
+int quarter(int size)
+{
+    return std::max(kMinResolution, size / 4);
+}
+
+// Tables that several forms are made of.
+TableSpec discMap(const std::string& name, int size)
+{
+    return {name, DiscDomain::fitting(size, kGamma)};
+}
+
+TableSpec curve(const std::string& name, const AxisMap& map)
+{
+    return {name, GridDomain{{{kKnots, map}}}, true};
+}
+
+TableSpec zenithPair(const std::string& name, int size)
+{
+    return {name, GridDomain{{{size, kGrazingAxis}, {size, kGrazingAxis}}, true}};
+}
+
+const Angles kThetaD{Angle::theta_d}, kThetaI{Angle::theta_i}, kThetaO{Angle::theta_o},
+    kThetaIO{Angle::theta_i, Angle::theta_o};
 
 Form formIo(int size)
 {
-    Form form = formHdio(2, 2, size);
-    form.name = "io";
-    form.tables.erase(form.tables.begin());
-    form.terms[0].factors = {{0, std::vector<Angle>{Angle::theta_i, Angle::theta_o}}};
+    return {"io", {zenithPair("T2", size)}, {{{{0, kThetaIO}}}}};
+}
+
+Form formGg(int)
+{
+    return {"gg", {curve("g", kGrazingAxis)}, {{{{0, kThetaO}, {0, kThetaI}}}}};
+}
+
+Form formHdg(int size)
+{
+    Form form = formHdio(size, quarter(size), 2);
+    form.name = "hdg";
+    form.tables[1] = curve("g", kGrazingAxis);
+    form.terms[0].factors = {form.terms[0].factors[0], {1, kThetaO}, {1, kThetaI}};
     return form;
 }
 
@@ -28,6 +67,60 @@ Form formPqp2001(int size)
     return form;
 }
 
+Form formHdp(int size)
+{
+    const int side = quarter(size);
+    return {"hdp",
+            {{"V", GridDomain{{{size, kHalfAxis},
+                               {side, kDifferenceAxis},
+                               {side, {AxisMap::From::oneMinusCosine, 0.5}}}}}},
+            {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::phi_d}}}}}};
+}
+
+Form formQdg(int size)
+{
+    return {"qdg",
+            {discMap("q", size), curve("r", kDifferenceAxis), curve("g", kGrazingAxis)},
+            {{{{0, Direction::h}, {1, kThetaD}, {2, kThetaO}, {2, kThetaI}}}}};
+}
+
+Form formQdio(int size)
+{
+    return {"qdio",
+            {discMap("q", size), curve("r", kDifferenceAxis), zenithPair("T2", quarter(size))},
+            {{{{0, Direction::h}, {1, kThetaD}, {2, kThetaIO}}}}};
+}
+
+// p and q as in pqpr, and a table of their own for the light: nothing makes it reciprocal.
+Form formPqtr(int size)
+{
+    Form form = formPqpr(size, kGamma, kKnots);
+    form.name = "pqtr";
+    form.tables.push_back(discMap("t", size));
+    form.terms[0].factors[2].table = 3;
+    return form;
+}
+
+Form withFactor(Form form, const std::string& name, const TableSpec& table,
+                const Argument& argument)
+{
+    form.name = name;
+    form.terms[0].factors.push_back({static_cast<int>(form.tables.size()), argument});
+    form.tables.push_back(table);
+    return form;
+}
+
+Form formPqpd(int size)
+{
+    return withFactor(formPqp(size, kGamma), "pqpd", discMap("s", size / 2), Direction::d);
+}
+
+Form formPqpn(int size)
+{
+    return withFactor(formPqpr(size, kGamma, kKnots), "pqpn", discMap("s", size / 2),
+                      Direction::combination(1, 1, 1));
+}
+
 /// A form that stands alone or as a term of a sum: its sizes from the smallest to the one it has by
 /// default.
 struct BaseForm {
@@ -36,34 +129,84 @@ struct BaseForm {
     std::function<Form(int)> make;
 };
 
-const std::vector<BaseForm>& baseForms()
+std::vector<Form> ladderOf(const std::function<Form(int)>& make, std::vector<int> sizes)
+{
+    std::vector<Form> ladder;
+    for (const int size : sizes) ladder.push_back(make(size));
+    return ladder;
+}
+
+BaseForm baseOf(const NamedForm& named, const std::function<Form(int)>& make)
+{
+    std::vector<int> sizes;
+    for (const int size : {8, 12, 16, 24, 32, 48, 64})
+        if (size < named.defaultResolution) sizes.push_back(size);
+    sizes.push_back(named.defaultResolution);
+    return {named, ladderOf(make, sizes), make};
+}
+
+std::vector<BaseForm> makeBaseForms()
 {
     const auto pqp = [](int n) { return formPqp(n, kGamma); };
-    const auto pqpr = [](int n) { return formPqpr(n, kGamma, kKnots); };
-    const auto pqp2001 = [](int n) { return formPqp2001(n); };
-    const auto hdio = [](int n) { return formHdio(n, std::max(4, n / 4), std::max(4, n / 4)); };
-    static const std::vector<BaseForm> forms{
-        {{"pqp", "p(wo) q(h) p(wi)",
-          "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32},
-         {pqp(8), pqp(12), pqp(16), pqp(24), pqp(32)},
-         pqp},
-        {{"pqp-2001", "p(wo) q(h) p(wi)",
-          "the maps of 2001, without the warp that spends texels on the highlight", 32},
-         {pqp2001(16), pqp2001(32)},
-         pqp2001},
-        {{"pqpr", "p(wo) q(h) p(wi) r(theta_d)",
-          "as pqp; r is a uniform array and costs no look-up", 32},
-         {pqpr(8), pqpr(12), pqpr(16), pqpr(24), pqpr(32)},
-         pqpr},
-        {{"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
-          "isotropic, reciprocal; N passes of two look-ups", 64},
-         {hdio(16), hdio(24), hdio(32), formHdio(48, 8, 8), hdio(48), hdio(64)},
-         hdio},
-        {{"io", "T(theta_i, theta_o)",
-          "diffuse, isotropic, reciprocal; one look-up; a term of sums", 16},
-         {formIo(4), formIo(8), formIo(12), formIo(16)},
-         formIo},
+    // p is smooth: texels beyond 32 x 32 are worth more in q.
+    const auto pqpr = [](int n) {
+        Form form = formPqpr(n, kGamma, kKnots);
+        form.tables[0].domain = DiscDomain::fitting(std::min(n, 32), kGamma);
+        return form;
     };
+    const auto hdio = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
+    std::vector<BaseForm> forms{
+        baseOf({"pqp", "p(wo) q(h) p(wi)",
+                "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32},
+               pqp),
+        baseOf({"pqpr", "p(wo) q(h) p(wi) r(theta_d)",
+                "as pqp; r is a uniform array and costs no look-up", 32},
+               pqpr),
+        baseOf({"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
+                "isotropic, reciprocal; N passes of two look-ups", 64},
+               hdio),
+        baseOf({"hdg", "T1(theta_h, theta_d) g(theta_i) g(theta_o)",
+                "isotropic, reciprocal; g is a uniform array: N passes of one look-up", 64},
+               formHdg),
+        baseOf({"hdp", "V(theta_h, theta_d, phi_d)",
+                "isotropic, reciprocal; one 3D table: N passes of one look-up", 32},
+               formHdp),
+        baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
+                "anisotropic in h alone, reciprocal; N passes of two look-ups", 32},
+               formQdio),
+        baseOf({"qdg", "q(h) r(theta_d) g(theta_i) g(theta_o)",
+                "as qdio with r and g in uniform arrays: N passes of one look-up", 32},
+               formQdg),
+        baseOf(
+            {"pqtr", "p(wo) q(h) t(wi) r(theta_d)",
+             "as pqpr with maps of their own for wo and wi: for data that is not reciprocal", 32},
+            formPqtr),
+        baseOf({"pqpd", "p(wo) q(h) p(wi) s(d)",
+                "as pqp with a map over the difference direction: three look-ups", 32},
+               formPqpd),
+        baseOf({"pqpn", "p(wo) q(h) p(wi) r(theta_d) s(norm(wi + wo + n))",
+                "as pqpr with a map over a broader half vector: three look-ups", 32},
+               formPqpn),
+        baseOf({"pqp-2001", "p(wo) q(h) p(wi)",
+                "the maps of 2001, without the warp that spends texels on the highlight", 32},
+               formPqp2001),
+        {{"io", "T2(theta_i, theta_o)",
+          "diffuse, isotropic, reciprocal; one look-up; a term of sums", 16},
+         ladderOf(formIo, {4, 8, 12, 16}),
+         formIo},
+        {{"gg", "g(theta_i) g(theta_o)", "as io in a uniform array: no look-up; a term of sums",
+          kKnots},
+         {formGg(kKnots)},
+         formGg},
+    };
+    BaseForm& isotropic = forms[2];
+    isotropic.ladder = {hdio(16), hdio(24), hdio(32), formHdio(48, 8, 8), hdio(48), hdio(64)};
+    return forms;
+}
+
+const std::vector<BaseForm>& baseForms()
+{
+    static const std::vector<BaseForm> forms = makeBaseForms();
     return forms;
 }
 
@@ -129,16 +272,6 @@ size_t ladderSteps(const std::string& name)
     return steps;
 }
 
-// Texels that samples decide: those of uniform tables and the mirrored half of symmetric ones
-// included, which is near enough for a rule of thumb.
-size_t texelsOf(const Form& form)
-{
-    size_t texels = 0;
-    for (const TableSpec& spec : form.tables)
-        texels += static_cast<size_t>(texelCount(spec.domain));
-    return texels;
-}
-
 }  // namespace
 
 const std::vector<NamedForm>& namedForms()
@@ -161,43 +294,43 @@ Form makeForm(const std::string& name, int resolution)
     std::vector<Form> parts;
     for (const std::string& part : partsOf(name)) {
         const BaseForm& base = baseForm(part);
-        parts.push_back(
-            base.make(part == "io" ? std::max(kMinResolution, resolution / 4) : resolution));
+        parts.push_back(base.make(part == "io" ? quarter(resolution) : resolution));
     }
     return sumOf(name, parts);
 }
 
+size_t formTexels(const Form& form)
+{
+    size_t texels = 0;
+    for (const TableSpec& spec : form.tables)
+        texels += static_cast<size_t>(texelCount(spec.domain));
+    return texels;
+}
+
 size_t formBytes(const Form& form, Storage storage)
 {
-    return texelsOf(form) * 3 * static_cast<size_t>(bytesPerChannel(storage));
+    return formTexels(form) * 3 * static_cast<size_t>(bytesPerChannel(storage));
+}
+
+std::optional<Form> largestFormFor(const std::string& name, size_t samples, size_t maxBytes,
+                                   Storage storage)
+{
+    std::optional<Form> largest;
+    for (size_t step = 0; step < ladderSteps(name); ++step) {
+        const Form form = ladderStep(name, step);
+        if (maxBytes > 0 && formBytes(form, storage) > maxBytes) break;
+        if (step > 0 && formTexels(form) * kSamplesPerTexel > samples) break;
+        largest = form;
+    }
+    return largest;
 }
 
 Form makeFormFor(const std::string& name, size_t samples, size_t maxBytes, Storage storage)
 {
-    constexpr size_t kSamplesPerTexel = 6;
-    size_t best = 0;
-    for (size_t step = 0; step < ladderSteps(name); ++step) {
-        const Form form = ladderStep(name, step);
-        if (maxBytes > 0 && formBytes(form, storage) > maxBytes) break;
-        if (step > 0 && texelsOf(form) * kSamplesPerTexel > samples) break;
-        best = step;
-    }
-    Form form = ladderStep(name, best);
-    if (maxBytes > 0 && formBytes(form, storage) > maxBytes)
-        throw Error(ErrorKind::usage, "max-bytes",
-                    "found " + std::to_string(maxBytes) + ", expected at least " +
-                        std::to_string(formBytes(form, storage)) + " for " + name);
-    return form;
-}
-
-int lookupsPerLight(const Form& form)
-{
-    int lookups = 0;
-    for (const Term& term : form.terms)
-        for (const Factor& factor : term.factors)
-            if (!form.tables[static_cast<size_t>(factor.table)].uniform && dependsOnLight(factor))
-                ++lookups;
-    return lookups;
+    if (const auto form = largestFormFor(name, samples, maxBytes, storage)) return *form;
+    throw Error(ErrorKind::usage, "max-bytes",
+                "found " + std::to_string(maxBytes) + ", expected at least " +
+                    std::to_string(formBytes(ladderStep(name, 0), storage)) + " for " + name);
 }
 
 }  // namespace fbrdf

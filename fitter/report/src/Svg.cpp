@@ -41,6 +41,16 @@ std::string path(const std::vector<Vec2<double>>& points, const std::string& css
     return fmt::format("<path class=\"{}\" d=\"{}{}\"/>", cssClass, d, closed ? "Z" : "");
 }
 
+std::string strokes(const std::vector<Vec2<double>>& from, const Vec2<double>& along,
+                    const char* cssClass)
+{
+    if (from.empty()) return "";
+    std::string d;
+    for (const Vec2<double>& p : from)
+        d += fmt::format("M{:.1f} {:.1f}l{:.1f} {:.1f}", p.x, p.y, along.x, along.y);
+    return fmt::format("<path class=\"{}\" d=\"{}\"/>", cssClass, d);
+}
+
 std::string image(double x, double y, double width, double height, const std::string& dataUri)
 {
     return fmt::format(
@@ -52,7 +62,8 @@ std::string image(double x, double y, double width, double height, const std::st
 std::string angleSymbol(Angle angle)
 {
     const std::string name = angleName(angle);  // "theta_h"
-    return "\xCE\xB8<tspan class=\"sub\" dy=\"3\">" + name.substr(name.find('_') + 1) + "</tspan>";
+    const std::string letter = name[0] == 'p' ? "\xCF\x86" : "\xCE\xB8";
+    return letter + "<tspan class=\"sub\" dy=\"3\">" + name.substr(name.find('_') + 1) + "</tspan>";
 }
 
 }  // namespace fbrdf::svg

@@ -21,6 +21,9 @@ std::string text(double x, double y, const char* anchor, const std::string& cont
 /// Coordinates to a tenth of a unit.
 std::string path(const std::vector<Vec2<double>>& points, const std::string& cssClass,
                  bool closed = false);
+/// Strokes from each point, all alike, as one shape.
+std::string strokes(const std::vector<Vec2<double>>& from, const Vec2<double>& along,
+                    const char* cssClass);
 /// A picture stretched to a rectangle, its pixels kept sharp.
 std::string image(double x, double y, double width, double height, const std::string& dataUri);
 

@@ -12,15 +12,6 @@
 namespace fbrdf {
 namespace {
 
-// Texels further out than the filter's reach beyond the horizon are read by nothing.
-bool isReached(const Domain& domain, int x, int y)
-{
-    const auto* disc = std::get_if<DiscDomain>(&domain);
-    if (!disc) return true;
-    const double centre = 0.5 * (disc->size - 1);
-    return std::hypot(x - centre, y - centre) <= disc->radius + 1.0;
-}
-
 template <class Visit>
 void forEachReachedTexel(const Table& table, const Visit& visit)
 {
@@ -28,7 +19,9 @@ void forEachReachedTexel(const Table& table, const Visit& visit)
     for (int z = 0; z < size[2]; ++z)
         for (int y = 0; y < size[1]; ++y)
             for (int x = 0; x < size[0]; ++x)
-                if (isReached(table.domain, x, y)) visit(x, y, z, (z * size[1] + y) * size[0] + x);
+                if (const int index = (z * size[1] + y) * size[0] + x;
+                    isReachable(table.domain, index))
+                    visit(x, y, z, index);
 }
 
 double shown(const Table& table, const ShownRange& range, int index, int channel)
@@ -75,12 +68,31 @@ std::string degreesText(double degrees)
     return fmt::format("{:g}\xC2\xB0", degrees);
 }
 
+bool isUnsupported(const Table& table, int index)
+{
+    return !table.unsupported.empty() && table.unsupported[static_cast<size_t>(index)];
+}
+
+// A stroke across every texel that no sample supports, over the picture of the table.
+std::string hatching(const Table& table, double left, double top, double width, double height)
+{
+    const auto size = domainSize(table.domain);
+    const Vec2<double> texel(width / size[0], height / (size[1] * size[2]));
+    std::vector<Vec2<double>> corners;
+    forEachReachedTexel(table, [&](int x, int y, int z, int index) {
+        if (isUnsupported(table, index))
+            corners.emplace_back(left + x * texel.x, top + (z * size[1] + y + 1) * texel.y);
+    });
+    return svg::strokes(corners, {texel.x, -texel.y}, "hatch");
+}
+
 std::string discDrawing(const Table& table, const DiscDomain& disc, const std::string& label)
 {
     constexpr double kSide = 200;
     const double texel = kSide / disc.size, centre = 0.5 * kSide;
     std::string shapes =
-        svg::image(0, 0, kSide, kSide, dataUri(pictureOf(table, shownRange(table))));
+        svg::image(0, 0, kSide, kSide, dataUri(pictureOf(table, shownRange(table)))) +
+        hatching(table, 0, 0, kSide, kSide);
     for (const double degrees : {15.0, 45.0, 90.0}) {
         const Vec3d direction(std::sin(degrees * kPi / 180.0), 0.0,
                               std::max(0.0, std::cos(degrees * kPi / 180.0)));
@@ -100,7 +112,8 @@ std::string gridDrawing(const Table& table, const GridDomain& grid,
     const double width = 300, left = 54;
     const double slice = std::clamp(width * grid.axes[1].size / grid.axes[0].size, 90.0, width);
     const double height = slice * picture.height / grid.axes[1].size;
-    std::string shapes = svg::image(left, 4, width, height, dataUri(picture));
+    std::string shapes = svg::image(left, 4, width, height, dataUri(picture)) +
+                         hatching(table, left, 4, width, height);
     for (const auto& [degrees, at] : ticksOf(grid.axes[0], width, 26.0)) {
         shapes += svg::line(left + at, height + 4, left + at, height + 8, "axis");
         shapes += svg::text(left + at, height + 20, "middle", degreesText(degrees));
@@ -134,15 +147,19 @@ std::string curveDrawing(const Table& table, const Axis& axis, const std::vector
     for (const double degrees : {0.0, 30.0, 60.0, 90.0})
         shapes += svg::text(kLeft + kWidth * degrees / 90.0, kTop + kHeight + 16, "middle",
                             degreesText(degrees));
+    const auto x = [&](int knot) {
+        const double u = axis.size > 1 ? static_cast<double>(knot) / (axis.size - 1) : 0.0;
+        return kLeft + kWidth * angleFromAxisCoordinate(axis.map, u) / (0.5 * kPi);
+    };
+    std::vector<Vec2<double>> unsupported;
+    for (int i = 0; i < axis.size; ++i)
+        if (isUnsupported(table, i)) unsupported.emplace_back(x(i), kTop);
+    shapes += svg::strokes(unsupported, {0.0, kHeight}, "hatch");
     const char* const channelClass[] = {"fit red", "fit green", "fit blue"};
     for (int c = 0; c < table.channels; ++c) {
         std::vector<Vec2<double>> points;
-        for (int i = 0; i < axis.size; ++i) {
-            const double u = axis.size > 1 ? static_cast<double>(i) / (axis.size - 1) : 0.0;
-            const double angle = angleFromAxisCoordinate(axis.map, u);
-            points.emplace_back(kLeft + kWidth * angle / (0.5 * kPi),
-                                y(static_cast<double>(table.texel(i, c))));
-        }
+        for (int i = 0; i < axis.size; ++i)
+            points.emplace_back(x(i), y(static_cast<double>(table.texel(i, c))));
         shapes += svg::path(points, table.channels == 1 ? "fit grey" : channelClass[c]);
     }
     if (!angles.empty())
@@ -170,10 +187,16 @@ std::string captionOf(const Table& table)
             ? what + fmt::format(" from {} to {}", shortNumber(range.low), shortNumber(range.high))
             : what + fmt::format(" from {} (black) to {} (white)", shortNumber(range.low),
                                  shortNumber(range.high));
+    const size_t guessed = table.unsupportedCount();
+    const std::string support =
+        guessed == 0 ? ""
+                     : fmt::format(" {} supported by no sample: {}.", grouped(guessed),
+                                   isCurve ? "upright lines" : "hatched");
     return element("b", "", escaped(table.name)) +
            fmt::format(" &#8212; {} texels, {}, {}, {} bytes. {}.", sizeText(table.domain),
                        table.channels == 1 ? "one channel" : "R, G, B", storageName(table.storage),
-                       grouped(table.bytes()), scale);
+                       grouped(table.bytes()), scale) +
+           support;
 }
 
 std::string drawingOf(const Material& material, size_t index)

@@ -99,7 +99,8 @@ std::string formText(const ReportTrial& trial)
 {
     const std::string name = element("b", "", escaped(trial.form));
     const std::string mark = trial.chosen ? " <span class=\"chosen\">chosen</span>" : "";
-    return name + mark + element("div", "class=\"detail\"", escaped(trial.description));
+    const std::string stage = trial.stage.empty() ? "" : " (" + escaped(trial.stage) + ")";
+    return name + stage + mark + element("div", "class=\"detail\"", escaped(trial.description));
 }
 
 // Columns of the table of forms: the errors that any trial has, those of Metrics.h first and in its

@@ -1,10 +1,12 @@
 #include "Arguments.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/io/FormFile.h>
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace fbrdf::tool {
@@ -13,6 +15,7 @@ namespace {
 constexpr uint64_t kMaxThreads = 1024;      // far above any machine this was written for
 constexpr uint64_t kMaxResolution = 65536;  // the form knows its own limit; this is for the int
 constexpr uint64_t kMaxLookups = 64;
+constexpr uint64_t kMaxTerms = 64;  // as many as a form may have
 constexpr uint64_t kAny = std::numeric_limits<uint64_t>::max();
 
 template <class T>
@@ -23,6 +26,15 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, T& target, u
         target = static_cast<T>(integerFromText(name, text, lower, upper));
     };
     return command.add_option_function<std::string>(name, parse, help);
+}
+
+// A file is read at once, so that what is wrong with it is said before any work.
+void setForm(FitOptions& options, const std::string& text)
+{
+    options.form = text;
+    if (std::filesystem::path(text).extension() != ".json") return;
+    options.formData = readForm(text);
+    options.form = options.formData->name;
 }
 
 }  // namespace
@@ -67,9 +79,12 @@ void addCosine(CLI::App& command, SourceOptions& options)
 
 void addFitOptions(CLI::App& command, FitOptions& options)
 {
-    command.add_option("--form", options.form, "form of the product (see fbrdf forms), or auto")
-        ->type_name("FORM")
-        ->capture_default_str();
+    command
+        .add_option_function<std::string>(
+            "--form", [&options](const std::string& text) { setForm(options, text); },
+            "form of the product (see fbrdf forms), a form as data FILE.json, or auto; default "
+            "auto")
+        ->type_name("FORM");
     addInteger(command, "--resolution", options.resolution, 1, kMaxResolution,
                "texels along the main axis; default: the form's own")
         ->type_name("N");
@@ -79,6 +94,9 @@ void addFitOptions(CLI::App& command, FitOptions& options)
     addInteger(command, "--lookups", options.lookups, 1, kMaxLookups,
                "texture look-ups allowed in a pass; default 2")
         ->type_name("K");
+    addInteger(command, "--terms", options.terms, 1, kMaxTerms,
+               "terms of a sum that auto tries at most; default 2")
+        ->type_name("N");
     addFitTuning(command, options);
 }
 

@@ -2,7 +2,6 @@
 
 #include "Errors.h"
 #include "FitJob.h"
-#include "Lookups.h"
 
 #include <fmt/format.h>
 

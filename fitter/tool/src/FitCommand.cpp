@@ -68,11 +68,13 @@ Json trialsJson(const FitSummary& summary)
     Json trials = Json::array();
     for (const Trial& trial : summary.trials)
         trials.push_back({{"form", trial.form},
+                          {"stage", trial.stage},
                           {"description", trial.description},
                           {"bytes", trial.bytes},
                           {"lookups", trial.lookups},
                           {"seconds", jsonOf(trial.seconds)},
                           {"score", jsonOf(trial.score)},
+                          {"held_out", jsonOf(errorMap(trial.heldOut))},
                           {"chosen", trial.chosen}});
     return trials;
 }
@@ -96,6 +98,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"smoothness", jsonOf(outcome.summary.smoothness)},
             {"noise_floor", jsonOf(outcome.summary.noiseFloor)},
             {"folds", outcome.summary.folds},
+            {"unsupported_texels", unsupportedTexels(material)},
             {"trials", trialsJson(outcome.summary)}};
 }
 
@@ -117,6 +120,32 @@ std::string errorsText(const FitOutcome& outcome)
            "  pictures and physics\n" + errorTable({errorMap(outcome.scene)}, {});
 }
 
+std::string supportText(const Material& material)
+{
+    const size_t unsupported = unsupportedTexels(material);
+    if (unsupported == 0) return "every texel is supported by samples";
+    size_t texels = 0;
+    for (const Table& table : material.tables)
+        texels += static_cast<size_t>(texelCount(table.domain));
+    return withSeparators(unsupported) + " of " + withSeparators(texels) +
+           " texels are supported by no sample";
+}
+
+std::string trialsText(const FitSummary& summary)
+{
+    if (summary.trials.empty()) return "";
+    std::vector<std::vector<std::string>> rows{{"", "stage", "form", "bytes", "look-ups",
+                                                "log_median", "log_rms", "cuberoot_rms", "tables"}};
+    for (const Trial& t : summary.trials)
+        rows.push_back({t.chosen ? "*" : "", t.stage, t.form, withSeparators(t.bytes),
+                        fmt::format("{}", t.lookups), fmt::format("{:.4g}", t.heldOut.logMedian),
+                        fmt::format("{:.4g}", t.heldOut.logRms),
+                        fmt::format("{:.4g}", t.heldOut.cubeRootRms), t.description});
+    const Align l = Align::left, r = Align::right;
+    return "  forms tried, errors held out; * chosen\n" +
+           alignedTable({l, l, l, r, r, r, r, r, l}, rows, 4);
+}
+
 std::string summaryText(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
 {
     const Material& material = *outcome.material;
@@ -127,10 +156,11 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                {{"form", material.form.name + ", " + withSeparators(materialBytes(material)) +
                              " bytes as " + storageName(command.job.fit.storage)},
                 {"samples", samplesText(outcome)},
+                {"support", supportText(material)},
                 {"smoothness", fmt::format("{:.3g}", outcome.summary.smoothness)},
                 {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
                                         times.read, times.fit, times.measure, writeSeconds)}}) +
-           errorsText(outcome);
+           errorsText(outcome) + trialsText(outcome.summary);
 }
 
 // Under mpirun every rank adds up its share of the rows; all come to the same material, and rank 0

@@ -59,7 +59,7 @@ FitOutcome runFitJob(const FitJob& job, Progress& progress)
 {
     FitOutcome outcome;
     Stopwatch watch;
-    if (job.fit.form != "auto") makeForm(job.fit.form, job.fit.resolution);  // before long reading
+    checkOptions(job.fit);  // before long reading
     progress.phase("reading " + sourceNote(job.source));
     outcome.source = openSource(job.source, job.sourceOptions);
     outcome.report = reportOf(outcome.source);
@@ -82,6 +82,13 @@ FitOutcome runFitJob(const FitJob& job, Progress& progress)
     return outcome;
 }
 
+size_t unsupportedTexels(const Material& material)
+{
+    size_t count = 0;
+    for (const Table& table : material.tables) count += table.unsupportedCount();
+    return count;
+}
+
 uint64_t invalidSamples(const SampleReport& report)
 {
     return report.nonFinite + report.belowHorizon + report.invalid;
@@ -102,11 +109,10 @@ std::string optionsNote(const FitJob& job)
 {
     const FitOptions& fit = job.fit;
     return fmt::format(
-        "form={} resolution={} max-bytes={} lookups={} storage={} metric={} robust={} "
-        "smoothness={} "
-        "seed={} cosine={}{}",
-        fit.form, fit.resolution, fit.maxBytes, fit.lookups, storageName(fit.storage),
-        metricName(fit.metric), fit.robust,
+        "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
+        "smoothness={} seed={} cosine={}{}",
+        fit.formData ? describe(*fit.formData) : fit.form, fit.resolution, fit.maxBytes,
+        fit.lookups, fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
         job.sourceOptions.cosine, fit.sharedShape ? " shared" : "");
 }

@@ -37,6 +37,9 @@ struct FitOutcome {
 /// Reads, fits and measures. Errors as openSource and fitMaterial.
 FitOutcome runFitJob(const FitJob& job, Progress& progress);
 
+/// Texels marked as supported by no sample, over all tables.
+size_t unsupportedTexels(const Material& material);
+
 /// Samples that the reader dropped.
 uint64_t invalidSamples(const SampleReport& report);
 

@@ -1,7 +1,5 @@
 #include "FitReport.h"
 
-#include "Lookups.h"
-
 #include <fbrdf/report/Report.h>
 #include <fmt/format.h>
 
@@ -12,8 +10,8 @@ std::vector<ReportTrial> trialsOf(const FitSummary& summary)
 {
     std::vector<ReportTrial> trials;
     for (const Trial& t : summary.trials)
-        trials.push_back(
-            {t.form, t.description, t.bytes, t.lookups, t.seconds, errorMap(t.heldOut), t.chosen});
+        trials.push_back({t.form, t.description, t.bytes, t.lookups, t.seconds, errorMap(t.heldOut),
+                          t.chosen, t.stage});
     return trials;
 }
 

@@ -1,7 +1,6 @@
 // fbrdf forms: the products that can be fitted.
 #include "Commands.h"
 #include "Errors.h"
-#include "Lookups.h"
 #include "Output.h"
 #include "TextTable.h"
 

@@ -1,7 +1,6 @@
 #include "MaterialInfo.h"
 
 #include "FitJob.h"
-#include "Lookups.h"
 #include "TextTable.h"
 
 #include <fmt/format.h>
@@ -46,6 +45,17 @@ std::string domainText(const TableSpec& spec)
            (grid.symmetric ? ", symmetric" : "");
 }
 
+// Nothing is known of the texels of a material that no fit of ours made.
+Json unsupportedJson(const Table& table)
+{
+    return table.unsupported.empty() ? Json() : Json(table.unsupportedCount());
+}
+
+std::string unsupportedText(const Table& table)
+{
+    return table.unsupported.empty() ? "-" : withSeparators(table.unsupportedCount());
+}
+
 Json tableJson(const TableSpec& spec, const Table& table)
 {
     const Range range = rangeOf(table);
@@ -57,25 +67,26 @@ Json tableJson(const TableSpec& spec, const Table& table)
         {"storage", storageName(table.storage)},
         {"channels", table.channels},
         {"bytes", table.bytes()},
+        {"unsupported_texels", unsupportedJson(table)},
         {isLog(table.storage) ? "log2_range" : "range", {jsonOf(range.least), jsonOf(range.most)}}};
 }
 
 std::string tablesText(const Material& material)
 {
     std::vector<std::vector<std::string>> rows{
-        {"table", "size", "domain", "storage", "channels", "bytes", "values"}};
+        {"table", "size", "domain", "storage", "channels", "bytes", "unsupported", "values"}};
     for (size_t t = 0; t < material.tables.size(); ++t) {
         const Table& table = material.tables[t];
         const Range range = rangeOf(table);
         rows.push_back({table.name, sizeText(table.domain), domainText(material.form.tables[t]),
                         storageName(table.storage), fmt::format("{}", table.channels),
-                        withSeparators(table.bytes()),
+                        withSeparators(table.bytes()), unsupportedText(table),
                         fmt::format("{}{:.3g} to {:.3g}", isLog(table.storage) ? "log2 F " : "F ",
                                     std::min({range.least.x, range.least.y, range.least.z}),
                                     std::max({range.most.x, range.most.y, range.most.z}))});
     }
     const Align l = Align::left, r = Align::right;
-    return alignedTable({l, r, l, l, r, r, l}, rows, 4);
+    return alignedTable({l, r, l, l, r, r, r, l}, rows, 4);
 }
 
 std::string scalesText(const Material& material)

@@ -42,10 +42,12 @@ class FitCache;
 std::shared_ptr<FitCache> makeFitCache();
 
 struct FitOptions {
-    std::string form = "auto";  ///< a name of namedForms(), a sum such as "io+hdio", or "auto"
+    std::string form = "auto";     ///< a name of namedForms(), a sum such as "io+hdio", or "auto"
+    std::optional<Form> formData;  ///< a form as data, fitted as it is; `form` is ignored then
     int resolution = 0;   ///< texels along the main axis of the form; 0: the form's own default
     size_t maxBytes = 0;  ///< > 0: no material larger than this
-    int lookups = 2;      ///< texture look-ups allowed in a pass, >= 1
+    int lookups = 2;      ///< at least lookupsPerPass() of the form, >= 1
+    int terms = 2;        ///< of auto: terms of a sum at most, >= 1
     Storage storage = Storage::log8;
     Metric metric = Metric::log;
     bool robust = true;  ///< Tukey biweight reweighting of scattered samples
@@ -63,13 +65,14 @@ struct FitOptions {
 /// One form that was tried.
 struct Trial {
     std::string form;         ///< name
+    std::string stage;        ///< what the search varied: "form", "size", "warp" or "final"
     std::string description;  ///< describe(form)
     size_t bytes = 0;
     int lookups = 0;  ///< per light
     double seconds = 0;
     SampleErrors heldOut;
-    double score = 0;  ///< the held-out error that decides: log_median, or that of the metric
-    bool chosen = false;
+    double score = 0;     ///< the held-out error that decides: log_median, or that of the metric
+    bool chosen = false;  ///< the one that was fitted in the end
 };
 
 struct FitSummary {
@@ -89,8 +92,12 @@ struct FitResult {
     FitSummary summary;
 };
 
-/// Throws Error(usage) for an unknown form or an impossible option, Error(fit) for data from which
-/// nothing can be fitted. Deterministic for a seed, whatever the number of threads.
+/// Throws Error(usage) for an unknown form or an option that no data could make possible.
+void checkOptions(const FitOptions& options);
+
+/// Throws what checkOptions does, Error(usage) for limits that the form does not keep, Error(fit)
+/// for data from which nothing can be fitted. Deterministic for a seed, whatever the number of
+/// threads.
 FitResult fitMaterial(const Source& source, const FitOptions& options = {});
 
 /// The forms that have names: pqp, pqpr, hdio, ...
@@ -102,5 +109,12 @@ const std::vector<NamedForm>& namedForms();
 /// A named form, or a sum of named forms: "io+hdio". Throws Error(usage) for an unknown name.
 /// `resolution` 0: the default.
 Form makeForm(const std::string& name, int resolution = 0);
+
+/// Texture look-ups that every light costs.
+int lookupsPerLight(const Form& form);
+/// The smallest limit of look-ups in a pass within which the form can be drawn one light at a time
+/// straight into a float target (fbrdf/plan/Plan.h): pqp 2, hdio 2, qdg 1. A surface beside the
+/// target would bring any form down to one, at a multiple of the passes: that is left to who draws.
+int lookupsPerPass(const Form& form);
 
 }  // namespace fbrdf

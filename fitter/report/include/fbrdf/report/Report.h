@@ -25,6 +25,7 @@ struct ReportTrial {
     std::map<std::string, double>
         errors;  ///< held out, named as in Metrics.h; a column for each name
     bool chosen = false;
+    std::string stage{};  ///< what the search varied; may be empty
 };
 
 struct ReportCounts {

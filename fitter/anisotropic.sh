@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# anisotropic.sh - prints how well anisotropic models are held: picture error of the standard sphere
+# of each, bytes, and the average and the least of all. Two look-ups in any pass (form gg+pqpr).
+# Usage: fitter/anisotropic.sh [path of fbrdf] [further options of fbrdf batch]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+fbrdf=${1:-$root/build/bin/fbrdf}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+{
+  for name in ward-rolled-brass ward-brushed-aluminium ward-varnished-plywood; do
+    printf '%s\t%s\n' "$name" "$name"
+  done
+  for alpha in 0.05:0.2 0.1:0.4; do
+    lobe="ggx:alpha_x=${alpha%:*},alpha_y=${alpha#*:}"
+    printf 'metal-%s\t%s,f0=0.9,kd=0\n' "${alpha/:/-}" "$lobe"
+    printf 'plastic-%s\t%s,f0=0.04,kd=0.3\n' "${alpha/:/-}" "$lobe"
+  done
+  printf 'ashikhmin-shirley\tashikhmin-shirley:nu=10,nv=100,ks=0.5\n'
+  printf 'poulin-fournier\tpoulin-fournier:kd=0.3,ks=0.3\n'
+} > "$folder/list"
+"$fbrdf" batch "$folder/list" -o "$folder" --form gg+pqpr --resolution 64 "${@:2}" --quiet
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+  { p = $column["psnr_linear"]; sum += p; if (NR == 2 || p < least) least = p
+    printf "%-24s %6d bytes %7.2f dB\n", $column["name"], $column["bytes"], p }
+  END { printf "average %.2f dB, least %.2f dB\n", sum / (NR - 1), least }' "$folder/results.csv"

@@ -1,0 +1,116 @@
+#include "Job.h"
+
+#include "Bake.h"
+#include "NamedForms.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/SampleSets.h>
+
+#include <algorithm>
+
+namespace fbrdf {
+namespace {
+
+constexpr size_t kFunctionSamples = 131072;  // taken from a source that is only a function
+constexpr size_t kProbeSamples = 200000;     // that traits and sample errors are taken from
+constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
+constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
+
+}  // namespace
+
+Feed readFeed(const Source& source, const FitOptions& options)
+{
+    Feed feed = makeFeed(source, kFunctionSamples, options.seed, options.threads);
+    if (feed.rows == 0)
+        throw Error(ErrorKind::fit, source.name, "found no samples, expected at least one");
+    return feed;
+}
+
+Job makeJob(Feed feed, const FitOptions& options)
+{
+    Job job{options, std::move(feed), {}, false, 1};
+    job.traits = traitsOf(probeOf(job), job.feed.exact);
+    job.robust = options.robust && !job.feed.exact;
+    job.folds = job.feed.rows < kSmallSet ? kFolds : 1;
+    return job;
+}
+
+Job partOf(const Job& job, std::vector<Sample> part)
+{
+    Job result = job;
+    if (part.empty()) return result;
+    result.feed = heldFeed(std::move(part));
+    result.feed.exact = job.feed.exact;
+    return result;
+}
+
+size_t bytesOf(const Job& job, const Form& form)
+{
+    return formBytes(form, job.options.storage) / (job.options.sharedShape ? 3 : 1);
+}
+
+SolveOptions solveOptions(const Job& job)
+{
+    SolveOptions options;
+    options.smoothness = job.options.smoothness.value_or(0.0);
+    options.metric = job.options.metric;
+    options.robust = job.robust;
+    options.folds = job.folds;
+    return options;
+}
+
+LeastSquaresOptions problemOptions(const Job& job)
+{
+    LeastSquaresOptions options;
+    options.sharedShape = job.options.sharedShape;
+    options.cache = job.options.cache.get();
+    options.ranks = job.options.ranks;
+    return options;
+}
+
+std::vector<Sample> probeOf(const Job& job, int fold)
+{
+    return someSamples(job.feed, fold, kProbeSamples, job.options.seed);
+}
+
+Fitted fitForm(const Job& job, const Form& form)
+{
+    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
+                               problemOptions(job));
+    const Solution solution = solve(problem, solveOptions(job));
+    return {bake(form, problem.layout(), solution.x, job.options.storage), solution.smoothness};
+}
+
+SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted)
+{
+    if (!job.feed.exact)
+        return heldOutOf(job, fitted.material.form, fitted.smoothness, job.folds).errors;
+    const auto test = samplesAt(source, uniformPairs(kTestSamples, 0), job.options.threads);
+    return sampleErrors(test, evaluateAt(fitted.material, test, job.options.threads),
+                        job.traits.floor);
+}
+
+HeldOut heldOutOf(const Job& job, const Form& form, double smoothness, int folds)
+{
+    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
+                               problemOptions(job));
+    HeldOut result;
+    std::vector<Sample> held;
+    std::vector<Vec3f> fitted;
+    for (int fold = 0; fold < folds; ++fold) {
+        SolveOptions options = solveOptions(job);
+        options.smoothness = smoothness;
+        options.excludedFold = fold;
+        const Solution solution = solve(problem, options);
+        result.smoothness = solution.smoothness;
+        const Material material = bake(form, problem.layout(), solution.x, job.options.storage);
+        const auto part = probeOf(job, fold);
+        const auto values = evaluateAt(material, part, job.options.threads);
+        held.insert(held.end(), part.begin(), part.end());
+        fitted.insert(fitted.end(), values.begin(), values.end());
+    }
+    if (!held.empty()) result.errors = sampleErrors(held, fitted, job.traits.floor);
+    return result;
+}
+
+}  // namespace fbrdf

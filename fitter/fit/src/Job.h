@@ -1,0 +1,69 @@
+// Job.h - the data of one fit and what is the same for every form tried on it.
+#pragma once
+#include "Feed.h"
+#include "Solve.h"
+#include "Traits.h"
+
+#include <fbrdf/fit/Fit.h>
+
+#include <chrono>
+
+namespace fbrdf {
+
+class Clock {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Job {
+    const FitOptions& options;
+    Feed feed;
+    DataTraits traits;
+    bool robust = false;
+    int folds = 1;  ///< that are held out in turn
+};
+
+/// The samples of a fit; `source` must outlive the feed. Throws Error(fit) when there are none.
+Feed readFeed(const Source& source, const FitOptions& options);
+
+/// `options` must outlive the job.
+Job makeJob(Feed feed, const FitOptions& options);
+
+/// The job on a part of its samples, or the job itself when `part` is empty.
+Job partOf(const Job& job, std::vector<Sample> part);
+/// Bytes of the material that the job makes of a form.
+size_t bytesOf(const Job& job, const Form& form);
+
+SolveOptions solveOptions(const Job& job);
+LeastSquaresOptions problemOptions(const Job& job);
+
+/// A form fitted to all of the data.
+struct Fitted {
+    Material material;
+    double smoothness = 0;
+};
+Fitted fitForm(const Job& job, const Form& form);
+
+/// What is said of a fit: errors on a fresh set of directions where the source is a function, and
+/// of fits of the same form and smoothness that leave folds out where it is not.
+SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted);
+
+/// At most kProbeSamples of the data: what traits and errors are taken from.
+std::vector<Sample> probeOf(const Job& job, int fold = kNoFold);
+
+/// Errors on samples that took no part, and the smoothness of the last fit.
+struct HeldOut {
+    SampleErrors errors;
+    double smoothness = 0;
+};
+/// Each of `folds` folds is left out of a fit of its own. `smoothness` 0: chosen in each of these
+/// fits.
+HeldOut heldOutOf(const Job& job, const Form& form, double smoothness, int folds);
+
+}  // namespace fbrdf

@@ -1,0 +1,169 @@
+// SearchTest.cpp - `auto` against every form with a name, on the same data.
+#include <fbrdf/fit/Fit.h>
+
+#include "FormVariants.h"
+#include "Known.h"
+#include "support/DataDir.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace fbrdf {
+namespace {
+
+// What saving bytes may cost.
+constexpr double kAllowed = 1.02;
+
+FitOptions optionsOf(const std::string& form)
+{
+    FitOptions options;
+    options.form = form;
+    options.resolution = 12;  // small tables keep the test quick
+    return options;
+}
+
+const Trial& chosenOf(const FitSummary& summary)
+{
+    for (const Trial& trial : summary.trials)
+        if (trial.chosen) return trial;
+    throw std::runtime_error("no trial is chosen");
+}
+
+void expectNoNamedFormIsBetter(const Source& source, const std::vector<std::string>& names)
+{
+    const FitSummary chosen = fitMaterial(source, optionsOf("auto")).summary;
+    EXPECT_EQ(chosenOf(chosen).stage, "final");
+    for (const Trial& trial : chosen.trials) {
+        EXPECT_GT(trial.bytes, 0u);
+        EXPECT_FALSE(trial.description.empty());
+    }
+    EXPECT_EQ(chosenOf(chosen).score, chosen.heldOut.logMedian);
+    for (const std::string& name : names)
+        EXPECT_LE(chosen.heldOut.logMedian,
+                  kAllowed * fitMaterial(source, optionsOf(name)).summary.heldOut.logMedian)
+            << source.name << ": " << chosenOf(chosen).description << " against " << name;
+}
+
+TEST(Search, IsNoWorseThanNamedFormsOnAPlastic)
+{
+    expectNoNamedFormIsBetter(
+        test::scattered(test::sourceOf(test::Ggx{0.25, 0.25, 0.04, 0.3}), 3000, 3),
+        {"hdio", "hdg", "hdp", "gg+hdg", "gg+hdio", "io+hdio"});
+}
+
+TEST(Search, IsNoWorseThanNamedFormsOnAnAnisotropicMetal)
+{
+    expectNoNamedFormIsBetter(
+        test::scattered(test::sourceOf(test::Ggx{0.2, 0.5, 0.9, 0.0}), 3000, 3),
+        {"hdio", "pqp", "pqpr", "qdio", "qdg", "gg+pqpr", "io+pqpr"});
+}
+
+TEST(Search, IsNoWorseThanNamedFormsOnGarnetRed)
+{
+    FBRDF_NEEDS_DATA("cornell_pbrt2/garnet_red.brdf");
+    expectNoNamedFormIsBetter(openSource(test::dataPath("cornell_pbrt2/garnet_red.brdf")),
+                              {"hdio", "hdg", "hdp", "gg+hdio", "io+hdio"});
+}
+
+TEST(Search, IsNoWorseThanNamedFormsOnAMeasuredMetal)
+{
+    FBRDF_NEEDS_DATA("nbrdf/nbrdf_weights.f32");
+    const Source net =
+        openSource(test::dataPath("nbrdf/nbrdf_weights.f32") + "#gold-metallic-paint");
+    expectNoNamedFormIsBetter(test::scattered(net, 3000, 5), {"hdio", "hdg", "gg+hdio"});
+}
+
+TEST(Search, KeepsToTheLimitOfLookups)
+{
+    FitOptions options = optionsOf("auto");
+    options.lookups = 1;
+    const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 1500, 4);
+    const FitResult result = fitMaterial(source, options);
+    EXPECT_EQ(lookupsPerPass(result.material.form), 1);
+    for (const Trial& trial : result.summary.trials)
+        EXPECT_EQ(trial.form.find("hdio"), std::string::npos);
+    options.form = "hdio";
+    EXPECT_THROW(fitMaterial(source, options), Error);
+}
+
+TEST(Search, KeepsToTheNumberOfTerms)
+{
+    FitOptions options = optionsOf("auto");
+    options.terms = 1;
+    const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 1500, 4);
+    for (const Trial& trial : fitMaterial(source, options).summary.trials)
+        EXPECT_EQ(trial.form.find('+'), std::string::npos) << trial.form;
+    options.terms = 0;
+    EXPECT_THROW(fitMaterial(source, options), Error);
+}
+
+TEST(Search, IsTheSameWhateverTheThreads)
+{
+    const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 1500, 2);
+    FitOptions options = optionsOf("auto");
+    options.threads = 1;
+    const FitResult a = fitMaterial(source, options);
+    options.threads = 3;
+    const FitResult b = fitMaterial(source, options);
+    ASSERT_EQ(a.summary.trials.size(), b.summary.trials.size());
+    for (size_t t = 0; t < a.summary.trials.size(); ++t)
+        EXPECT_EQ(a.summary.trials[t].score, b.summary.trials[t].score) << t;
+    for (size_t t = 0; t < a.material.tables.size(); ++t)
+        EXPECT_EQ(a.material.tables[t].texels, b.material.tables[t].texels);
+}
+
+TEST(Search, SaysThatAResolutionIsOutOfRange)
+{
+    FitOptions options = optionsOf("auto");
+    options.resolution = 2;
+    try {
+        fitMaterial(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), options);
+        FAIL() << "2 was taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_EQ(std::string(error.what()).find("resolution"), 0u) << error.what();
+    }
+}
+
+TEST(Fit, TakesAFormAsData)
+{
+    FitOptions options;
+    options.formData = formHdio(9, 5, 6);
+    options.formData->name = "mine";
+    const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 1500, 4);
+    const FitResult result = fitMaterial(source, options);
+    EXPECT_EQ(result.material.form.name, "mine");
+    EXPECT_EQ(domainSize(result.material.tables[0].domain)[0], 9);
+    options.resolution = 12;
+    EXPECT_THROW(fitMaterial(source, options), Error);
+}
+
+TEST(FormVariants, ResizingKeepsWhatIsNotTheTable)
+{
+    const Form form = makeForm("gg+pqpr", 16);
+    const auto larger = resized(form, 1, 1.5);
+    ASSERT_TRUE(larger);
+    EXPECT_EQ(domainSize(larger->tables[1].domain)[0], 24);
+    EXPECT_TRUE(sameDomain(larger->tables[2].domain, form.tables[2].domain));
+    EXPECT_NO_THROW(validate(*larger, "larger"));
+    EXPECT_FALSE(resized(formHdio(4, 4, 4), 0, 0.5));  // four knots are the fewest
+    EXPECT_TRUE(
+        sameDomain(resized(*larger, 1, 1.0 / 1.5)->tables[1].domain, form.tables[1].domain));
+}
+
+TEST(FormVariants, WarpsOfSymmetricAxesStayEqual)
+{
+    const Form form = formHdio(8, 4, 6);
+    EXPECT_EQ(warpCount(form.tables[0].domain), 2u);
+    EXPECT_EQ(warpCount(form.tables[1].domain), 1u);
+    const auto warped = rewarped(form, 1, 0, 1.5);
+    ASSERT_TRUE(warped);
+    EXPECT_NO_THROW(validate(*warped, "warped"));
+    EXPECT_FALSE(rewarped(form, 0, 0, 100.0));
+    EXPECT_FALSE(rewarped(form, 1, 1, 1.5));
+}
+
+}  // namespace
+}  // namespace fbrdf
