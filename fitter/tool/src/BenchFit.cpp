@@ -1,7 +1,6 @@
 #include "BenchFit.h"
 
 #include "Arguments.h"
-#include "Lookups.h"
 #include "Reflectance.h"
 #include "SampleFacts.h"
 
