@@ -169,12 +169,12 @@ TEST(LeastSquares, TheStepMinimisesWhatCostMeasures)
     StepOptions options;
     options.smoothness = 1e-10;
     const State best = squares.step(squares.flatState(), options);
-    const double least = squares.cost(best, options);
+    const double least = squares.cost(best, options, best);
     std::mt19937 random(9);
     for (int i = 0; i < 20; ++i) {
         State other = best;
         for (double& v : other) v += 0.01 * (double(random() % 2001) / 1000.0 - 1.0);
-        EXPECT_GT(squares.cost(other, options), least);
+        EXPECT_GT(squares.cost(other, options, other), least);
     }
 }
 

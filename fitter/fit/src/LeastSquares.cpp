@@ -1,6 +1,7 @@
 #include "LeastSquaresRows.h"
 
 #include <array>
+#include <limits>
 
 namespace fbrdf {
 namespace {
@@ -176,17 +177,22 @@ Vec3f LeastSquares::tukeyScale(const State& x, const StepOptions& options) const
     return scale;
 }
 
-double LeastSquares::cost(const State& x, const StepOptions& options) const
+double LeastSquares::cost(const State& x, const StepOptions& options, const State& scaleAt) const
 {
     StepOptions plain = options;
     plain.robust = false;
+    const Vec3f scale = options.robust ? tukeyScale(scaleAt, options) : Vec3f(1.0f);
     const Texels texels(*this, x);
     std::vector<double> sums(2 * kParts, 0.0);
     forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
         forEachRow(block, scratch, texels, plain, Vec3f(1.0f), [&](const Row& row, int) {
             for (int c = 0; c < 3; ++c) {
-                const auto r = static_cast<double>(row.residual[c]);
-                sums[2 * part] += static_cast<double>(row.sampleWeight[c]) * r * r;
+                const float r = row.residual[c];
+                const float bounded =
+                    options.robust ? biweightLoss(r * std::sqrt(row.noiseWeight[c]), scale[c])
+                                   : 1.0f;
+                sums[2 * part] += static_cast<double>(row.sampleWeight[c] * bounded) *
+                                  static_cast<double>(r) * static_cast<double>(r);
                 sums[2 * part + 1] += static_cast<double>(row.noiseWeight[c]);
             }
         });
@@ -238,7 +244,8 @@ std::vector<double> LeastSquares::foldErrors(const std::vector<States>& states,
                 sum += sums[part * numbers + 2 * (k * strengths + s)];
                 weight += sums[part * numbers + 2 * (k * strengths + s) + 1];
             }
-            errors[s] += weight > 0.0 ? sum / weight : 0.0;
+            const double error = weight > 0.0 ? sum / weight : 0.0;
+            errors[s] += std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
         }
     return errors;
 }

@@ -79,8 +79,9 @@ public:
     /// Precondition: folds do not contain options.excludedFold.
     Choice stepWithBest(const State& x, const StepOptions& options,
                         const std::vector<double>& strengths, const std::vector<int>& folds) const;
-    /// Weighted mean of squared residuals: what a damped step must lower.
-    double cost(const State& x, const StepOptions& options) const;
+    /// Weighted mean of squared residuals: what a damped step must lower. A robust one is bounded
+    /// as the biweight is (Beaton and Tukey 1974), with the scale of the residuals at `scaleAt`.
+    double cost(const State& x, const StepOptions& options, const State& scaleAt) const;
     /// Every table flat, the form equal to 2^level; of a sum, the terms but the last equal to
     /// 2^low.
     State flatState() const;

@@ -56,12 +56,22 @@ Response responseOf(Metric metric, float c, float logF, float logG);
 
 // Beaton and Tukey 1974: (1 - (r / (c s))^2)^2 within c s, 0 beyond. 95 % efficiency for Gaussian
 // noise.
+constexpr float kTukey = 4.685f;
+
 inline float biweight(float residual, float scale)
 {
-    constexpr float kTukey = 4.685f;
     const float ratio = residual / (kTukey * scale);
     const float inside = std::max(0.0f, 1.0f - ratio * ratio);
     return inside * inside;
+}
+
+// The loss that the biweight belongs to, as a share of the squared residual: (1 - (1 - u^2)^3) /
+// (3 u^2), u = r / (c s) and at most 1 in the numerator.
+inline float biweightLoss(float residual, float scale)
+{
+    const float ratio = residual / (kTukey * scale), squared = std::max(ratio * ratio, 1e-6f);
+    const float outside = std::max(0.0f, 1.0f - squared);
+    return (1.0f - outside * outside * outside) / (3.0f * squared);
 }
 
 template <class Visit>

@@ -2,7 +2,10 @@
 
 #include "Coarse.h"
 
+#include <fbrdf/brdf/Error.h>
+
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace fbrdf {
@@ -16,28 +19,41 @@ constexpr size_t kCoarseRows = 32768;  // find the way for the halved form of a 
 constexpr size_t kStartRows = 262144;  // find it for all rows; a last step is taken on all
 constexpr double kFirstDamping = 1e-3, kMaxDamping = 1e3;
 constexpr double kConverged = 1e-4;  // relative fall of the cost
+constexpr double kWorse = 0.1;       // rise of the cost that more smoothness may have, relative
 
 bool isLinear(const LeastSquares& problem, Metric metric)
 {
     return problem.form().terms.size() == 1 && metric == Metric::log;
 }
 
+// The state after a step, or nothing where the system is singular: more damping may mend it.
+std::optional<State> tryStep(const LeastSquares& problem, const State& x,
+                             const StepOptions& options)
+{
+    try {
+        return problem.step(x, options);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
 // Levenberg-Marquardt: a step that does not lower the cost is taken back and damped ten times more.
 State descend(const LeastSquares& problem, State x, StepOptions options, int maxSteps)
 {
-    double cost = problem.cost(x, options), damping = kFirstDamping;
+    double damping = kFirstDamping, cost = problem.cost(x, options, x);
     for (int i = 0; i < maxSteps && damping < kMaxDamping; ++i) {
         options.damping = damping;
-        State next = problem.step(x, options);
-        const double nextCost = problem.cost(next, options);
+        auto next = tryStep(problem, x, options);
+        const double nextCost = next ? problem.cost(*next, options, x) : cost;
         if (!(nextCost < cost)) {
             damping *= 10.0;
             continue;
         }
         const double fall = (cost - nextCost) / cost;
-        x = std::move(next);
-        cost = nextCost;
-        damping *= 0.2;
+        x = std::move(*next);
+        cost = options.robust ? problem.cost(x, options, x) : nextCost;  // the scale is another
+        // Robust weights may leave a texel of a weak term alone: it keeps some damping.
+        damping = std::max(damping * 0.2, options.robust ? kFirstDamping : 0.0);
         if (fall < kConverged) break;
     }
     return x;
@@ -65,10 +81,10 @@ State solveAt(const LeastSquares& problem, const SolveOptions& options, double s
     step.metric = options.metric;
     if (options.metric != Metric::log) x = descend(problem, std::move(x), step, kMaxSteps);
     step.robust = options.robust;
-    for (int i = 0; options.robust && i < kRobustSteps; ++i) {
-        step.damping = isLinear(problem, options.metric) ? 0.0 : kFirstDamping;
-        x = problem.step(x, step);
-    }
+    if (!options.robust) return x;
+    if (!isLinear(problem, options.metric))
+        return descend(problem, std::move(x), step, kRobustSteps);
+    for (int i = 0; i < kRobustSteps; ++i) x = problem.step(x, step);
     return x;
 }
 
@@ -92,6 +108,21 @@ StepOptions lastStep(const SolveOptions& options, double smoothness)
     return last;
 }
 
+// A last step of a problem that is not linear with the smoothness that suits it best; none where no
+// step gets nearer.
+Solution bestNearby(const LeastSquares& problem, const SolveOptions& options, const State& x,
+                    const StepOptions& last)
+{
+    try {
+        auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
+        if (problem.cost(choice.x, last, x) <= problem.cost(x, last, x) * (1.0 + kWorse))
+            return {std::move(choice.x), choice.smoothness};
+    } catch (const Error&) {
+        // Singular: stay.
+    }
+    return {x, last.smoothness};
+}
+
 // All samples, all texels, nothing known before.
 Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
 {
@@ -103,8 +134,11 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
     const State x = direct && !options.robust ? problem.flatState()
                                               : solveAt(problem, options, last.smoothness);
     if (fixed) return {problem.step(x, last), last.smoothness};
-    auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
-    return {std::move(choice.x), choice.smoothness};
+    if (direct) {
+        auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
+        return {std::move(choice.x), choice.smoothness};
+    }
+    return bestNearby(problem, options, x, last);
 }
 
 // The last step from a solution that is near.
@@ -112,10 +146,7 @@ Solution refined(const LeastSquares& problem, const SolveOptions& options, Solut
 {
     StepOptions last = lastStep(options, near.smoothness);
     const bool direct = isLinear(problem, options.metric);
-    if (!direct) last.damping = kFirstDamping;
-    // The cost counts outliers: it cannot judge a robust step.
-    near.x = direct || options.robust ? problem.step(near.x, last)
-                                      : descend(problem, near.x, last, kLastSteps);
+    near.x = direct ? problem.step(near.x, last) : descend(problem, near.x, last, kLastSteps);
     return near;
 }
 
