@@ -1,6 +1,7 @@
 #include "Support.h"
 
 #include "Known.h"
+#include "LeastSquares.h"
 
 #include <gtest/gtest.h>
 
@@ -22,10 +23,16 @@ Sample sampleAt(float cosine, float value)
             1.0f};
 }
 
+void mark(Material& material, const std::vector<Sample>& samples, const DataTraits& traits)
+{
+    const LeastSquares problem(material.form, heldFeed(samples), traits, 1, 2);
+    markUnsupported(material, problem.layout(), problem.support());
+}
+
 std::vector<bool> marksOf(const std::vector<Sample>& samples, const DataTraits& traits)
 {
     Material material = curveMaterial();
-    markUnsupported(material, heldFeed(samples), traits, 2);
+    mark(material, samples, traits);
     return material.tables[0].unsupported;
 }
 
@@ -49,7 +56,7 @@ TEST(Support, DenseDataSupportEverythingThatCanBeRead)
 {
     Material material = test::waveMaterial(formPqp(9, 0.5));
     const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 20000, 2);
-    markUnsupported(material, heldFeed(source.samples), {}, 1);
+    mark(material, source.samples, {});
     for (const Table& table : material.tables) {
         EXPECT_FALSE(table.unsupported[0]) << "a corner is read by nothing";
         EXPECT_FALSE(isReachable(table.domain, 0));

@@ -1,7 +1,6 @@
 #include "Job.h"
 #include "NamedForms.h"
 #include "Search.h"
-#include "Support.h"
 
 #include <fbrdf/brdf/Error.h>
 
@@ -87,7 +86,6 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     const bool searches = options.form == "auto" && !options.formData;
     Fitted fitted = searches ? searchForm(source, job, summary.trials) : fitNamed(job);
     fitted.material.name = source.name;
-    markUnsupported(fitted.material, job.feed, job.traits, options.threads);
     summary.seconds = clock.seconds();
     summary.noiseFloor = job.traits.floor;
     summary.smoothness = fitted.smoothness;

@@ -2,6 +2,7 @@
 
 #include "Bake.h"
 #include "NamedForms.h"
+#include "Support.h"
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/fit/SampleSets.h>
@@ -78,7 +79,10 @@ Fitted fitForm(const Job& job, const Form& form)
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));
     const Solution solution = solve(problem, solveOptions(job));
-    return {bake(form, problem.layout(), solution.x, job.options.storage), solution.smoothness};
+    Fitted fitted{bake(form, problem.layout(), solution.x, job.options.storage),
+                  solution.smoothness};
+    markUnsupported(fitted.material, problem.layout(), problem.support());
+    return fitted;
 }
 
 SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted)

@@ -206,6 +206,31 @@ double LeastSquares::cost(const State& x, const StepOptions& options, const Stat
     return weight > 0.0 ? sum / weight : 0.0;
 }
 
+std::vector<double> LeastSquares::support() const
+{
+    constexpr size_t kStreamRows = 262144;
+    if (!feed_.held) return thinned(kStreamRows, kNoFold).support();
+    const auto width = static_cast<size_t>(maker_.width());
+    std::vector<std::vector<double>> parts(kParts, std::vector<double>(unknowns(), 0.0));
+    forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
+        const RowStore::Block rows = store_->block(block, scratch);
+        for (size_t i = 0; i < rows.geometry.count; ++i) {
+            bool usable = false;
+            for (int c = 0; c < 3; ++c)
+                usable = usable || (rows.values.weight[i][c] > 0.0f &&
+                                    (rows.values.censored[i] >> c & 1) == 0);
+            for (size_t k = i * width; usable && k < (i + 1) * width; ++k)
+                parts[part][static_cast<size_t>(rows.geometry.unknown[k])] +=
+                    static_cast<double>(rows.geometry.weight[k]);
+        }
+    });
+    std::vector<double> sum(unknowns(), 0.0);
+    for (const auto& part : parts)
+        for (size_t u = 0; u < sum.size(); ++u) sum[u] += part[u];
+    options_.ranks.sum(sum);
+    return sum;
+}
+
 // For every strength, the sum over folds of the weighted mean |log2 f - log2 g| of the samples left
 // out.
 std::vector<double> LeastSquares::foldErrors(const std::vector<States>& states,

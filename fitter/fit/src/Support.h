@@ -1,18 +1,19 @@
 // Support.h - which texels the data say anything about.
 #pragma once
-#include "Feed.h"
-#include "Traits.h"
+#include "Rows.h"
 
 #include <fbrdf/brdf/Material.h>
+
+#include <vector>
 
 namespace fbrdf {
 
 /// Sum of interpolation weights that supports a texel: a tenth of a sample that lies on it.
-constexpr float kSupport = 0.1f;
+constexpr double kSupport = 0.1;
 
-/// Sets Table::unsupported of every table: reachable texels whose interpolation weights, summed
-/// over the samples with a channel above the noise floor, stay at or below kSupport. A symmetric
-/// table's mirrored texels share their sum. Reads no further than until every texel is supported.
-void markUnsupported(Material& material, const Feed& feed, const DataTraits& traits, int threads);
+/// Sets Table::unsupported of every table: reachable texels whose sum of interpolation weights
+/// (LeastSquares::support, one number an unknown) is at or below kSupport. A symmetric table's
+/// mirrored texels share their sum.
+void markUnsupported(Material& material, const Layout& layout, const std::vector<double>& support);
 
 }  // namespace fbrdf
