@@ -82,8 +82,8 @@ public:
     /// Weighted mean of squared residuals: what a damped step must lower. A robust one is bounded
     /// as the biweight is (Beaton and Tukey 1974), with the scale of the residuals at `scaleAt`.
     double cost(const State& x, const StepOptions& options, const State& scaleAt) const;
-    /// Sum of interpolation weights of every unknown over the samples with a channel above the noise
-    /// floor. Of a stream a part of it answers: 262,144 samples.
+    /// Sum of interpolation weights of every unknown over the samples with a channel above the
+    /// noise floor. Of a stream a part of it answers: 262,144 samples.
     std::vector<double> support() const;
     /// Every table flat, the form equal to 2^level; of a sum, the terms but the last equal to
     /// 2^low.
