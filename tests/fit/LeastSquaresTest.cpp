@@ -24,7 +24,7 @@ struct Problem {
     Problem(Source from, size_t count)
         : source(std::move(from)),
           feed(makeFeed(source, count, 1, 2)),
-          traits(traitsOf(someSamples(feed, kNoFold, 20000, 1), feed.exact))
+          traits(traitsOf(someSamples(feed, kNoFold, 20000, 1), feed.exact, "data"))
     {
     }
 };
@@ -305,16 +305,16 @@ TEST(Ranks, TwoProcessesTakeTheStepOfOne)
 TEST(Traits, NothingAboveTheFloorIsAnError)
 {
     std::vector<Sample> samples(5, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.0f), 1.0f});
-    EXPECT_THROW(traitsOf(samples, false), Error);
-    EXPECT_THROW(traitsOf({}, false), Error);
+    EXPECT_THROW(traitsOf(samples, false, "data"), Error);
+    EXPECT_THROW(traitsOf({}, false, "data"), Error);
 }
 
 TEST(Traits, OneSampleAFoldIsTheLeast)
 {
     std::vector<Sample> samples(4, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.5f), 1.0f});
-    EXPECT_THROW(traitsOf(samples, false), Error);
+    EXPECT_THROW(traitsOf(samples, false, "data"), Error);
     samples.push_back(samples[0]);
-    EXPECT_EQ(traitsOf(samples, false).usable, 5u);
+    EXPECT_EQ(traitsOf(samples, false, "data").usable, 5u);
 }
 
 }  // namespace

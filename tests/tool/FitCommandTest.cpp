@@ -68,6 +68,12 @@ TEST_F(FitCommand, CountsWhatItDropped)
     EXPECT_EQ(samples["below_horizon"], 2);
 }
 
+TEST_F(FitCommand, TooFewSamplesNameTheFile)
+{
+    writeText(csv, samplesCsv(1));
+    expectError(runTool(quickFit(csv, output)), 4, "glossy: found 1, of which 1");
+}
+
 TEST_F(FitCommand, SameCommandTwiceGivesTheSameBytes)
 {
     ASSERT_EQ(runTool(quickFit(csv, output)).code, 0);

@@ -82,7 +82,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     FitSummary& summary = result.summary;
     summary.readSeconds = readClock.seconds();
     const Clock clock;
-    const Job job = makeJob(std::move(feed), options);
+    const Job job = makeJob(std::move(feed), options, source.name);
     const bool searches = options.form == "auto" && !options.formData;
     Fitted fitted = searches ? searchForm(source, job, summary.trials) : fitNamed(job);
     fitted.material.name = source.name;

@@ -27,10 +27,10 @@ Feed readFeed(const Source& source, const FitOptions& options)
     return feed;
 }
 
-Job makeJob(Feed feed, const FitOptions& options)
+Job makeJob(Feed feed, const FitOptions& options, const std::string& source)
 {
     Job job{options, std::move(feed), {}, false, 1};
-    job.traits = traitsOf(probeOf(job), job.feed.exact);
+    job.traits = traitsOf(probeOf(job), job.feed.exact, source);
     job.robust = options.robust && !job.feed.exact;
     job.folds = job.feed.rows < kSmallSet ? kFolds : 1;
     return job;

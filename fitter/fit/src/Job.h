@@ -32,8 +32,8 @@ struct Job {
 /// The samples of a fit; `source` must outlive the feed. Throws Error(fit) when there are none.
 Feed readFeed(const Source& source, const FitOptions& options);
 
-/// `options` must outlive the job.
-Job makeJob(Feed feed, const FitOptions& options);
+/// `options` must outlive the job. Throws Error(fit) naming `source` for too few samples.
+Job makeJob(Feed feed, const FitOptions& options, const std::string& source);
 
 /// The job on a part of its samples, or the job itself when `part` is empty.
 Job partOf(const Job& job, std::vector<Sample> part);

@@ -35,7 +35,7 @@ Observed observe(float f, float floor, float sampleWeight)
     return {0.0f, 0.0f, true};
 }
 
-DataTraits traitsOf(const std::vector<Sample>& samples, bool exact)
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source)
 {
     DataTraits traits;
     if (!exact) traits.floor = estimateNoiseFloor(samples);
@@ -63,11 +63,11 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact)
         traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
     }
     if (traits.usable < kFewestSamples)
-        throw Error(ErrorKind::fit, "samples",
+        throw Error(ErrorKind::fit, source,
                     "found " + std::to_string(samples.size()) + ", of which " +
                         std::to_string(traits.usable) +
                         " have a value above the noise floor; expected at least " +
-                        std::to_string(kFewestSamples) + " that have");
+                        std::to_string(kFewestSamples) + " samples that have");
     return traits;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 #include <fbrdf/sources/Source.h>
 
+#include <string>
 #include <vector>
 
 namespace fbrdf {
@@ -19,8 +20,8 @@ struct DataTraits {
     size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
 };
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
-/// Throws Error(fit) when fewer than 5 samples have a value above the noise floor.
-DataTraits traitsOf(const std::vector<Sample>& samples, bool exact);
+/// Throws Error(fit) naming `source` when fewer than 5 samples have a value above the noise floor.
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source);
 
 /// One channel of one sample.
 struct Observed {
