@@ -42,7 +42,41 @@ TEST(BenchFitCommand, ComparesFormsAndPeersOnAFunction)
     const double b = json["materials"][1]["scores"][0]["errors"]["psnr_linear"].get<double>();
     EXPECT_NEAR(summary["errors"]["psnr_linear"]["mean"].get<double>(), 0.5 * (a + b), 1e-9);
     EXPECT_EQ(summary["errors"]["psnr_linear"]["worst"].get<double>(), std::min(a, b));
-    EXPECT_EQ(linesOf(readText(folder.file("t.csv"))).size(), 4u);
+    // A row for every contender: header, 2 x 3.
+    EXPECT_EQ(linesOf(readText(folder.file("t.csv"))).size(), 7u);
+}
+
+TEST(BenchFitCommand, GoesOnFromTheTableOfAnEarlierRun)
+{
+    const TemporaryDir folder;
+    const std::string csv = folder.file("t.csv");
+    const std::string ward = "ward:alpha=0.3,rho_s=0.2";  // a comma inside a field
+    const auto first = jsonFrom(bench({ward, "--json", "--csv", csv}))["materials"][0]["scores"];
+    // A number that no fit gives shows that the row was kept and not made again.
+    std::string table = readText(csv);
+    const std::string bytes = "," + first[0]["bytes"].dump() + ",";
+    ASSERT_NE(table.find(bytes), std::string::npos);
+    table.replace(table.find(bytes), bytes.size(), ",12345,");
+    writeText(csv, table);
+    const auto both = jsonFrom(bench({ward, "lambert", "--json", "--csv", csv, "--resume"}));
+    ASSERT_EQ(both["materials"].size(), 2u);
+    const auto kept = both["materials"][0]["scores"];
+    ASSERT_EQ(kept.size(), first.size());
+    EXPECT_EQ(kept[0]["bytes"], 12345);
+    for (size_t i = 0; i < kept.size(); ++i)
+        for (const auto& [name, value] : first[i]["errors"].items()) {
+            if (!value.is_number()) continue;
+            const double before = value.get<double>();
+            EXPECT_NEAR(kept[i]["errors"][name].get<double>(), before, 1e-5 * std::abs(before));
+        }
+    // Another contender: nothing of the table answers for it.
+    const auto again =
+        jsonFrom(runTool({"bench-fit", ward, "--json", "--csv", csv, "--resume", "--forms",
+                          "hdio:600", "--peers", "npf", "--plain", "--smoothness", "1e-4"}));
+    EXPECT_NE(again["materials"][0]["scores"][0]["bytes"], 12345);
+    expectError(bench({ward, "--resume"}), 2, "--resume");
+    writeText(csv, "something,else\n");
+    expectError(bench({ward, "--csv", csv, "--resume"}), 3, "t.csv");
 }
 
 TEST(BenchFitCommand, HoldsSamplesOutWhereThereIsNoFunction)

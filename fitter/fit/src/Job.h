@@ -4,22 +4,10 @@
 #include "Solve.h"
 #include "Traits.h"
 
+#include <fbrdf/fit/Clock.h>
 #include <fbrdf/fit/Fit.h>
 
-#include <chrono>
-
 namespace fbrdf {
-
-class Clock {
-public:
-    double seconds() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 struct Job {
     const FitOptions& options;

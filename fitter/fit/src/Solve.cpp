@@ -133,7 +133,8 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
     // A plain linear problem needs no start.
     const State x = direct && !options.robust ? problem.flatState()
                                               : solveAt(problem, options, last.smoothness);
-    if (fixed) return {problem.step(x, last), last.smoothness};
+    if (fixed && direct) return {problem.step(x, last), last.smoothness};
+    if (fixed) return {descend(problem, x, last, kLastSteps), last.smoothness};
     if (direct) {
         auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
         return {std::move(choice.x), choice.smoothness};

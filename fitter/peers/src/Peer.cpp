@@ -9,12 +9,12 @@
 #endif
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/Clock.h>
 #include <fbrdf/fit/Fit.h>
 #include <fbrdf/fit/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -22,17 +22,6 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kFloatBytes = 4;
-
-class Clock {
-public:
-    double seconds() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::string pathIn(const PeerContext& context, const char* relative)
 {
@@ -262,6 +251,15 @@ const std::vector<Peer>& peers()
     return all;
 }
 
+std::string peersLeftOut()
+{
+#ifdef FBRDF_HAVE_CERES
+    return "";
+#else
+    return "ggx and ggx2, which need Ceres";
+#endif
+}
+
 const Peer& findPeer(const std::string& name)
 {
     std::string known;
@@ -269,7 +267,9 @@ const Peer& findPeer(const std::string& name)
         if (peer.name == name) return peer;
         known += (known.empty() ? "" : ", ") + peer.name;
     }
-    throw Error(ErrorKind::usage, "peers", "found '" + name + "', expected some of " + known);
+    throw Error(ErrorKind::usage, "peers",
+                "found '" + name + "', expected some of " + known +
+                    (peersLeftOut().empty() ? "" : "; without " + peersLeftOut()));
 }
 
 std::vector<Sample> peerSamples(const Source& source, size_t count, const PeerContext& context)

@@ -1,5 +1,6 @@
 #include "BatchResults.h"
 
+#include "CsvText.h"
 #include "Errors.h"
 #include "FitJob.h"
 
@@ -7,22 +8,6 @@
 
 namespace fbrdf::tool {
 namespace {
-
-// RFC 4180: a field with a comma, a quote or a line break is quoted, quotes in it are doubled.
-std::string quoted(const std::string& field)
-{
-    if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-    std::string text = "\"";
-    for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return text + "\"";
-}
-
-std::string joined(const std::vector<std::string>& fields)
-{
-    std::string line;
-    for (size_t i = 0; i < fields.size(); ++i) line += (i > 0 ? "," : "") + quoted(fields[i]);
-    return line + "\n";
-}
 
 // Errors on samples come twice, the others once.
 std::vector<std::string> errorColumns()
@@ -70,7 +55,7 @@ std::string resultsHeader()
     }
     for (const std::string& column : errorColumns()) fields.push_back(column);
     fields.push_back("error");
-    return joined(fields);
+    return csvLine(fields);
 }
 
 std::string resultsRow(const BatchItem& item, const Material& material)
@@ -81,7 +66,7 @@ std::string resultsRow(const BatchItem& item, const Material& material)
     for (const char* key : noteColumns()) fields.push_back(noteOf(material, key));
     for (const std::string& key : errorColumns()) fields.push_back(errorOf(material, key));
     fields.emplace_back();
-    return joined(fields);
+    return csvLine(fields);
 }
 
 std::string failureRow(const BatchItem& item, const std::string& error)
@@ -89,7 +74,7 @@ std::string failureRow(const BatchItem& item, const std::string& error)
     std::vector<std::string> fields{item.name, item.source};
     fields.resize(5 + noteColumns().size() + errorColumns().size());
     fields.push_back(error);
-    return joined(fields);
+    return csvLine(fields);
 }
 
 }  // namespace fbrdf::tool

@@ -20,6 +20,11 @@ struct Contender {
     size_t maxBytes = 0;  ///< of a form; 0: its own default size
 };
 
+inline bool sameContender(const Contender& a, const Contender& b)
+{
+    return a.label == b.label && a.ours == b.ours;
+}
+
 /// "hdio:3900,io+hdio" and "ggx,svd" (or "all", "none"); throws Error(usage) for unknown names.
 std::vector<Contender> contendersFrom(const std::string& forms, const std::string& peers);
 

@@ -1,11 +1,13 @@
 // fbrdf bench-fit: many materials, our forms and the peers, one table.
 #include "Arguments.h"
+#include "BenchCsv.h"
 #include "BenchSummary.h"
 #include "Commands.h"
 #include "Output.h"
 
 #include <fbrdf/brdf/Error.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace fbrdf::tool {
@@ -15,7 +17,7 @@ struct BenchFitCommand {
     std::vector<std::string> sources;
     std::string forms = "hdio:3900,hdio:1400,io+hdio:8192", peers = "all", csv;
     BenchOptions options;
-    bool json = false;
+    bool resume = false, json = false;
 };
 
 std::string defaultDataDir()
@@ -43,23 +45,48 @@ MaterialScores scoresOrError(const std::string& source, const BenchOptions& opti
     }
 }
 
+// The table is written anew after every material: whoever ends the run early has all but one.
+std::vector<MaterialScores> allScores(const BenchFitCommand& command)
+{
+    const std::vector<Contender>& contenders = command.options.contenders;
+    const auto known =
+        command.resume ? scoresFromCsv(command.csv, contenders) : std::vector<MaterialScores>();
+    Progress progress(true);
+    std::vector<MaterialScores> materials;
+    for (const std::string& source : expanded(command.sources)) {
+        const auto found = std::find_if(known.begin(), known.end(), [&](const MaterialScores& m) {
+            return m.source == source;
+        });
+        materials.push_back(found == known.end() ? scoresOrError(source, command.options, progress)
+                                                 : *found);
+        if (!command.csv.empty()) writeWhole(command.csv, benchCsv(materials, contenders));
+    }
+    progress.clear();
+    return materials;
+}
+
+std::string leftOutText(const BenchFitCommand& command)
+{
+    return command.peers == "all" && !peersLeftOut().empty() ? "left out: " + peersLeftOut() + "\n"
+                                                             : "";
+}
+
 int run(BenchFitCommand& command)
 {
     command.options.contenders = contendersFrom(command.forms, command.peers);
     command.options.peers.threads = command.options.fit.threads;
     command.options.peers.seed = command.options.fit.seed;
+    if (command.resume && command.csv.empty())
+        throw Error(ErrorKind::usage, "--resume",
+                    "found no --csv, expected the table to go on from");
     if (!command.csv.empty()) requireWritable(command.csv);
-    Progress progress(true);
-    std::vector<MaterialScores> materials;
-    bool failed = false;
-    for (const std::string& source : expanded(command.sources)) {
-        materials.push_back(scoresOrError(source, command.options, progress));
-        failed = failed || !materials.back().error.empty();
-    }
-    progress.clear();
-    if (!command.csv.empty()) writeWhole(command.csv, benchCsv(materials));
-    writeOut(command.json ? text(benchJson(materials)) : benchText(materials));
-    return failed ? 1 : 0;
+    const std::vector<MaterialScores> materials = allScores(command);
+    writeOut(command.json ? text(benchJson(materials))
+                          : benchText(materials) + leftOutText(command));
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const MaterialScores& m) { return !m.error.empty(); })
+               ? 1
+               : 0;
 }
 
 }  // namespace
@@ -86,8 +113,11 @@ void addBenchFitCommand(CLI::App& app, Action& action)
         ->capture_default_str();
     addFitTuning(*sub, command->options.fit);
     addCosine(*sub, command->options.source);
-    sub->add_option("--csv", command->csv, "also write a row for each material and contender")
+    sub->add_option("--csv", command->csv,
+                    "also write a row for each material and contender, after every material")
         ->type_name("FILE");
+    sub->add_flag("--resume", command->resume,
+                  "keep the materials that the table of --csv has for all of the contenders");
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -33,11 +33,6 @@ ErrorSpread spreadOf(std::vector<Value> values, bool larger)
     return spread;
 }
 
-bool sameContender(const Contender& a, const Contender& b)
-{
-    return a.label == b.label && a.ours == b.ours;
-}
-
 ContenderSummary summaryOf(const Contender& contender, const std::vector<MaterialScores>& materials)
 {
     ContenderSummary summary;

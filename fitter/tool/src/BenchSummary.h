@@ -38,7 +38,5 @@ AheadOfPeers aheadOfPeers(const std::vector<MaterialScores>& materials);
 
 std::string benchText(const std::vector<MaterialScores>& materials);
 Json benchJson(const std::vector<MaterialScores>& materials);
-/// A row for each material and contender.
-std::string benchCsv(const std::vector<MaterialScores>& materials);
 
 }  // namespace fbrdf::tool

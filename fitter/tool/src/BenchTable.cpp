@@ -1,4 +1,4 @@
-// The scores of BenchSummary.h as text, JSON and CSV.
+// The scores of BenchSummary.h as text and as JSON.
 #include "BenchSummary.h"
 #include "TextTable.h"
 
@@ -157,25 +157,6 @@ Json benchJson(const std::vector<MaterialScores>& materials)
             {"ahead_of_every_peer",
              {{"materials", ahead.ahead}, {"of", ahead.of}, {"behind", ahead.behind}}},
             {"materials", each}};
-}
-
-std::string benchCsv(const std::vector<MaterialScores>& materials)
-{
-    std::string text = "material,name,peer,bytes,lookups,seconds";
-    for (const std::string& name : errorNames()) text += "," + name;
-    text += '\n';
-    for (const MaterialScores& material : materials)
-        for (const Score& score : material.scores) {
-            text += fmt::format("{},{},{},{},{},{:.4f}", material.name, score.contender.label,
-                                score.contender.ours ? 0 : 1, score.bytes, score.lookups,
-                                score.seconds);
-            for (const std::string& name : errorNames()) {
-                const auto found = score.errors.find(name);
-                text += found == score.errors.end() ? "," : fmt::format(",{:.6g}", found->second);
-            }
-            text += '\n';
-        }
-    return text;
 }
 
 }  // namespace fbrdf::tool

@@ -37,6 +37,8 @@ struct Peer {
 
 /// All peers, in the order of the table. Without Ceres the GGX fits are not among them.
 const std::vector<Peer>& peers();
+/// Which peers this build is without, and why; empty when it has all.
+std::string peersLeftOut();
 /// Throws Error(usage) for an unknown name.
 const Peer& findPeer(const std::string& name);
 

@@ -1,0 +1,18 @@
+// Clock.h - wall-clock time since it was made, in seconds; never runs backwards.
+#pragma once
+#include <chrono>
+
+namespace fbrdf {
+
+class Clock {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace fbrdf

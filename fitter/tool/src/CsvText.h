@@ -1,0 +1,15 @@
+// CsvText.h - one line of a table in comma-separated values. Reference: RFC 4180.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fbrdf::tool {
+
+/// The fields on one line, newline included; a field with a comma, a quote or a line break is
+/// quoted.
+std::string csvLine(const std::vector<std::string>& fields);
+
+/// What csvLine was given. `line` has no newline at its end; a field holds no line break.
+std::vector<std::string> csvFields(const std::string& line);
+
+}  // namespace fbrdf::tool
