@@ -309,6 +309,23 @@ TEST(Traits, NothingAboveTheFloorIsAnError)
     EXPECT_THROW(traitsOf({}, false, "data"), Error);
 }
 
+TEST(Traits, AFunctionHasAFloorOnlyWhereItIsCutOff)
+{
+    std::vector<Sample> samples;
+    for (int i = 0; i < 100; ++i)
+        samples.push_back(
+            {Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(i < 20 ? 0.0f : 2.0f, 1e-6f, 1.0f), 1.0f});
+    const DataTraits traits = traitsOf(samples, true, "function");
+    EXPECT_FLOAT_EQ(traits.floor.x, 0.008f);
+    EXPECT_EQ(traits.floor.y, 0.0f);
+    EXPECT_EQ(traits.floor.z, 0.0f);
+    const Observed zero = observe(0.0f, traits, 0, 1.0f);
+    EXPECT_FLOAT_EQ(zero.logValue, std::log2(0.008f));
+    EXPECT_FALSE(zero.censored);
+    EXPECT_EQ(zero.weight, 1.0f);
+    EXPECT_TRUE(observe(0.0f, traits, 1, 1.0f).censored);  // without a floor it says nothing
+}
+
 TEST(Traits, OneSampleAFoldIsTheLeast)
 {
     std::vector<Sample> samples(4, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.5f), 1.0f});

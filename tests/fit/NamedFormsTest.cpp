@@ -24,6 +24,13 @@ TEST(NamedForms, HdioIsWhatTheBudgetsSay)
     EXPECT_EQ(formBytes(makeForm("hdio"), Storage::half), 2u * 3840u);
 }
 
+TEST(NamedForms, HdpioFitsTheSameBudgets)
+{
+    EXPECT_EQ(formBytes(makeForm("hdpio"), Storage::log8), 3888u);
+    EXPECT_EQ(formBytes(makeFormFor("hdpio", 1000000, 1400, Storage::log8), Storage::log8), 1344u);
+    EXPECT_EQ(lookupsPerPass(makeForm("hdpio")), 2);
+}
+
 TEST(NamedForms, ASumHasTheTermsOfItsParts)
 {
     const Form form = makeForm("io+pqpr");

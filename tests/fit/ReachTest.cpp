@@ -49,6 +49,19 @@ TEST(Reach, AnisotropicMetalIsHeldByPqpr)
               spherePsnr(source, fit(source, "pqpr", Storage::float32).material) - 1.0);
 }
 
+// Highlights of measured materials depend on phi_d, which hdio sees at grazing directions alone.
+TEST(Reach, HdpioSeesWhatHdioDoesNotInTheSameBytes)
+{
+    FBRDF_NEEDS_DATA("nbrdf/nbrdf_weights.f32");
+    const Source nickel = openSource(test::dataPath("nbrdf/nbrdf_weights.f32") + "#nickel");
+    const Material stored = fit(nickel, "hdpio", Storage::log8).material;
+    EXPECT_LE(materialBytes(stored), 3900u);
+    EXPECT_EQ(lookupsPerPass(stored.form), 2);
+    const double psnr = spherePsnr(nickel, stored);
+    EXPECT_GE(psnr, 50.5);
+    EXPECT_GE(psnr, spherePsnr(nickel, fit(nickel, "hdio", Storage::log8).material) + 2.0);
+}
+
 struct Gloss {
     test::Ggx ggx;
     double decibels;

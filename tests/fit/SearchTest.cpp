@@ -50,7 +50,7 @@ TEST(Search, IsNoWorseThanNamedFormsOnAPlastic)
 {
     expectNoNamedFormIsBetter(
         test::scattered(test::sourceOf(test::Ggx{0.25, 0.25, 0.04, 0.3}), 3000, 3),
-        {"hdio", "hdg", "hdp", "gg+hdg", "gg+hdio", "io+hdio"});
+        {"hdio", "hdg", "hdp", "hdpio", "gg+hdg", "gg+hdio", "io+hdio"});
 }
 
 TEST(Search, IsNoWorseThanNamedFormsOnAnAnisotropicMetal)

@@ -71,16 +71,23 @@ Ranges rangesFor(const Feed& feed, uint64_t wanted)
     return {feed.rows / pieces, kPiece, static_cast<size_t>(pieces)};
 }
 
+Feed feedOfSamples(const Source& source, int threads)
+{
+    if (!source.samples.empty()) return feedOf(nullptr, source.samples);
+    const Feed stream = feedOf(source.stream);
+    if (stream.rows > kHeldRows) return stream;
+    const Owner all = allSamples(stream, threads);
+    return feedOf(all, *all);
+}
+
 }  // namespace
 
 Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
 {
-    if (!source.samples.empty()) return feedOf(nullptr, source.samples);
-    if (source.stream) {
-        const Feed stream = feedOf(source.stream);
-        if (stream.rows > kHeldRows) return stream;
-        const Owner all = allSamples(stream, threads);
-        return feedOf(all, *all);
+    if (hasSamples(source)) {
+        Feed feed = feedOfSamples(source, threads);
+        feed.exact = source.exact;
+        return feed;
     }
     if (!source.evaluate)
         throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,

@@ -78,6 +78,20 @@ std::vector<NormalSums> LeastSquares::sums(const State& x, const StepOptions& op
 
 namespace {
 
+// The strongest of the strengths that are as good as the best: what the held-out samples cannot
+// tell apart, 8 bits hold the better the smoother it is (Breiman et al. 1984: the
+// one-standard-error rule, with a share in place of the standard error).
+size_t smoothestNearLeast(const std::vector<double>& errors, const std::vector<double>& strengths)
+{
+    constexpr double kAsGood = 1.02;
+    size_t best =
+        static_cast<size_t>(std::min_element(errors.begin(), errors.end()) - errors.begin());
+    const double most = errors[best] * kAsGood;
+    for (size_t s = 0; s < errors.size(); ++s)
+        if (errors[s] <= most && strengths[s] > strengths[best]) best = s;
+    return best;
+}
+
 // Group 0 and all others but 1 + left; with left == number of folds, all.
 NormalSums without(const std::vector<NormalSums>& groups, size_t left)
 {
@@ -188,8 +202,7 @@ LeastSquares::Choice LeastSquares::stepWithBest(const State& x, const StepOption
     for (States& fold : states)
         for (State& state : fold) repeatGrey(state);
     const std::vector<double> errors = foldErrors(states, folds);
-    const auto best =
-        static_cast<size_t>(std::min_element(errors.begin(), errors.end()) - errors.begin());
+    const size_t best = smoothestNearLeast(errors, strengths);
     Choice choice{x, strengths[best]};
     parallelTasks(channels.size(), threads_, [&](size_t i) {
         takeStep(choice.x, channels[i], folds.size(), choice.smoothness, options.damping);

@@ -77,6 +77,20 @@ Form formHdp(int size)
             {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::phi_d}}}}}};
 }
 
+// Near the highlight theta_i and theta_o hardly tell phi_d, and a table over phi_d alone hardly
+// tells shadowing: together they hold what hdio and hdp each lose. Two knots of phi_d are enough,
+// as the dependence is close to one harmonic. The exponents are the best of 0.18 to 0.28 and 0.5
+// to 0.9 for measured materials.
+Form formHdpio(int sizeH, int sizeD, int sizeIo)
+{
+    return {"hdpio",
+            {{"V", GridDomain{{{sizeH, {AxisMap::From::oneMinusCosine, 0.22}},
+                               {sizeD, {AxisMap::From::oneMinusCosine, 0.7}},
+                               {2, {AxisMap::From::oneMinusCosine, 0.5}}}}},
+             zenithPair("T2", sizeIo)},
+            {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::phi_d}}, {1, kThetaIO}}}}};
+}
+
 Form formQdg(int size)
 {
     return {"qdg",
@@ -171,6 +185,9 @@ std::vector<BaseForm> makeBaseForms()
         baseOf({"hdp", "V(theta_h, theta_d, phi_d)",
                 "isotropic, reciprocal; one 3D table: N passes of one look-up", 32},
                formHdp),
+        baseOf({"hdpio", "V(theta_h, theta_d, phi_d) T2(theta_i, theta_o)",
+                "isotropic, reciprocal; hdio that sees phi_d: N passes of two look-ups", 48},
+               [](int n) { return formHdpio(n, quarter(n), quarter(n)); }),
         baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
                 "anisotropic in h alone, reciprocal; N passes of two look-ups", 32},
                formQdio),
@@ -200,6 +217,8 @@ std::vector<BaseForm> makeBaseForms()
          formGg},
     };
     BaseForm& isotropic = forms[2];
+    forms[5].ladder = {formHdpio(16, 4, 6), formHdpio(24, 5, 8), formHdpio(32, 6, 8),
+                       formHdpio(40, 9, 10), formHdpio(48, 12, 12)};
     isotropic.ladder = {hdio(16), hdio(24), hdio(32), formHdio(48, 8, 8), hdio(48), hdio(64)};
     return forms;
 }

@@ -53,7 +53,7 @@ void RowStore::makeValues(const FeedBlock& block, RowValues& values) const
     for (size_t i = 0; i < block.count; ++i) {
         const Sample& sample = block.samples[i];
         for (int c = 0; c < 3; ++c) {
-            const Observed o = observe(sample.f[c], traits_.floor[c], sample.weight);
+            const Observed o = observe(sample.f[c], traits_, c, sample.weight);
             values.logValue[i][c] = o.logValue;
             values.weight[i][c] = o.weight;
             if (o.censored) values.censored[i] |= static_cast<unsigned char>(1 << c);

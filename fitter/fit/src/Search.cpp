@@ -229,8 +229,8 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         if (count <= terms) names.insert(names.end(), forms.begin(), forms.end());
     };
     if (isIsotropicSource(source)) {
-        add(1, {"hdio", "hdg", "hdp"});
-        add(2, {"gg+hdg", "gg+hdio", "io+hdio"});
+        add(1, {"hdio", "hdg", "hdpio"});
+        add(2, {"gg+hdg", "gg+hdpio", "io+hdio"});
         add(3, {"gg+hdg+hdio"});
     } else {
         add(1, {"hdio", "pqp", "pqpr", "qdio", "qdg", "pqtr", "pqpd", "pqpn"});

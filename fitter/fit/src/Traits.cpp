@@ -14,6 +14,22 @@ namespace {
 // sample fits every form.
 constexpr size_t kFewestSamples = 5;
 
+// A function that reaches 0 is cut off there, and what lies just above says no more than the
+// zeros: below this share of the median nothing is told apart. Without zeros every value counts.
+constexpr float kCutOff = 0.004f;
+
+Vec3f floorOfFunction(const std::vector<Sample>& samples)
+{
+    Vec3f floor(0.0f);
+    for (int c = 0; c < 3; ++c) {
+        std::vector<float> positive;
+        for (const Sample& s : samples)
+            if (s.f[c] > 0.0f) positive.push_back(s.f[c]);
+        if (positive.size() < samples.size()) floor[c] = kCutOff * quantile(positive, 0.5);
+    }
+    return floor;
+}
+
 }  // namespace
 
 float quantile(std::vector<float>& values, double fraction)
@@ -26,8 +42,10 @@ float quantile(std::vector<float>& values, double fraction)
     return *at;
 }
 
-Observed observe(float f, float floor, float sampleWeight)
+Observed observe(float f, const DataTraits& traits, int channel, float sampleWeight)
 {
+    const float floor = traits.floor[channel];
+    if (traits.exact && floor > 0.0f) return {std::log2(std::max(f, floor)), sampleWeight, false};
     if (f > 0.0f && f > 0.5f * floor)
         return {std::log2(f), sampleWeight * (f * f) / (f * f + floor * floor), false};
     // Without an estimate of the floor a zero says nothing about how small f is.
@@ -38,7 +56,8 @@ Observed observe(float f, float floor, float sampleWeight)
 DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source)
 {
     DataTraits traits;
-    if (!exact) traits.floor = estimateNoiseFloor(samples);
+    traits.exact = exact;
+    traits.floor = exact ? floorOfFunction(samples) : estimateNoiseFloor(samples);
     traits.sameWeights = true;
     traits.grey = exact && std::all_of(samples.begin(), samples.end(), [](const Sample& s) {
                       return s.f.x == s.f.y && s.f.y == s.f.z;
@@ -47,7 +66,7 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
     for (const Sample& s : samples) {
         bool usable = false;
         for (int c = 0; c < 3; ++c) {
-            const Observed o = observe(s.f[c], traits.floor[c], s.weight);
+            const Observed o = observe(s.f[c], traits, c, s.weight);
             if (o.censored) {
                 traits.sameWeights = false;
                 continue;
@@ -58,7 +77,7 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
         traits.usable += usable ? 1 : 0;
     }
     for (int c = 0; c < 3; ++c) {
-        if (traits.floor[c] > 0.0f) traits.sameWeights = false;
+        if (!exact && traits.floor[c] > 0.0f) traits.sameWeights = false;
         traits.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
         traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
     }

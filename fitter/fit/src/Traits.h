@@ -15,6 +15,7 @@ struct DataTraits {
     Vec3f floor{0.0f};         ///< noise floor, 1/sr
     Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
     Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
+    bool exact = false;        ///< values of a function: below the floor they are held at it
     bool sameWeights = false;  ///< no channel of any probed sample is at or below the floor
     bool grey = false;  ///< the channels of every probed sample are equal: one is solved for all
     size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
@@ -29,7 +30,7 @@ struct Observed {
     float weight;    ///< the sample's own times that of the noise; 0: says nothing
     bool censored;
 };
-Observed observe(float f, float floor, float sampleWeight);
+Observed observe(float f, const DataTraits& traits, int channel, float sampleWeight);
 
 /// The value below which `fraction` of the values lie; 0 of none. Reorders them.
 float quantile(std::vector<float>& values, double fraction);

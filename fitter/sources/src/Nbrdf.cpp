@@ -5,7 +5,8 @@
 // units of what a net was trained on: those of BRDFRead.cpp for MERL materials, 1/sr for others;
 // without the cosine. They may be slightly below 0, and are then 0 here; beyond 80 degrees from the
 // normal nothing was trained. Layout from the README of the data set, network from the paper's
-// code. FILE.f32#name or #row; the samples are the network on the MERL grid.
+// code. FILE.f32#name or #row; the samples are the network on the MERL grid, taken
+// all the way round phi_d: nothing makes a network reciprocal.
 #include "Collection.h"
 #include "MerlGrid.h"
 
@@ -111,7 +112,8 @@ Source readNbrdf(const FileRequest& request)
         if (wo.z <= 0.0 || wi.z <= 0.0) return Vec3d(0.0);
         return runNetwork(*weights, {wo, wi});
     };
-    source.stream = streamOnGrid(MerlGrid(), source.evaluate);
+    source.exact = true;
+    source.stream = streamOnGrid(MerlGrid({90, 90, 180}, 2.0 * kPi), source.evaluate);
     return source;
 }
 

@@ -95,6 +95,7 @@ Source readNpf(const FileRequest& request)
         if (wo.z <= 0.0 || wi.z <= 0.0) return Vec3d(0.0);
         return evaluateNpf(*row, wo, wi);
     };
+    source.exact = true;
     source.stream = streamOnGrid(MerlGrid(), source.evaluate);
     return source;
 }

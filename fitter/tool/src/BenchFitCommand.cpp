@@ -15,7 +15,7 @@ namespace {
 
 struct BenchFitCommand {
     std::vector<std::string> sources;
-    std::string forms = "hdio:3900,hdio:1400,io+hdio:8192", peers = "all", csv;
+    std::string forms = "hdpio:3900,hdpio:1400,io+hdpio:8192", peers = "all", csv;
     BenchOptions options;
     bool resume = false, json = false;
 };

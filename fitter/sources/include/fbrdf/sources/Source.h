@@ -59,6 +59,7 @@ struct Source {
     std::string format;           ///< "csv", "cornell", "model", "material", ...
     std::string description;      ///< one line for people: units, wavelengths, paper
     bool isotropic = false;       ///< known to be unchanged by a rotation about the normal
+    bool exact = false;           ///< samples or stream are values of `evaluate`, without noise
     std::vector<Sample> samples;  ///< empty when streamed, or when only a function
     SampleStream stream;          ///< empty when `samples` holds them, or when only a function
     SampleReport report;          ///< of `samples`; of a stream see reportOf
