@@ -15,7 +15,7 @@ namespace {
 constexpr double kTight = 1e-13;
 constexpr float kFloat = 4e-6f;  // positions of up to 8, values of up to 60, eps 6e-8 each
 
-Domain grid(std::vector<int> sizes)
+Domain grid(const std::vector<int>& sizes)
 {
     GridDomain domain;
     for (const int size : sizes) domain.axes.push_back({size, {}});

@@ -71,6 +71,15 @@ int codeOfStatus(int status)
 
 }  // namespace
 
+bool terminalsExist()
+{
+    int master = -1, slave = -1;
+    if (openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) return false;
+    close(master);
+    close(slave);
+    return true;
+}
+
 ToolRun runTool(const std::vector<std::string>& arguments, const ToolOptions& options)
 {
     const TemporaryDir folder;

@@ -21,6 +21,9 @@ struct ToolOptions {
     bool terminal = false;  ///< stderr is a terminal (a pseudo terminal of 80 columns)
 };
 
+/// Whether this machine gives pseudo terminals; a bare chroot without /dev/pts does not.
+bool terminalsExist();
+
 /// Runs `fbrdf arguments...` in the current folder.
 ToolRun runTool(const std::vector<std::string>& arguments, const ToolOptions& options = {});
 

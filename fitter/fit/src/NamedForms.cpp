@@ -143,7 +143,7 @@ struct BaseForm {
     std::function<Form(int)> make;
 };
 
-std::vector<Form> ladderOf(const std::function<Form(int)>& make, std::vector<int> sizes)
+std::vector<Form> ladderOf(const std::function<Form(int)>& make, const std::vector<int>& sizes)
 {
     std::vector<Form> ladder;
     for (const int size : sizes) ladder.push_back(make(size));

@@ -48,7 +48,8 @@ void checkVersion(const fbrdf_renderer_desc& desc)
 /// count x 3 floats.
 std::vector<fbrdf::Vec3f> vectors(const float* numbers, uint32_t count)
 {
-    std::vector<fbrdf::Vec3f> result(numbers ? count : 0);
+    if (!numbers) return {};
+    std::vector<fbrdf::Vec3f> result(count);
     for (size_t i = 0; i < result.size(); ++i)
         result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
     return result;

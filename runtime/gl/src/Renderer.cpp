@@ -81,7 +81,7 @@ struct Renderer::State {
     Surfaces surfaces;
     ClusterBuffers clusterBuffers;
 
-    explicit State(DevicePtr d) : device(d), programs(d), surfaces(d), clusterBuffers(d) {}
+    explicit State(const DevicePtr& d) : device(d), programs(d), surfaces(d), clusterBuffers(d) {}
 
     void checkAlive() const
     {

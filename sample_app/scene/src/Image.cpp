@@ -17,7 +17,7 @@ bool isExr(const std::string& path)
 
 /// Opens, writes and closes one file; `finalPath` is what errors name.
 void writeWithOiio(const std::string& path, const std::string& finalPath,
-                   const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels)
+                   const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type, const void* pixels)
 {
     const auto fail = [&finalPath](const std::string& reason) {
         throw Error(ErrorKind::output, finalPath, "cannot be written: " + reason);

@@ -37,7 +37,7 @@ struct ObjData {
 /// Words of one line, with errors that name it.
 class Line {
 public:
-    Line(std::string text, std::string where) : words_(std::move(text)), where_(std::move(where)) {}
+    Line(const std::string& text, std::string where) : words_(text), where_(std::move(where)) {}
 
     std::string word()
     {
