@@ -1,15 +1,13 @@
 // Everything that can go wrong: each gives an error of the right kind with words that help, and the
 // next good call works.
-#include <fbrdf/brdf/Error.h>
-
 #include <gtest/gtest.h>
 
+#include "support/gl/ExpectError.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Hooks.h"
 #include "support/gl/Scenes.h"
 
 #include <cstdlib>
-#include <functional>
 #include <limits>
 
 namespace fbrdf::test {
@@ -17,17 +15,6 @@ namespace {
 
 constexpr int kSize = 32;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-void expectError(ErrorKind kind, const std::string& words, const std::function<void()>& act)
-{
-    try {
-        act();
-        ADD_FAILURE() << "no error, expected '" << words << "'";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), kind) << error.what();
-        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
-}
 
 class Fault : public GlTest {
 protected:

@@ -97,6 +97,31 @@ TEST_P(State, MakingThingsPutsBackWhatItFindsAndIsNotDisturbedByIt)
     }
 }
 
+TEST_P(State, LibrariesPutBackWhatTheyFindAndAreNotDisturbedByIt)
+{
+    const auto mesh = renderer_->createMesh(knotMesh(48, 8));
+    const Form form = formPqpr(8, 0.5, 6);
+    const Material material = noiseMaterial(form, Storage::log8);
+    Offscreen offscreen = makeOffscreen(kSize);
+    std::vector<float> expected;
+    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+        std::shared_ptr<gl::GpuLibrary> library;
+        offscreen.clear();
+        expectKept(seed, [&] {
+            library = renderer_->createLibrary({material, noiseMaterial(form, Storage::log8, 2)});
+        });
+        expectKept(seed, [&] { renderer_->replaceMaterial(*library, 0, material); });
+        expectKept(seed, [&] {
+            renderer_->drawBatch({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                                 {library.get(), mesh.get(), {{glm::mat4(1.0f), 1}, {}}},
+                                 testLights(3));
+        });
+        const auto pixels = offscreen.readPixels();
+        if (seed == 0) expected = pixels;
+        ASSERT_EQ(pixels, expected) << "seed " << seed;
+    }
+}
+
 TEST_P(State, ListsOfLightsPutBackWhatTheyFind)
 {
     const auto mesh = renderer_->createMesh(knotMesh(48, 8));

@@ -126,6 +126,7 @@ void addUnits(const GladGLContext& gl, StateSnapshot& state)
         for (const GLenum name : {GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D,
                                   GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_CUBE_MAP})
             state[unit + std::to_string(name)] = numbers(gl, name);
+        if (gl.VERSION_3_0) state[unit + "array"] = numbers(gl, GL_TEXTURE_BINDING_2D_ARRAY);
         if (gl.VERSION_3_1) state[unit + "buffer"] = numbers(gl, GL_TEXTURE_BINDING_BUFFER);
         if (gl.VERSION_3_3) state[unit + "sampler"] = numbers(gl, GL_SAMPLER_BINDING);
     }

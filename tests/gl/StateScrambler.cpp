@@ -32,6 +32,7 @@ StateScrambler::StateScrambler(const GladGLContext& gl, bool core) : gl_(gl), co
     gl.GenTextures(4, textures2d_);
     gl.GenTextures(4, textures3d_);
     gl.GenTextures(1, texturesBuffer_);
+    gl.GenTextures(2, texturesArray_);
     if (gl.VERSION_3_3) gl.GenSamplers(2, samplers_);
     gl.GenBuffers(4, buffers_);
     gl.GenVertexArrays(2, arrays_);
@@ -59,6 +60,7 @@ StateScrambler::~StateScrambler()
     gl_.DeleteTextures(4, textures2d_);
     gl_.DeleteTextures(4, textures3d_);
     gl_.DeleteTextures(1, texturesBuffer_);
+    gl_.DeleteTextures(2, texturesArray_);
     if (gl_.VERSION_3_3) gl_.DeleteSamplers(2, samplers_);
     gl_.DeleteVertexArrays(2, arrays_);
     gl_.DeleteBuffers(4, buffers_);
@@ -180,6 +182,9 @@ void StateScrambler::setBindings(Source& source)
         gl_.ActiveTexture(GL_TEXTURE0 + i);
         gl_.BindTexture(GL_TEXTURE_2D, source.pick({0u, textures2d_[0], textures2d_[3]}));
         gl_.BindTexture(GL_TEXTURE_3D, source.pick({0u, textures3d_[1], textures3d_[2]}));
+        if (gl_.VERSION_3_0)
+            gl_.BindTexture(GL_TEXTURE_2D_ARRAY,
+                            source.pick({0u, texturesArray_[0], texturesArray_[1]}));
         if (gl_.VERSION_3_1)
             gl_.BindTexture(GL_TEXTURE_BUFFER, source.pick({0u, texturesBuffer_[0]}));
         if (gl_.VERSION_3_3) gl_.BindSampler(i, source.pick({0u, samplers_[0], samplers_[1]}));

@@ -1,33 +1,31 @@
 // ClusterBuffers.h - lights and their lists as buffer textures; needs OpenGL 3.1.
 #pragma once
-#include "Objects.h"
-#include "StateGuard.h"
+#include "BufferTexture.h"
 
 #include <fbrdf/plan/LightClusters.h>
 
 namespace fbrdf::gl {
 
-class ClusterBuffers {
-public:
-    explicit ClusterBuffers(DevicePtr device) : device_(std::move(device)) {}
+struct ClusterBuffers {
+    explicit ClusterBuffers(const DevicePtr& device)
+        : lights(device, GL_RGBA32F, "lights"),
+          indices(device, GL_R32I, "light indices"),
+          lists(device, GL_RG32I, "light lists")
+    {
+    }
 
-    /// Uploads; storage grows where it must and is never made anew otherwise. Leaves the array
-    /// buffer bound. Throws Error(gl) where GL cannot hold the lists.
-    void update(const LightClusters& clusters);
+    /// Leaves the array buffer bound. Throws Error(gl) where GL cannot hold the lists.
+    void update(const LightClusters& clusters)
+    {
+        lights.update(clusters.lights.size() * kVectorsPerLight,
+                      clusters.lights.size() * sizeof(LightVectors), clusters.lights.data());
+        indices.update(clusters.indices.size(), clusters.indices.size() * sizeof(int32_t),
+                       clusters.indices.data());
+        lists.update(clusters.lists.size() / 2, clusters.lists.size() * sizeof(int32_t),
+                     clusters.lists.data());
+    }
 
-    enum Which { lights, indices, lists, count };
-    GLuint texture(Which which) const { return buffers_[which].texture.name(); }
-
-private:
-    struct One {
-        Object buffer, texture;
-        size_t bytes = 0;
-    };
-    void upload(Which which, GLenum format, size_t texels, size_t bytes, const void* data);
-    void create(One& one, GLenum format, const char* name);
-
-    DevicePtr device_;
-    One buffers_[count];
+    BufferTexture lights, indices, lists;
 };
 
 }  // namespace fbrdf::gl

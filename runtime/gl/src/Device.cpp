@@ -72,6 +72,7 @@ Capabilities detected(const Functions& gl)
     c.softwareSampling = isSoftware(gl);
     c.floatTargets = gl3 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
     c.vertexArrays = gl3 || gl.ARB_vertex_array_object;
+    if (gl3) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     c.bufferTextures = gl.version >= 31;
     c.debug = (gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup && gl.PopDebugGroup &&
               gl.ObjectLabel;
@@ -85,6 +86,7 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     wanted.vertexArrays = wanted.vertexArrays && found.vertexArrays;
     wanted.debug = wanted.debug && found.debug;
     wanted.bufferTextures = wanted.bufferTextures && found.bufferTextures && wanted.glsl >= 140;
+    wanted.maxArrayLayers = std::min(wanted.maxArrayLayers, found.maxArrayLayers);
     wanted.coreProfile = found.coreProfile;
     return wanted;
 }

@@ -17,14 +17,15 @@ std::vector<LightVectors> lightVectors(const std::vector<Light>& lights, const V
     return vectors;
 }
 
-int Executor::draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs,
+int Executor::draw(const Drawable& item, const Plan& plan,
+                   const std::vector<const Program*>& programs,
                    const std::vector<LightVectors>& lights)
 {
     lights_ = &lights;
     program_ = nullptr;
     int maxLookups = 0;
     bool offscreenCleared = false;
-    const MeshBinding binding(*item.mesh);
+    const MeshBinding binding(item.mesh);
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         const DebugGroup group(device_, "fbrdf pass " + std::to_string(i + 1) + " of " +
@@ -42,7 +43,7 @@ int Executor::draw(const Item& item, const Plan& plan, const std::vector<const P
             state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_.texture(*pass.reads));
         setLights(pass, program);
         setScissor(pass);
-        item.mesh->draw();
+        item.mesh.draw(item.instances.count);
         maxLookups = std::max(
             maxLookups, program.lookups.once + program.lookups.perLight * lightsOf(pass, program));
     }
@@ -83,24 +84,28 @@ void Executor::setDepth(Depth depth)
     gl_.DepthMask(depth == Depth::lay ? GL_TRUE : GL_FALSE);
 }
 
-void Executor::useProgram(const Item& item, const Program& program)
+void Executor::useProgram(const Drawable& item, const Program& program)
 {
     gl_.UseProgram(program.object.name());
     program_ = &program;
     setMatrices(item, program);
-    bindTables(*item.material, program);
-    setUniforms(*item.material, program.material);
+    bindTables(item.material, program);
+    setUniforms(item.material, program.material);
+    if (program.instancesUnit >= 0)
+        state_.bindTexture(program.instancesUnit, GL_TEXTURE_BUFFER, item.instances.texture);
+    if (program.parametersUnit >= 0)
+        state_.bindTexture(program.parametersUnit, GL_TEXTURE_BUFFER, item.material.parameters());
     if (program.readScale >= 0)
         gl_.Uniform2f(program.readScale, 1.0f / static_cast<float>(frame_.target.width),
                       1.0f / static_cast<float>(frame_.target.height));
 }
 
-void Executor::setMatrices(const Item& item, const Program& program)
+void Executor::setMatrices(const Drawable& item, const Program& program)
 {
-    // Products in double: model and view may cancel large translations.
-    const glm::dmat4 modelView = glm::dmat4(frame_.view.view) * glm::dmat4(item.model);
-    const glm::mat4 rounded(modelView);
-    gl_.UniformMatrix4fv(program.modelView, 1, GL_FALSE, glm::value_ptr(rounded));
+    if (program.modelView >= 0) {
+        const glm::mat4 matrix = modelView(frame_.view, item.model);
+        gl_.UniformMatrix4fv(program.modelView, 1, GL_FALSE, glm::value_ptr(matrix));
+    }
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(frame_.view.projection));
     if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(frame_.eye));
 }
@@ -128,11 +133,10 @@ void Executor::setClusters(const Program& program)
 {
     const LightClusters& clusters = *frame_.clusters;
     const ClusterGrid& grid = clusters.grid;
-    const int units[] = {program.clusters.lightsUnit, program.clusters.indicesUnit,
-                         program.clusters.listsUnit};
-    for (int i = 0; i < ClusterBuffers::count; ++i)
-        state_.bindTexture(units[i], GL_TEXTURE_BUFFER,
-                           frame_.clusterBuffers->texture(static_cast<ClusterBuffers::Which>(i)));
+    const ClusterBuffers& buffers = *frame_.clusterBuffers;
+    state_.bindTexture(program.clusters.lightsUnit, GL_TEXTURE_BUFFER, buffers.lights.texture());
+    state_.bindTexture(program.clusters.indicesUnit, GL_TEXTURE_BUFFER, buffers.indices.texture());
+    state_.bindTexture(program.clusters.listsUnit, GL_TEXTURE_BUFFER, buffers.lists.texture());
     gl_.Uniform3i(program.clusters.grid, grid.columns, grid.rows, grid.slices);
     gl_.Uniform4f(program.clusters.scale,
                   static_cast<float>(grid.columns) / static_cast<float>(frame_.target.width),

@@ -1,6 +1,7 @@
-// Executor.h - carries out a plan for one item.
+// Executor.h - carries out a plan for one item, or for the instances of a batch.
 #pragma once
 #include "ClusterBuffers.h"
+#include "Instances.h"
 #include "Mesh.h"
 #include "Program.h"
 #include "StateGuard.h"
@@ -25,6 +26,17 @@ struct Frame {
     const ClusterBuffers* clusterBuffers = nullptr;
 };
 
+/// What one plan draws.
+struct Drawable {
+    const GpuMaterial& material;
+    const GpuMesh& mesh;
+    glm::mat4 model{1.0f};  ///< where there are no instances
+    struct {
+        GLuint texture = 0;  ///< fbrdfInstances
+        int count = 0;       ///< 0: one, placed by `model`
+    } instances{};
+};
+
 class Executor {
 public:
     Executor(const Device& device, const Frame& frame, const Surfaces& surfaces, StateGuard& state)
@@ -34,15 +46,15 @@ public:
 
     /// programs: one for each pass. lights: of this item, as the plan counts them; unused where
     /// they are in lists. Returns the look-ups of the most expensive pass.
-    int draw(const Item& item, const Plan& plan, const std::vector<const Program*>& programs,
+    int draw(const Drawable& item, const Plan& plan, const std::vector<const Program*>& programs,
              const std::vector<LightVectors>& lights);
 
 private:
     void bindSurface(const Pass& pass);
     void setBlend(Blend blend);
     void setDepth(Depth depth);
-    void useProgram(const Item& item, const Program& program);
-    void setMatrices(const Item& item, const Program& program);
+    void useProgram(const Drawable& item, const Program& program);
+    void setMatrices(const Drawable& item, const Program& program);
     void bindTables(const GpuMaterial& material, const Program& program);
     void setLights(const Pass& pass, const Program& program);
     void setClusters(const Program& program);

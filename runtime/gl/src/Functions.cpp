@@ -96,8 +96,8 @@ void checkBasics(const Functions& gl)
 
 void checkNewer(const Functions& gl)
 {
-    const bool gl30 = gl.version >= 30, gl33 = gl.version >= 33, gl40 = gl.version >= 40,
-               gl41 = gl.version >= 41, gl45 = gl.version >= 45,
+    const bool gl30 = gl.version >= 30, gl31 = gl.version >= 31, gl33 = gl.version >= 33,
+               gl40 = gl.version >= 40, gl41 = gl.version >= 41, gl45 = gl.version >= 45,
                framebuffers = gl30 || gl.ARB_framebuffer_object,
                vertexArrays = gl30 || gl.ARB_vertex_array_object;
     FBRDF_NEEDS(framebuffers, BindFramebuffer)
@@ -119,6 +119,10 @@ void checkNewer(const Functions& gl)
     FBRDF_NEEDS(gl30, GetBooleani_v)
     FBRDF_NEEDS(framebuffers, GetFramebufferAttachmentParameteriv)
     FBRDF_NEEDS(framebuffers, RenderbufferStorage)
+    FBRDF_NEEDS(gl30, TexSubImage3D)
+    FBRDF_NEEDS(gl31, DrawElementsInstanced)
+    FBRDF_NEEDS(gl31, TexBuffer)
+    FBRDF_NEEDS(gl31, Uniform3i)
     FBRDF_NEEDS(gl33, BindSampler)
     FBRDF_NEEDS(gl40, BlendEquationSeparatei)
     FBRDF_NEEDS(gl40, BlendFuncSeparatei)

@@ -3,6 +3,7 @@
 #include "UploadGuard.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
 
@@ -22,6 +23,12 @@ Format formatOf(TexelType type)
         case TexelType::float32: return {GL_RGBA32F, GL_FLOAT};
     }
     return {};
+}
+
+const void* texelsOf(const TextureImage& image)
+{
+    return image.type == TexelType::float32 ? static_cast<const void*>(image.floats.data())
+                                            : static_cast<const void*>(image.words.data());
 }
 
 void checkSize(const Capabilities& c, const Table& table, const TextureImage& image, bool volume)
@@ -82,9 +89,7 @@ void GpuMaterial::addTexture(const Table& table)
     gl.BindTexture(result.target, result.texture.name());
     setSampling(gl, result.target);
     const Format format = formatOf(image.type);
-    const void* texels = image.type == TexelType::float32
-                             ? static_cast<const void*>(image.floats.data())
-                             : static_cast<const void*>(image.words.data());
+    const void* texels = texelsOf(image);
     if (volume)
         gl.TexImage3D(GL_TEXTURE_3D, 0, format.internal, image.size[0], image.size[1],
                       image.size[2], 0, GL_RGB, format.type, texels);
@@ -94,6 +99,84 @@ void GpuMaterial::addTexture(const Table& table)
     label(*device_, ObjectKind::texture, result.texture, name_ + ":" + table.name);
     encodings_.push_back(image.encoding);
     tables_.push_back(std::move(result));
+}
+
+GpuMaterial::GpuMaterial(DevicePtr device, const std::vector<const Material*>& layers)
+    : device_(std::move(device)),
+      id_(device_->nextMaterial++),
+      name_("library of " + layers.front()->form.name),
+      form_(layers.front()->form),
+      packed_(layers.size() * static_cast<size_t>(parameterLayout(form_).stride)),
+      parameters_(device_, GL_RGBA32F, "material parameters")
+{
+    const UploadGuard guard(*device_);
+    for (const Table& table : layers.front()->tables) addArray(table, layers.size());
+    for (size_t i = 0; i < layers.size(); ++i) setLayer(i, *layers[i]);
+    uploadParameters();
+    checkErrors(*device_, name_);
+}
+
+void GpuMaterial::addArray(const Table& table, size_t layers)
+{
+    tables_.emplace_back();
+    if (form_.tables[tables_.size() - 1].uniform) {
+        encodings_.push_back({isLog(table.storage), false});
+        return;
+    }
+    const Functions& gl = device_->gl;
+    TextureImage image = textureImage(table, device_->capabilities);
+    checkSize(device_->capabilities, table, image, false);
+    // The range of one layer may be [0, 1], that of the next may not.
+    image.encoding.ranged = image.type == TexelType::unorm16;
+    encodings_.push_back(image.encoding);
+    GpuTable& made = tables_.back();
+    made.texture = createObject(device_, ObjectKind::texture);
+    made.target = GL_TEXTURE_2D_ARRAY;
+    gl.BindTexture(made.target, made.texture.name());
+    setSampling(gl, made.target);
+    const Format format = formatOf(image.type);
+    gl.TexImage3D(made.target, 0, format.internal, image.size[0], image.size[1],
+                  static_cast<GLsizei>(layers), 0, GL_RGB, format.type, nullptr);
+    label(*device_, ObjectKind::texture, made.texture, name_ + ":" + table.name);
+}
+
+void GpuMaterial::setLayer(size_t layer, const Material& material)
+{
+    const Functions& gl = device_->gl;
+    const ParameterLayout layout = parameterLayout(form_);
+    const auto parameter = [&](int index) {
+        return packed_.begin() + static_cast<std::ptrdiff_t>(layer) * layout.stride + index;
+    };
+    const auto opaque = [](const Vec3f& v) { return glm::vec4(v, 1.0f); };
+    for (size_t k = 0; k < tables_.size(); ++k) {
+        const Table& table = material.tables[k];
+        if (form_.tables[k].uniform) {
+            const auto knots = uniformKnots(table);
+            std::transform(knots.begin(), knots.end(), parameter(layout.tables[k]), opaque);
+            continue;
+        }
+        const TextureImage image = textureImage(table, device_->capabilities);
+        *parameter(layout.tables[k]) = opaque(image.lower);
+        *parameter(layout.tables[k] + 1) = opaque(image.extent);
+        gl.BindTexture(GL_TEXTURE_2D_ARRAY, tables_[k].texture.name());
+        gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), image.size[0],
+                         image.size[1], 1, GL_RGB, formatOf(image.type).type, texelsOf(image));
+    }
+    std::transform(material.scales.begin(), material.scales.end(), parameter(layout.scales),
+                   opaque);
+}
+
+void GpuMaterial::uploadParameters()
+{
+    parameters_.update(packed_.size(), packed_.size() * sizeof packed_[0], packed_.data());
+}
+
+void GpuMaterial::replaceLayer(size_t layer, const Material& material)
+{
+    const UploadGuard guard(*device_);
+    setLayer(layer, material);
+    uploadParameters();
+    checkErrors(*device_, "material '" + material.name + "'");
 }
 
 }  // namespace fbrdf::gl

@@ -1,8 +1,11 @@
-// GpuMaterial.h - the tables of a material as textures and uniforms.
+// GpuMaterial.h - the tables of a material as textures and uniforms; or of many of one layout, as
+// texture arrays and a buffer (PackedParameters.h).
 #pragma once
-#include "Objects.h"
+#include "BufferTexture.h"
 
 #include <fbrdf/shaders/TextureImage.h>
+
+#include <glm/vec4.hpp>
 
 #include <vector>
 
@@ -19,6 +22,13 @@ class GpuMaterial {
 public:
     /// Throws Error(input) for an invalid material, Error(gl) where GL cannot hold a table.
     GpuMaterial(DevicePtr device, const Material& material);
+    /// Packs materials of one layout (sameLayout), valid, at least one.
+    GpuMaterial(DevicePtr device, const std::vector<const Material*>& layers);
+
+    /// Another material of the same layout, valid, in the place of a layer. Throws Error(gl).
+    void replaceLayer(size_t layer, const Material& material);
+    bool isPacked() const { return !packed_.empty(); }
+    GLuint parameters() const { return parameters_.texture(); }
 
     const Device* device() const { return device_.get(); }
     uint64_t id() const { return id_; }  ///< unique on its device
@@ -30,6 +40,9 @@ public:
 
 private:
     void addTexture(const Table& table);
+    void addArray(const Table& table, size_t layers);
+    void setLayer(size_t layer, const Material& material);
+    void uploadParameters();
 
     DevicePtr device_;
     uint64_t id_;
@@ -38,6 +51,8 @@ private:
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;
+    std::vector<glm::vec4> packed_;  ///< what parameters_ holds: layers x stride
+    BufferTexture parameters_;
 };
 
 }  // namespace fbrdf::gl

@@ -108,9 +108,13 @@ void GpuMesh::setAttributes() const
     }
 }
 
-void GpuMesh::draw() const
+void GpuMesh::draw(int instances) const
 {
-    device_->gl.DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+    if (instances > 0)
+        device_->gl.DrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr,
+                                          instances);
+    else
+        device_->gl.DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
 }
 
 MeshBinding::MeshBinding(const GpuMesh& mesh) : mesh_(mesh)

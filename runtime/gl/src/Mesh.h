@@ -19,7 +19,8 @@ public:
     bool hasTangents() const { return hasTangents_; }
     const Sphere& bounds() const { return bounds_; }  ///< object space
     /// Draws between bind and unbind of a MeshBinding.
-    void draw() const;
+    /// instances: 0 draws without instancing.
+    void draw(int instances) const;
 
 private:
     friend class MeshBinding;

@@ -49,7 +49,8 @@ Object compiled(const DevicePtr& device, GLenum stage, const std::string& source
 bool isSampler(GLenum type)
 {
     return type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_1D ||
-           type == GL_SAMPLER_CUBE || type == GL_SAMPLER_BUFFER || type == GL_INT_SAMPLER_BUFFER;
+           type == GL_SAMPLER_2D_ARRAY || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_BUFFER ||
+           type == GL_INT_SAMPLER_BUFFER;
 }
 
 std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
@@ -67,6 +68,13 @@ std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
         if (isSampler(type)) names.emplace_back(name);
     }
     return names;
+}
+
+SurfaceInputs inputsOf(bool instanced)
+{
+    SurfaceInputs inputs;
+    inputs.instanced = instanced;
+    return inputs;
 }
 
 std::string keyOf(const ProgramSpec& spec)
@@ -98,7 +106,8 @@ ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const Pr
         shortcut_.try_emplace(std::to_string(material.id()) + keyOf(spec), nullptr);
     if (!isUnknown) return *known->second;
     const auto [position, isNew] = entries_.try_emplace(
-        fragmentSource(material.form(), material.encodings(), spec, device_->capabilities.glsl));
+        fragmentSource(material.form(), material.encodings(), spec, device_->capabilities.glsl,
+                       inputsOf(material.isPacked())));
     Entry& entry = position->second;
     known->second = &entry;
     if (!isNew) return entry;
@@ -110,21 +119,28 @@ ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const Pr
     return entry;
 }
 
-Object ProgramCache::linked(const std::string& fragment, const std::string& name)
+const Object& ProgramCache::vertexShader(bool instanced)
+{
+    Object& shader = vertexShaders_[instanced ? 1 : 0];
+    if (!shader)
+        shader = compiled(device_, GL_VERTEX_SHADER,
+                          vertexSource(device_->capabilities.glsl, inputsOf(instanced)));
+    return shader;
+}
+
+Object ProgramCache::linked(const std::string& fragment, const GpuMaterial& material)
 {
     const Functions& gl = device_->gl;
-    if (!vertexShader_)
-        vertexShader_ =
-            compiled(device_, GL_VERTEX_SHADER, vertexSource(device_->capabilities.glsl));
+    const Object& vertexShader = this->vertexShader(material.isPacked());
     const Object fragmentShader = compiled(device_, GL_FRAGMENT_SHADER, fragment);
     Object program = createObject(device_, ObjectKind::program);
-    gl.AttachShader(program.name(), vertexShader_.name());
+    gl.AttachShader(program.name(), vertexShader.name());
     gl.AttachShader(program.name(), fragmentShader.name());
     gl.BindAttribLocation(program.name(), kPosition, "fbrdfVertex");
     gl.BindAttribLocation(program.name(), kNormal, "fbrdfVertexNormal");
     gl.BindAttribLocation(program.name(), kTangent, "fbrdfVertexTangent");
     gl.LinkProgram(program.name());
-    label(*device_, ObjectKind::program, program, name);
+    label(*device_, ObjectKind::program, program, material.form().name);
     GLint ok = GL_FALSE, length = 0;
     gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
     if (ok) return program;
@@ -140,7 +156,7 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
 {
     const Functions& gl = device_->gl;
     auto result = std::make_unique<Program>();
-    result->object = linked(fragment, material.form().name);
+    result->object = linked(fragment, material);
     const GLuint program = result->object.name();
     const auto samplers = activeSamplers(gl, program);
     const int room = device_->capabilities.maxTextureUnits - device_->firstTextureUnit;
@@ -168,6 +184,8 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
     result->clusters = {unitOf("fbrdfLightBuffer"), unitOf("fbrdfLightIndices"),
                         unitOf("fbrdfLightLists"), location("fbrdfClusterGrid"),
                         location("fbrdfClusterScale")};
+    result->instancesUnit = unitOf("fbrdfInstances");
+    result->parametersUnit = unitOf("fbrdfParameters");
     result->material = findUniforms(material, program);
     for (size_t i = 0; i < material.tables().size(); ++i)
         result->tableUnits.push_back(unitOf("fbrdfTable" + std::to_string(i)));

@@ -24,6 +24,7 @@ struct Program {
         int lightsUnit = -1, indicesUnit = -1, listsUnit = -1;
         GLint grid = -1, scale = -1;
     } clusters;
+    int instancesUnit = -1, parametersUnit = -1;  ///< of a packed material
     MaterialUniforms material;
     std::vector<int> tableUnits;  ///< of each table of the form, as readUnit
     LookupCount lookups;          ///< counted from what the linker left active
@@ -43,10 +44,11 @@ private:
         std::string failure;
     };
     std::unique_ptr<Program> build(const GpuMaterial& material, const std::string& fragment);
-    Object linked(const std::string& fragment, const std::string& name);
+    Object linked(const std::string& fragment, const GpuMaterial& material);
+    const Object& vertexShader(bool instanced);
 
     DevicePtr device_;
-    Object vertexShader_;
+    Object vertexShaders_[2];  ///< the second for instances
     Entry& entryOf(const GpuMaterial& material, const ProgramSpec& spec);
     std::map<std::string, Entry> entries_;              ///< by fragment source
     std::unordered_map<std::string, Entry*> shortcut_;  ///< by material and specification

@@ -1,87 +1,30 @@
+#include "DrawRequest.h"
 #include "Executor.h"
-#include "TargetInfo.h"
+#include "GpuLibrary.h"
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace fbrdf::gl {
-namespace {
-
-bool isFinite(const glm::mat4& m)
-{
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r)
-            if (!std::isfinite(m[c][r])) return false;
-    return true;
-}
-
-void checkView(const View& view)
-{
-    const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
-    if (!isFinite(view.view) || !isFinite(view.projection))
-        fail("found a number that is not finite, expected finite matrices");
-    if (glm::determinant(glm::dmat4(view.projection)) == 0.0)
-        fail("found a singular projection, expected an invertible one");
-}
-
-void checkTarget(const Device& device, const Target& target)
-{
-    const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "target", what); };
-    if (target.width <= 0 || target.height <= 0)
-        fail("found " + std::to_string(target.width) + "x" + std::to_string(target.height) +
-             " pixels, expected at least one");
-    if (!(target.exposure > 0.0f) || !std::isfinite(target.exposure))
-        fail("found exposure " + std::to_string(target.exposure) +
-             ", expected a finite number above 0");
-    if (target.framebuffer != 0 && !device.capabilities.framebufferObjects)
-        fail("found framebuffer object " + std::to_string(target.framebuffer) +
-             " in a context without framebuffer objects, expected 0");
-}
-
-/// The valid ones, exposed: light is linear, so that is where exposure costs nothing.
-std::vector<Light> usableLights(const std::vector<Light>& lights, const Target& target)
-{
-    std::vector<Light> used;
-    std::copy_if(lights.begin(), lights.end(), std::back_inserter(used),
-                 [](const Light& light) { return isValid(light); });
-    if (target.transfer != Transfer::linear)
-        for (Light& light : used) light.intensity *= target.exposure;
-    return used;
-}
-
-/// What one call of draw() is about.
-struct DrawRequest {
-    const Target& target;
-    const DrawOptions& options;
-    TargetInfo info;
-    std::vector<Light> lights;          ///< the valid ones, exposed
-    std::vector<LightVectors> vectors;  ///< of each, in eye space
-    bool clustered = false;
-};
-
-/// A matrix stretches nothing by more than its Frobenius norm.
-Sphere worldBounds(const Item& item)
-{
-    const Sphere& bounds = item.mesh->bounds();
-    const glm::dmat3 linear(item.model);
-    const double norm = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
-                                  glm::dot(linear[2], linear[2]));
-    return {Vec3f(glm::dmat4(item.model) * glm::dvec4(Vec3d(bounds.centre), 1.0)),
-            static_cast<float>(norm * static_cast<double>(bounds.radius) * (1.0 + 1e-6))};
-}
-
-}  // namespace
 
 struct Renderer::State {
     DevicePtr device;
     ProgramCache programs;
     Surfaces surfaces;
     ClusterBuffers clusterBuffers;
+    BufferTexture instances;
 
-    explicit State(const DevicePtr& d) : device(d), programs(d), surfaces(d), clusterBuffers(d) {}
+    explicit State(const DevicePtr& d)
+        : device(d),
+          programs(d),
+          surfaces(d),
+          clusterBuffers(d),
+          instances(d, GL_RGBA32F, "instances")
+    {
+    }
 
     void checkAlive() const
     {
@@ -129,24 +72,30 @@ struct Renderer::State {
         return planPasses(material.form(), wanted, device->capabilities);
     }
 
-    void checkItem(const Item& item) const
+    /// What materials come from, and a mesh.
+    template <class Source>
+    void checkOwners(const Source* source, const GpuMesh* mesh) const
     {
-        const auto fail = [](const std::string& what) {
-            throw Error(ErrorKind::usage, "item", what);
-        };
-        if (!item.material || !item.mesh) fail("found none, expected a material and a mesh");
-        if (item.material->device() != device.get() || item.mesh->device() != device.get())
-            fail("found a material or mesh of another renderer, expected one of this");
-        if (!isFinite(item.model) || glm::determinant(glm::dmat3(item.model)) == 0.0)
-            fail("found a singular model matrix, expected an invertible one");
+        if (!source || !mesh)
+            throw Error(ErrorKind::usage, "item", "found none, expected a material and a mesh");
+        if (source->device() != device.get() || mesh->device() != device.get())
+            throw Error(ErrorKind::usage, "item",
+                        "found a material or mesh of another renderer, expected one of this");
+    }
+
+    static void checkModel(const glm::mat4& model)
+    {
+        if (!isInvertible(model))
+            throw Error(ErrorKind::usage, "item",
+                        "found a singular model matrix, expected an invertible one");
     }
 
     /// The lights of one item, as its plan counts them; with lists one stands for all.
-    std::vector<LightVectors> lightsOf(const Item& item, const DrawRequest& draw, DrawStats& stats)
+    std::vector<LightVectors> lightsOf(const Sphere& bounds, const DrawRequest& draw,
+                                       DrawStats& stats)
     {
         if (draw.clustered) return {draw.vectors.begin(), draw.vectors.begin() + 1};
-        const LightSelection selection =
-            selectLights(draw.lights, worldBounds(item), draw.options.maxLights);
+        const LightSelection selection = selectLights(draw.lights, bounds, draw.options.maxLights);
         stats.lightsCulled += selection.culled;
         stats.lightsDropped =
             std::max(stats.lightsDropped,
@@ -157,24 +106,104 @@ struct Renderer::State {
         return vectors;
     }
 
-    void drawItem(Executor& executor, const Item& item, const DrawRequest& draw, DrawStats& stats)
+    void draw(Executor& executor, const Drawable& item, const Sphere& bounds,
+              const DrawRequest& draw, DrawStats& stats)
     {
-        checkItem(item);
-        const DebugGroup group(*device, "fbrdf item " + item.material->name());
-        if (!isIsotropic(item.material->form()) && !item.mesh->hasTangents())
-            device->logOnce(Severity::warning, "material '" + item.material->name() +
+        const GpuMaterial& material = item.material;
+        const DebugGroup group(*device, "fbrdf item " + material.name());
+        if (!isIsotropic(material.form()) && !item.mesh.hasTangents())
+            device->logOnce(Severity::warning, "material '" + material.name() +
                                                    "' is anisotropic, the mesh has no tangents");
-        const auto lights = lightsOf(item, draw, stats);
-        const Plan plan = planFor(*item.material,
-                                  request(draw.options, static_cast<int>(lights.size()), draw.info),
-                                  &draw.target);
-        const auto passPrograms = programsOf(*item.material, plan, draw.clustered);
+        const auto lights = lightsOf(bounds, draw, stats);
+        const Plan plan =
+            planFor(material, request(draw.options, static_cast<int>(lights.size()), draw.info),
+                    &draw.target);
+        const auto passPrograms = programsOf(material, plan, draw.clustered);
         stats.maxLookups =
             std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
         const int passes = static_cast<int>(plan.passes.size());
         if (passes > stats.passes) stats.accumulation = colourFormatName(plan.accumulation);
         stats.passes = std::max(stats.passes, passes);
         stats.drawCalls += passes;
+    }
+
+    /// What fails is left out, logged and counted.
+    template <class Draw>
+    void survive(DrawStats& stats, int objects, Draw drawIt)
+    {
+        try {
+            drawIt();
+        } catch (const Error& error) {
+            stats.itemsFailed += objects;
+            device->logOnce(Severity::error, error.what());
+        }
+    }
+
+    void drawOne(Executor& executor, const GpuMaterial& material, const GpuMesh& mesh,
+                 const glm::mat4& model, const DrawRequest& request, DrawStats& stats)
+    {
+        checkModel(model);
+        draw(executor, {material, mesh, model}, worldBounds(mesh, model), request, stats);
+    }
+
+    /// The instances that can be drawn, by the group that holds their material.
+    std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats)
+    {
+        const auto& places = batch.library->places();
+        std::vector<std::vector<const Instance*>> result(batch.library->groupCount());
+        for (const Instance& instance : batch.instances)
+            survive(stats, 1, [&] {
+                const auto index = static_cast<size_t>(instance.material);
+                if (instance.material < 0 || index >= places.size())
+                    throw Error(ErrorKind::usage, "item",
+                                "found material " + std::to_string(instance.material) +
+                                    ", expected one of " + std::to_string(places.size()));
+                checkModel(instance.model);
+                result[places[index].group].push_back(&instance);
+            });
+        return result;
+    }
+
+    /// Draws [first, last) in one call a pass.
+    void drawPacked(Executor& executor, const Batch& batch, const GpuMaterial& material,
+                    const Instance* const* first, const Instance* const* last,
+                    const DrawRequest& request, DrawStats& stats)
+    {
+        std::vector<InstanceTexels> texels;
+        std::vector<Sphere> bounds;
+        for (const Instance* const* i = first; i != last; ++i) {
+            const auto& place = batch.library->places()[static_cast<size_t>((*i)->material)];
+            texels.push_back(instanceTexels(modelView(request.view, (*i)->model),
+                                            static_cast<int>(place.layer)));
+            bounds.push_back(worldBounds(*batch.mesh, (*i)->model));
+        }
+        instances.update(texels.size() * texels[0].size(), texels.size() * sizeof texels[0],
+                         texels.data());
+        draw(executor,
+             {material, *batch.mesh, {}, {instances.texture(), static_cast<int>(texels.size())}},
+             enclosing(bounds), request, stats);
+    }
+
+    void drawGroup(Executor& executor, const Batch& batch, const GpuMaterial& material,
+                   const std::vector<const Instance*>& objects, const DrawRequest& request,
+                   DrawStats& stats)
+    {
+        if (!material.isPacked()) {
+            for (const Instance* object : objects)
+                survive(stats, 1, [&] {
+                    drawOne(executor, material, *batch.mesh, object->model, request, stats);
+                });
+            return;
+        }
+        const auto most =
+            static_cast<size_t>(device->maxBufferTexels) / std::tuple_size_v<InstanceTexels>;
+        for (size_t first = 0; first < objects.size(); first += most) {
+            const size_t count = std::min(most, objects.size() - first);
+            survive(stats, static_cast<int>(count), [&] {
+                drawPacked(executor, batch, material, &objects[first], &objects[first] + count,
+                           request, stats);
+            });
+        }
     }
 
     /// Whether lights go into lists: asked for, possible, and there are any.
@@ -189,6 +218,43 @@ struct Renderer::State {
                 "found lists of lights asked for, expected OpenGL 3.1, technique single "
                 "and no limits: drawing without");
         return possible;
+    }
+
+    /// Sets everything up for a draw, then drawAll(executor, request, stats).
+    template <class DrawAll>
+    DrawStats draw(const Target& target, const View& view, const std::vector<Light>& lights,
+                   const DrawOptions& options, DrawAll drawAll)
+    {
+        checkAlive();
+        checkRequest(*device, target, view);
+        DrawRequest request{target, view, options, {}, usableLights(lights, target), {}};
+        request.vectors = lightVectors(request.lights, view);
+        DrawStats stats;
+        stats.lightsGiven = static_cast<int>(lights.size());
+        stats.lightsUsed = static_cast<int>(request.lights.size());
+        stats.lightsDropped = stats.lightsGiven - stats.lightsUsed;
+
+        StateGuard guard(*device);
+        const DebugGroup group(*device, "fbrdf draw");
+        guard.setTarget(target);
+        request.info = targetInfo(*device, target);
+        validate(this->request(options, stats.lightsUsed, request.info));
+        if (options.maxLights < 0)
+            throw Error(ErrorKind::usage, "draw",
+                        "found a limit of " + std::to_string(options.maxLights) +
+                            " lights, expected 0 (none) or more");
+        Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
+        LightClusters clusters;
+        request.clustered = isClustered(options, request.lights.size());
+        if (request.clustered) {
+            clusters = lightClusters(request.vectors, glm::dmat4(view.projection));
+            clusterBuffers.update(clusters);
+            frame.clusters = &clusters;
+            frame.clusterBuffers = &clusterBuffers;
+        }
+        Executor executor(*device, frame, surfaces, guard);
+        drawAll(executor, request, stats);
+        return stats;
     }
 };
 
@@ -232,6 +298,34 @@ std::shared_ptr<GpuMesh> Renderer::createMesh(const MeshData& mesh)
     return std::make_shared<GpuMesh>(state_->device, mesh);
 }
 
+std::shared_ptr<GpuLibrary> Renderer::createLibrary(const std::vector<Material>& materials)
+{
+    state_->checkAlive();
+    discardHostErrors(*state_->device);
+    return std::make_shared<GpuLibrary>(state_->device, materials,
+                                        [this](const GpuMaterial& made) { prepare(made, {}, 1); });
+}
+
+void Renderer::replaceMaterial(GpuLibrary& library, int index, const Material& material)
+{
+    state_->checkAlive();
+    if (library.device() != state_->device.get())
+        throw Error(ErrorKind::usage, "library",
+                    "found one of another renderer, expected one of this");
+    if (index < 0 || static_cast<size_t>(index) >= library.places().size())
+        throw Error(ErrorKind::usage, "library",
+                    "found material " + std::to_string(index) + ", expected one of " +
+                        std::to_string(library.places().size()));
+    discardHostErrors(*state_->device);
+    library.replace(static_cast<size_t>(index), material,
+                    [this](const GpuMaterial& made) { prepare(made, {}, 1); });
+}
+
+const std::string& whyApart(const GpuLibrary& library)
+{
+    return library.reason();
+}
+
 void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, int lights)
 {
     state_->checkAlive();
@@ -246,45 +340,32 @@ void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, 
 DrawStats Renderer::draw(const Target& target, const View& view, const std::vector<Item>& items,
                          const std::vector<Light>& lights, const DrawOptions& options)
 {
-    state_->checkAlive();
-    const Device& device = *state_->device;
-    checkTarget(device, target);
-    checkView(view);
-    DrawRequest request{target, options, {}, usableLights(lights, target), {}};
-    request.vectors = lightVectors(request.lights, view);
-    DrawStats stats;
-    stats.lightsGiven = static_cast<int>(lights.size());
-    stats.lightsUsed = static_cast<int>(request.lights.size());
-    stats.lightsDropped = stats.lightsGiven - stats.lightsUsed;
+    return state_->draw(target, view, lights, options,
+                        [&](Executor& executor, const DrawRequest& request, DrawStats& stats) {
+                            for (const Item& item : items)
+                                state_->survive(stats, 1, [&] {
+                                    state_->checkOwners(item.material, item.mesh);
+                                    state_->drawOne(executor, *item.material, *item.mesh,
+                                                    item.model, request, stats);
+                                });
+                        });
+}
 
-    StateGuard guard(device);
-    const DebugGroup group(device, "fbrdf draw");
-    guard.setTarget(target);
-    request.info = targetInfo(device, target);
-    validate(state_->request(options, stats.lightsUsed, request.info));
-    if (options.maxLights < 0)
-        throw Error(ErrorKind::usage, "draw",
-                    "found a limit of " + std::to_string(options.maxLights) +
-                        " lights, expected 0 (none) or more");
-    Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
-    LightClusters clusters;
-    request.clustered = state_->isClustered(options, request.lights.size());
-    if (request.clustered) {
-        clusters = lightClusters(request.vectors, glm::dmat4(view.projection));
-        state_->clusterBuffers.update(clusters);
-        frame.clusters = &clusters;
-        frame.clusterBuffers = &state_->clusterBuffers;
-    }
-    Executor executor(device, frame, state_->surfaces, guard);
-    for (const Item& item : items) {
-        try {
-            state_->drawItem(executor, item, request, stats);
-        } catch (const Error& error) {
-            ++stats.itemsFailed;
-            state_->device->logOnce(Severity::error, error.what());
-        }
-    }
-    return stats;
+DrawStats Renderer::drawBatch(const Target& target, const View& view, const Batch& batch,
+                              const std::vector<Light>& lights, const DrawOptions& options)
+{
+    return state_->draw(target, view, lights, options,
+                        [&](Executor& executor, const DrawRequest& request, DrawStats& stats) {
+                            state_->checkOwners(batch.library, batch.mesh);
+                            if (!batch.library->reason().empty())
+                                state_->device->logOnce(Severity::warning,
+                                                        "objects of a library drawn one by one: " +
+                                                            batch.library->reason());
+                            const auto groups = state_->sorted(batch, stats);
+                            for (size_t g = 0; g < groups.size(); ++g)
+                                state_->drawGroup(executor, batch, batch.library->group(g),
+                                                  groups[g], request, stats);
+                        });
 }
 
 void Renderer::abandonContext() noexcept

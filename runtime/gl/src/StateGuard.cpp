@@ -245,9 +245,12 @@ void StateGuard::setTarget(const Target& target)
 
 StateGuard::SavedUnit StateGuard::savedUnit(GLenum name) const
 {
-    return {name, integer(gl_, GL_TEXTURE_BINDING_2D), integer(gl_, GL_TEXTURE_BINDING_3D),
+    return {name,
+            integer(gl_, GL_TEXTURE_BINDING_2D),
+            integer(gl_, GL_TEXTURE_BINDING_3D),
             gl_.version >= 31 ? integer(gl_, GL_TEXTURE_BINDING_BUFFER) : 0,
-            gl_.version >= 33 ? integer(gl_, GL_SAMPLER_BINDING) : 0};
+            gl_.version >= 33 ? integer(gl_, GL_SAMPLER_BINDING) : 0,
+            gl_.version >= 30 ? integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY) : 0};
 }
 
 void StateGuard::setScissor(const PixelRect* rect)
@@ -287,6 +290,7 @@ void StateGuard::restoreTextures() const
         gl_.ActiveTexture(saved.unit);
         gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(saved.texture2d));
         gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(saved.texture3d));
+        if (gl_.version >= 30) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(saved.textureArray));
         if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(saved.textureBuffer));
         if (gl_.version >= 33) gl_.BindSampler(saved.unit - GL_TEXTURE0, unsignedOf(saved.sampler));
     }

@@ -30,7 +30,7 @@ public:
 private:
     struct SavedUnit {
         GLenum unit = 0;
-        GLint texture2d = 0, texture3d = 0, textureBuffer = 0, sampler = 0;
+        GLint texture2d = 0, texture3d = 0, textureBuffer = 0, sampler = 0, textureArray = 0;
     };
     void saveBindings();
     void saveFixed();

@@ -43,6 +43,7 @@ UploadGuard::~UploadGuard()
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, unsignedOf(unpackBuffer_));
     gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(texture2d_));
     gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(texture3d_));
+    if (gl_.version >= 30) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(textureArray_));
     if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(textureBuffer_));
     if (!device_.capabilities.vertexArrays)
         gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, unsignedOf(elementBuffer_));
@@ -75,6 +76,7 @@ void UploadGuard::save()
     unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
     texture2d_ = integer(gl_, GL_TEXTURE_BINDING_2D);
     texture3d_ = integer(gl_, GL_TEXTURE_BINDING_3D);
+    if (gl_.version >= 30) textureArray_ = integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY);
     if (gl_.version >= 31) textureBuffer_ = integer(gl_, GL_TEXTURE_BINDING_BUFFER);
     arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
     if (device_.capabilities.vertexArrays)

@@ -1,6 +1,9 @@
 // The shaded point, in eye space, as surface.vert left it.
 FBRDF_FROM_VERTEX vec3 fbrdfPosition;
 FBRDF_FROM_VERTEX vec3 fbrdfNormal;
+#ifdef FBRDF_INSTANCED
+flat FBRDF_FROM_VERTEX int fbrdfMaterial;
+#endif
 #ifndef FBRDF_DERIVED_TANGENT
 FBRDF_FROM_VERTEX vec3 fbrdfTangent;
 #endif

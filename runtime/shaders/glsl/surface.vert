@@ -8,7 +8,12 @@ invariant gl_Position;
 #define fbrdfVertexNormal gl_Normal
 #define FBRDF_VERTEX gl_Vertex
 #else
+#ifdef FBRDF_INSTANCED
+// Four texels an instance: columns of its model-view matrix without the last row; the first ends with its material.
+uniform samplerBuffer fbrdfInstances;
+#else
 uniform mat4 fbrdfModelView;
+#endif
 uniform mat4 fbrdfProjection;
 FBRDF_ATTRIBUTE vec3 fbrdfVertex;
 FBRDF_ATTRIBUTE vec3 fbrdfVertexNormal;
@@ -20,6 +25,9 @@ FBRDF_ATTRIBUTE vec3 fbrdfVertexTangent;
 FBRDF_TO_FRAGMENT vec3 fbrdfPosition;
 FBRDF_TO_FRAGMENT vec3 fbrdfNormal;
 FBRDF_TO_FRAGMENT vec3 fbrdfTangent;
+#ifdef FBRDF_INSTANCED
+flat FBRDF_TO_FRAGMENT int fbrdfMaterial;
+#endif
 #ifdef FBRDF_DERIVED_TANGENT
 FBRDF_TO_FRAGMENT vec2 fbrdfTextureCoordinate;
 #endif
@@ -34,6 +42,14 @@ vec3 fbrdfMovedNormal(mat3 m, vec3 n)
 
 void main()
 {
+#ifdef FBRDF_INSTANCED
+    int first = 4 * gl_InstanceID;
+    vec4 column = texelFetch(fbrdfInstances, first);
+    fbrdfMaterial = int(column.w);
+    mat4 fbrdfModelView =
+        mat4(vec4(column.xyz, 0.0), vec4(texelFetch(fbrdfInstances, first + 1).xyz, 0.0),
+             vec4(texelFetch(fbrdfInstances, first + 2).xyz, 0.0), vec4(texelFetch(fbrdfInstances, first + 3).xyz, 1.0));
+#endif
     vec4 position = fbrdfModelView * FBRDF_VERTEX;
     mat3 turn = mat3(fbrdfModelView[0].xyz, fbrdfModelView[1].xyz, fbrdfModelView[2].xyz);
     fbrdfPosition = position.xyz;

@@ -7,6 +7,7 @@
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/plan/LightVectors.h>
+#include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -164,8 +165,47 @@ std::string textureFetch(const FragmentContext& c, const Factor& factor)
     const bool volume = domainSize(tableOf(c, factor).domain)[2] > 1;
     const auto* grid = std::get_if<GridDomain>(&tableOf(c, factor).domain);
     const bool three = volume || (grid && grid->axes.size() == 3);
+    const std::string at = coordinate(c, factor);
     return std::string(three ? "FBRDF_TEXTURE3" : "FBRDF_TEXTURE2") + "(fbrdfTable" +
-           std::to_string(factor.table) + ", " + coordinate(c, factor) + ").rgb";
+           std::to_string(factor.table) + ", " +
+           (c.packed ? "vec3(" + at + ", float(fbrdfMaterial))" : at) + ").rgb";
+}
+
+std::string parameter(int index)
+{
+    return "texelFetch(fbrdfParameters, fbrdfFirst + " + std::to_string(index) + ").rgb";
+}
+
+/// Knot `index`, an expression, of a uniform table.
+std::string knot(const FragmentContext& c, int table, const std::string& index)
+{
+    if (!c.packed) return "fbrdfKnots" + std::to_string(table) + "[" + index + "]";
+    const int first = parameterLayout(c.form).tables[static_cast<size_t>(table)];
+    return "texelFetch(fbrdfParameters, fbrdfFirst + " + std::to_string(first) + " + " + index +
+           ").rgb";
+}
+
+/// Declares what uniforms hold in a program of one material.
+std::string parameterLines(const FragmentContext& c)
+{
+    if (!c.packed) return "";
+    const ParameterLayout layout = parameterLayout(c.form);
+    std::set<std::string> lines;
+    forEachFactor(c, [&](const Factor& factor) {
+        if (tableOf(c, factor).uniform || !encodingOf(c, factor).ranged) return;
+        const std::string k = std::to_string(factor.table);
+        const int first = layout.tables[static_cast<size_t>(factor.table)];
+        lines.insert("    vec3 fbrdfLower" + k + " = " + parameter(first) + ", fbrdfExtent" + k +
+                     " = " + parameter(first + 1) + ";\n");
+    });
+    for (const Part& part : c.spec.parts)
+        if (part.scaled)
+            lines.insert("    vec3 fbrdfScale" + std::to_string(part.term) + " = " +
+                         parameter(layout.scales + part.term) + ";\n");
+    std::string text =
+        "    int fbrdfFirst = fbrdfMaterial * " + std::to_string(layout.stride) + ";\n";
+    for (const std::string& line : lines) text += line;
+    return text;
 }
 
 /// Linear interpolation between knots of a uniform array.
@@ -173,12 +213,12 @@ std::string knotsLines(const FragmentContext& c, const Factor& factor, const std
                        const std::string& operation)
 {
     const Axis& axis = std::get<GridDomain>(tableOf(c, factor).domain).axes[0];
-    const std::string name = "fbrdfKnots" + std::to_string(factor.table);
-    if (axis.size == 1) return target + operation + name + "[0];\n";
+    if (axis.size == 1) return target + operation + knot(c, factor.table, "0") + ";\n";
     const Angle angle = std::get<std::vector<Angle>>(factor.argument)[0];
     return "{ float x = " + axisCall(axis.map, angle) + " * " + number(axis.size - 1.0) +
            "; int k = int(min(x, " + number(axis.size - 2.0) + ")); " + target + operation +
-           "mix(" + name + "[k], " + name + "[k + 1], x - float(k)); }\n";
+           "mix(" + knot(c, factor.table, "k") + ", " + knot(c, factor.table, "k + 1") +
+           ", x - float(k)); }\n";
 }
 
 /// One statement: the factor's value into `exponent` or `product`, both with the suffix.
@@ -367,19 +407,24 @@ std::string uniformDeclarations(const FragmentContext& c)
         const TableSpec& table = tableOf(c, factor);
         const std::string k = std::to_string(factor.table);
         if (table.uniform) {
+            if (c.packed) return;
             lines.insert("uniform vec3 fbrdfKnots" + k + "[" +
                          std::to_string(texelCount(table.domain)) + "];\n");
             return;
         }
         const bool three = dimensionCount(table.domain) == 3;
-        lines.insert(std::string("uniform ") + (three ? "sampler3D" : "sampler2D") + " fbrdfTable" +
-                     k + ";\n");
-        if (encodingOf(c, factor).ranged)
+        lines.insert(std::string("uniform ") +
+                     (three      ? "sampler3D"
+                      : c.packed ? "sampler2DArray"
+                                 : "sampler2D") +
+                     " fbrdfTable" + k + ";\n");
+        if (encodingOf(c, factor).ranged && !c.packed)
             lines.insert("uniform vec3 fbrdfLower" + k + ", fbrdfExtent" + k + ";\n");
     });
     for (const Part& part : c.spec.parts)
-        if (part.scaled)
+        if (part.scaled && !c.packed)
             lines.insert("uniform vec3 fbrdfScale" + std::to_string(part.term) + ";\n");
+    if (c.packed) lines.insert("uniform samplerBuffer fbrdfParameters;\n");
     if (c.spec.reads) {
         lines.insert("uniform sampler2D fbrdfRead;\n");
         lines.insert("uniform vec2 fbrdfReadScale;\n");
@@ -398,7 +443,8 @@ std::string mainFunction(const FragmentContext& c)
 {
     std::string text = "void main()\n{\n";
     if (!c.spec.parts.empty())
-        text += "    vec3 viewer = fbrdfToViewer();\n" + surfaceLines(c) + viewLines(c);
+        text += "    vec3 viewer = fbrdfToViewer();\n" + parameterLines(c) + surfaceLines(c) +
+                viewLines(c);
     text += c.spec.lit && !c.spec.parts.empty() ? litBody(c) : unlitBody(c);
     if (c.spec.reads)
         text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";

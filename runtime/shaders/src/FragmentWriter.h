@@ -10,7 +10,8 @@ struct FragmentContext {
     const Form& form;
     const std::vector<TableEncoding>& encodings;
     const ProgramSpec& spec;
-    bool local = false;  ///< directions are given in the tangent frame, whatever the form needs
+    bool packed = false;  ///< maps in arrays, the rest in a buffer (PackedParameters.h)
+    bool local = false;   ///< directions are given in the tangent frame, whatever the form needs
 };
 
 std::string uniformDeclarations(const FragmentContext& context);

@@ -31,9 +31,12 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     if (glsl != 120 && inputs.builtIns)
         throw Error(ErrorKind::gl, "shader",
                     "found GLSL " + std::to_string(glsl) + ", expected 120 for built-in inputs");
+    if (glsl == 120 && inputs.instanced)
+        throw Error(ErrorKind::gl, "shader", "found GLSL 120, expected 140 for instances");
     std::string text = "#version " + std::to_string(glsl) + "\n";
     if (inputs.builtIns) text += "#define FBRDF_BUILT_INS\n";
     if (inputs.builtIns && inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
+    if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";
     return text + joined(files);
 }
 
@@ -73,7 +76,7 @@ std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
 {
-    const FragmentContext context{form, encodings, spec};
+    const FragmentContext context{form, encodings, spec, inputs.instanced};
     // Declared first: that is where what does not agree is refused.
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
@@ -87,7 +90,7 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
 {
     checkVersion(glsl);
     const ProgramSpec spec = wholeSpec(form, maxLights);
-    const FragmentContext context{form, encodings, spec}, local{form, encodings, spec, true};
+    const FragmentContext context{form, encodings, spec}, local{form, encodings, spec, false, true};
     const std::string uniforms = uniformDeclarations(context);
     return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
                    "transfer.glsl"}) +

@@ -61,11 +61,25 @@ struct MeshData {
 
 class GpuMaterial;  ///< textures and programs of one Material
 class GpuMesh;      ///< buffers of one MeshData
+class GpuLibrary;   ///< many materials: those of one layout draw in one call
 
 struct Item {
     const GpuMaterial* material = nullptr;
     const GpuMesh* mesh = nullptr;
     glm::mat4 model{1.0f};  ///< invertible; may scale unevenly
+};
+
+/// One object of a batch.
+struct Instance {
+    glm::mat4 model{1.0f};  ///< as of Item; affine
+    int material = 0;       ///< index into the library
+};
+
+/// One mesh many times, each with a material of its own.
+struct Batch {
+    const GpuLibrary* library = nullptr;
+    const GpuMesh* mesh = nullptr;
+    std::vector<Instance> instances;
 };
 
 struct View {
@@ -128,6 +142,15 @@ public:
     /// Throws Error(input) for arrays that do not agree, Error(gl) where GL cannot hold them.
     std::shared_ptr<GpuMesh> createMesh(const MeshData& mesh);
 
+    /// Packs the maps of materials that differ in numbers only (sameLayout, PackedParameters.h)
+    /// into texture arrays, so that one program and one bind draw them all; needs OpenGL 3.1. Where
+    /// that cannot be, each material has textures of its own, see whyApart. Throws as
+    /// createMaterial, naming the index.
+    std::shared_ptr<GpuLibrary> createLibrary(const std::vector<Material>& materials);
+    /// Another material in the place of one, of whatever layout. On failure, Error as of
+    /// createMaterial, the library keeps the one it has.
+    void replaceMaterial(GpuLibrary& library, int index, const Material& material);
+
     /// Builds the programs that a draw with these options and this number of lights will need, and
     /// so keeps the first draw from stopping for a compiler. Throws Error(gl).
     void prepare(const GpuMaterial& material, const DrawOptions& options, int lights);
@@ -140,6 +163,12 @@ public:
     DrawStats draw(const Target& target, const View& view, const std::vector<Item>& items,
                    const std::vector<Light>& lights, const DrawOptions& options = {});
 
+    /// The same for all objects of a batch: one draw call a pass for all that share a layout, whose
+    /// lights are culled, sorted and capped by the bounds of them all. Objects of materials that
+    /// cannot be packed are drawn one by one, with a warning.
+    DrawStats drawBatch(const Target& target, const View& view, const Batch& batch,
+                        const std::vector<Light>& lights, const DrawOptions& options = {});
+
     /// The context is gone: forget every GL object without touching GL. Later calls throw
     /// Error(gl); destructors are safe.
     void abandonContext() noexcept;
@@ -149,5 +178,8 @@ public:
 private:
     std::unique_ptr<State> state_;
 };
+
+/// Why materials of a library are not in arrays; empty where all are.
+const std::string& whyApart(const GpuLibrary& library);
 
 }  // namespace fbrdf::gl

@@ -19,6 +19,7 @@ struct Capabilities {
                                     ///< nothing has to be unpacked
     bool floatTargets = false;      ///< RGBA32F is renderable and blendable
     bool vertexArrays = false;
+    int maxArrayLayers = 0;       ///< of a texture array; 0: there are none
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
     bool debug = false;           ///< KHR_debug: labels and groups
 };

@@ -10,6 +10,7 @@
 //               a uniform table: fbrdfKnots<k>[knots] (vec3), decoded
 //   term t      fbrdfScale<t> (vec3)
 //   surface     fbrdfRead (sampler), fbrdfReadScale (vec2: 1 / size in pixels)
+// Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
 #include <fbrdf/plan/Plan.h>
 
@@ -50,6 +51,9 @@ struct SurfaceInputs {
     bool builtIns = false;
     /// With builtIns: the tangent is derived per pixel, towards increasing gl_MultiTexCoord0.s.
     bool derivedTangent = false;
+    /// Model-view matrix and material come from fbrdfInstances, tables from texture arrays
+    /// (PackedParameters.h); GLSL 1.40.
+    bool instanced = false;
 };
 
 /// glsl: 120, 140, 150 or 330.

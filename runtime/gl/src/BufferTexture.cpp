@@ -1,0 +1,43 @@
+#include "BufferTexture.h"
+
+#include "UploadGuard.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+
+void BufferTexture::update(size_t texels, size_t bytes, const void* data)
+{
+    const Functions& gl = device_->gl;
+    if (texels > static_cast<size_t>(device_->maxBufferTexels))
+        throw Error(ErrorKind::gl, name_,
+                    "found " + std::to_string(texels) + " texels, expected at most " +
+                        std::to_string(device_->maxBufferTexels));
+    if (!texture_) create();
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    if (bytes > bytes_) {
+        bytes_ = std::max(bytes, 2 * bytes_);
+        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_DRAW);
+    }
+    if (bytes > 0) gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+void BufferTexture::create()
+{
+    constexpr size_t kFirstBytes = 64;
+    const Functions& gl = device_->gl;
+    const UploadGuard guard(*device_);
+    buffer_ = createObject(device_, ObjectKind::buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    bytes_ = kFirstBytes;
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_DRAW);
+    texture_ = createObject(device_, ObjectKind::texture);
+    gl.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+    gl.TexBuffer(GL_TEXTURE_BUFFER, format_, buffer_.name());
+    label(*device_, ObjectKind::buffer, buffer_, name_);
+    label(*device_, ObjectKind::texture, texture_, name_);
+}
+
+}  // namespace fbrdf::gl

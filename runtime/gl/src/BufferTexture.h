@@ -1,0 +1,30 @@
+// BufferTexture.h - numbers that shaders fetch by index, in a buffer that grows; needs OpenGL 3.1.
+#pragma once
+#include "Objects.h"
+
+namespace fbrdf::gl {
+
+class BufferTexture {
+public:
+    BufferTexture() = default;
+    BufferTexture(DevicePtr device, GLenum format, const char* name)
+        : device_(std::move(device)), format_(format), name_(name)
+    {
+    }
+
+    /// Uploads; storage grows where it must and is never made anew otherwise. Leaves the array
+    /// buffer bound. Throws Error(gl) where a buffer texture cannot have so many texels.
+    void update(size_t texels, size_t bytes, const void* data);
+    GLuint texture() const { return texture_.name(); }
+
+private:
+    void create();
+
+    DevicePtr device_;
+    GLenum format_ = GL_NONE;
+    const char* name_ = "";
+    Object buffer_, texture_;
+    size_t bytes_ = 0;
+};
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,95 @@
+#include "DrawRequest.h"
+
+#include "Mesh.h"
+
+#include <fbrdf/brdf/Error.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf::gl {
+namespace {
+
+bool isFinite(const glm::mat4& m)
+{
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            if (!std::isfinite(m[c][r])) return false;
+    return true;
+}
+
+void checkView(const View& view)
+{
+    const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
+    if (!isFinite(view.view) || !isFinite(view.projection))
+        fail("found a number that is not finite, expected finite matrices");
+    if (glm::determinant(glm::dmat4(view.projection)) == 0.0)
+        fail("found a singular projection, expected an invertible one");
+}
+
+void checkTarget(const Device& device, const Target& target)
+{
+    const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "target", what); };
+    if (target.width <= 0 || target.height <= 0)
+        fail("found " + std::to_string(target.width) + "x" + std::to_string(target.height) +
+             " pixels, expected at least one");
+    if (!(target.exposure > 0.0f) || !std::isfinite(target.exposure))
+        fail("found exposure " + std::to_string(target.exposure) +
+             ", expected a finite number above 0");
+    if (target.framebuffer != 0 && !device.capabilities.framebufferObjects)
+        fail("found framebuffer object " + std::to_string(target.framebuffer) +
+             " in a context without framebuffer objects, expected 0");
+}
+
+}  // namespace
+
+void checkRequest(const Device& device, const Target& target, const View& view)
+{
+    checkTarget(device, target);
+    checkView(view);
+}
+
+bool isInvertible(const glm::mat4& model)
+{
+    return isFinite(model) && glm::determinant(glm::dmat3(model)) != 0.0;
+}
+
+std::vector<Light> usableLights(const std::vector<Light>& lights, const Target& target)
+{
+    std::vector<Light> used;
+    std::copy_if(lights.begin(), lights.end(), std::back_inserter(used),
+                 [](const Light& light) { return isValid(light); });
+    if (target.transfer != Transfer::linear)
+        for (Light& light : used) light.intensity *= target.exposure;
+    return used;
+}
+
+/// A matrix stretches nothing by more than its Frobenius norm.
+Sphere worldBounds(const GpuMesh& mesh, const glm::mat4& model)
+{
+    const Sphere& bounds = mesh.bounds();
+    const glm::dmat3 linear(model);
+    const double norm = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
+                                  glm::dot(linear[2], linear[2]));
+    return {Vec3f(glm::dmat4(model) * glm::dvec4(Vec3d(bounds.centre), 1.0)),
+            static_cast<float>(norm * static_cast<double>(bounds.radius) * (1.0 + 1e-6))};
+}
+
+Sphere enclosing(const std::vector<Sphere>& spheres)
+{
+    Vec3f low = spheres[0].centre, high = low;
+    for (const Sphere& sphere : spheres) {
+        low = glm::min(low, sphere.centre);
+        high = glm::max(high, sphere.centre);
+    }
+    Sphere result{0.5f * (low + high), 0.0f};
+    for (const Sphere& sphere : spheres)
+        result.radius =
+            std::max(result.radius, glm::distance(result.centre, sphere.centre) + sphere.radius);
+    return result;
+}
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,85 @@
+#include "GpuLibrary.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/shaders/PackedParameters.h>
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+namespace {
+
+void checkMaterial(const Material& material, size_t index)
+{
+    validate(material, "material " + std::to_string(index) + " of a library");
+}
+
+Material layoutOf(const Material& material)
+{
+    Material layout{material.form, {}, material.scales, material.name, {}, {}};
+    for (const Table& table : material.tables) {
+        layout.tables.emplace_back();
+        layout.tables.back().storage = table.storage;
+    }
+    return layout;
+}
+
+}  // namespace
+
+GpuLibrary::GpuLibrary(DevicePtr device, const std::vector<Material>& materials, const Check& check)
+    : device_(std::move(device)), places_(materials.size())
+{
+    std::vector<std::vector<const Material*>> members;
+    for (size_t i = 0; i < materials.size(); ++i) {
+        checkMaterial(materials[i], i);
+        const size_t room = capacity(materials[i].form);
+        const auto fits = [&](const std::vector<const Material*>& group) {
+            return group.size() < room && sameLayout(*group.front(), materials[i]);
+        };
+        const auto group = std::find_if(members.begin(), members.end(), fits);
+        places_[i].group = static_cast<size_t>(group - members.begin());
+        if (group == members.end()) members.emplace_back();
+        places_[i].layer = members[places_[i].group].size();
+        members[places_[i].group].push_back(&materials[i]);
+    }
+    for (const auto& group : members) groups_.push_back(made(group, check));
+}
+
+/// Materials of the form that one group holds.
+size_t GpuLibrary::capacity(const Form& form) const
+{
+    if (!whyNotPacked(form, device_->capabilities).empty()) return 1;
+    return static_cast<size_t>(std::min(device_->capabilities.maxArrayLayers,
+                                        device_->maxBufferTexels / parameterLayout(form).stride));
+}
+
+GpuLibrary::Group GpuLibrary::made(const std::vector<const Material*>& members, const Check& check)
+{
+    const Material& first = *members.front();
+    const std::string why = whyNotPacked(first.form, device_->capabilities);
+    if (reason_.empty()) reason_ = why;
+    Group group{layoutOf(first), nullptr, members.size()};
+    group.gpu = why.empty() ? std::make_unique<GpuMaterial>(device_, members)
+                            : std::make_unique<GpuMaterial>(device_, first);
+    check(*group.gpu);
+    return group;
+}
+
+void GpuLibrary::replace(size_t index, const Material& material, const Check& check)
+{
+    checkMaterial(material, index);
+    Place& place = places_[index];
+    Group& group = groups_[place.group];
+    if (group.gpu->isPacked() && sameLayout(group.layout, material))
+        return group.gpu->replaceLayer(place.layer, material);
+    Group replacement = made({&material}, check);
+    if (group.members == 1) {
+        group = std::move(replacement);
+    } else {
+        --group.members;
+        groups_.push_back(std::move(replacement));
+        place.group = groups_.size() - 1;
+    }
+    place.layer = 0;
+}
+
+}  // namespace fbrdf::gl

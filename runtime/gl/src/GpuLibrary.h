@@ -1,0 +1,46 @@
+// GpuLibrary.h - many materials: those of one layout share texture arrays, a program and a draw.
+#pragma once
+#include "GpuMaterial.h"
+
+#include <functional>
+
+namespace fbrdf::gl {
+
+class GpuLibrary {
+public:
+    /// Called for what was made before anything refers to it; throws what refuses it.
+    using Check = std::function<void(const GpuMaterial&)>;
+
+    /// Throws Error(input) for an invalid material, naming its index, Error(gl) where GL cannot
+    /// hold them.
+    GpuLibrary(DevicePtr device, const std::vector<Material>& materials, const Check& check);
+
+    void replace(size_t index, const Material& material, const Check& check);
+
+    /// Where a material is: a layer of a group's arrays, 0 in a group of one.
+    struct Place {
+        size_t group = 0;
+        size_t layer = 0;
+    };
+    const Device* device() const { return device_.get(); }
+    const std::vector<Place>& places() const { return places_; }
+    size_t groupCount() const { return groups_.size(); }
+    const GpuMaterial& group(size_t index) const { return *groups_[index].gpu; }
+    const std::string& reason() const { return reason_; }  ///< see whyApart, Renderer.h
+
+private:
+    struct Group {
+        Material layout;  ///< its first material without texels
+        std::unique_ptr<GpuMaterial> gpu;
+        size_t members = 0;
+    };
+    Group made(const std::vector<const Material*>& members, const Check& check);
+    size_t capacity(const Form& form) const;
+
+    DevicePtr device_;
+    std::vector<Group> groups_;
+    std::vector<Place> places_;  ///< of each material
+    std::string reason_;
+};
+
+}  // namespace fbrdf::gl
