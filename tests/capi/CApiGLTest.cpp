@@ -1,11 +1,8 @@
 // The C ABI in a GL context: a host in C11, one that draws by itself, contexts, threads, faults.
+#include "CApiTest.h"
 #include "plain.h"
 
-#include <fbrdf/fbrdf.hpp>
-
 #include <gtest/gtest.h>
-
-#include "support/gl/GlTest.h"
 
 #include <thread>
 
@@ -15,29 +12,7 @@ namespace {
 constexpr int kSize = 16;
 constexpr float kTexel = 1e-4f;  // tables of floats, one exp2 in the shader
 
-struct Line {
-    fbrdf_severity severity;
-    fbrdf_result code;
-    std::string text;
-};
-using Lines = std::vector<Line>;
-
-void write(void* user, fbrdf_severity severity, fbrdf_result code, const char* text)
-{
-    static_cast<Lines*>(user)->push_back({severity, code, text});
-}
-
-class CApiGL : public GlTest {
-protected:
-    fbrdf_renderer_desc rendererDesc(Lines& lines)
-    {
-        auto desc = abi::describe<fbrdf_renderer_desc>();
-        desc.api_version = FBRDF_API_VERSION;
-        desc.load = context().loader();
-        desc.log = {write, &lines};
-        return desc;
-    }
-};
+class CApiGL : public CApiTest {};
 
 void expectPlainPicture(const std::vector<float>& pixels)
 {

@@ -1,4 +1,5 @@
 // Every program that the test materials can need, in every version, through glslangValidator.
+#include <fbrdf/brdf/Error.h>
 #include <fbrdf/shaders/ShaderSource.h>
 #include <fbrdf/shaders/TextureImage.h>
 
@@ -101,6 +102,25 @@ TEST_F(ShaderValidation, AcceptsBuiltInInputs)
                            write("surface.frag", fragment)),
                   0);
     }
+}
+
+TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
+{
+    SurfaceInputs inputs;
+    inputs.instanced = true;
+    for (const int glsl : {140, 330})
+        for (const bool ranged : {false, true})
+            for (const Form& form : {formPqpr(8, 0.5, 6), formHdio(8, 8, 8)}) {
+                const std::vector<TableEncoding> encodings(form.tables.size(), {true, ranged});
+                ProgramSpec spec{{{0, {0, 1}, true}}, 4, true, false};
+                if (form.terms[0].factors.size() > 3) spec.parts[0].factors.push_back(3);
+                const std::string fragment = fragmentSource(form, encodings, spec, glsl, inputs);
+                EXPECT_EQ(validate("-l " + write("surface.vert", vertexSource(glsl, inputs)) + " " +
+                                   write("surface.frag", fragment)),
+                          0)
+                    << fragment;
+            }
+    EXPECT_THROW(vertexSource(120, inputs), Error);
 }
 
 TEST_F(ShaderValidation, LinksTheStages)

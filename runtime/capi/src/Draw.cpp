@@ -45,6 +45,22 @@ std::vector<fbrdf::gl::Item> itemsOf(const fbrdf_draw_desc& desc)
     return items;
 }
 
+fbrdf::gl::Batch batchOf(const fbrdf_batch_desc& desc)
+{
+    checkArray(desc.instances, desc.instance_count, desc.instance_size, "instances");
+    fbrdf::gl::Batch batch{desc.library ? desc.library->gpu.get() : nullptr,
+                           desc.mesh ? desc.mesh->gpu.get() : nullptr,
+                           {}};
+    for (size_t i = 0; i < desc.instance_count; ++i) {
+        const fbrdf_instance instance = elementAt(desc.instances, desc.instance_size, i);
+        // An index above what an int holds is out of range in any library: as -1 is.
+        const bool possible = instance.material <= 0x7fffffffu;
+        batch.instances.push_back(
+            {glm::make_mat4(instance.model), possible ? static_cast<int>(instance.material) : -1});
+    }
+    return batch;
+}
+
 std::vector<fbrdf::Light> lightsOf(const fbrdf_draw_desc& desc)
 {
     checkArray(desc.lights, desc.light_count, desc.light_size, "lights");
@@ -98,10 +114,10 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     std::memcpy(to, &stats, std::min<size_t>(to->struct_size, sizeof stats));
 }
 
-}  // namespace
-
-fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
-                        fbrdf_draw_stats* stats)
+/// Reads what all draws have, draws by act(renderer, target, view, descriptor), reports.
+template <class Act>
+fbrdf_result drawn(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc, fbrdf_draw_stats* stats,
+                   Act act)
 {
     return guarded(renderer ? &renderer->shared->log : nullptr, [&] {
         Shared& shared = *required(renderer, "renderer").shared;
@@ -111,8 +127,34 @@ fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
                                                    std::to_string(stats->struct_size) +
                                                    ", expected room for a number at least");
         const fbrdf::gl::View view{glm::make_mat4(known.view), glm::make_mat4(known.projection)};
-        const auto drawn = shared.renderer.draw(targetOf(known), view, itemsOf(known),
-                                                lightsOf(known), optionsOf(known));
-        if (stats) report(drawn, stats);
+        const auto result = act(shared.renderer, targetOf(known), view, known);
+        if (stats) report(result, stats);
     });
+}
+
+}  // namespace
+
+fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
+                        fbrdf_draw_stats* stats)
+{
+    return drawn(renderer, desc, stats,
+                 [](auto& gl, const auto& target, const auto& view, const auto& known) {
+                     return gl.draw(target, view, itemsOf(known), lightsOf(known),
+                                    optionsOf(known));
+                 });
+}
+
+fbrdf_result fbrdf_draw_batch(fbrdf_renderer* renderer, const fbrdf_draw_desc* draw,
+                              const fbrdf_batch_desc* batch, fbrdf_draw_stats* stats)
+{
+    return drawn(renderer, draw, stats,
+                 [batch](auto& gl, const auto& target, const auto& view, const auto& known) {
+                     if (known.item_count != 0)
+                         throw Failure(FBRDF_ERROR_ARGUMENT, "items: found " +
+                                                                 std::to_string(known.item_count) +
+                                                                 ", expected none with a batch");
+                     return gl.drawBatch(target, view,
+                                         batchOf(descriptor(batch, sizeof *batch, "batch")),
+                                         lightsOf(known), optionsOf(known));
+                 });
 }

@@ -1,4 +1,5 @@
 #include "Boundary.h"
+#include "Files.h"
 
 using namespace fbrdf::capi;
 
@@ -66,6 +67,13 @@ fbrdf::gl::MeshData meshOf(const fbrdf_mesh_desc& desc)
             {desc.indices, desc.indices + desc.index_count}};
 }
 
+void replace(fbrdf_material& material, const fbrdf::Material& by)
+{
+    auto gpu = material.shared->renderer.createMaterial(by);
+    material.functions.clear();
+    material.gpu = std::move(gpu);
+}
+
 }  // namespace
 
 uint32_t fbrdf_api_version(void)
@@ -123,10 +131,14 @@ fbrdf_result fbrdf_material_create(fbrdf_renderer* renderer, const fbrdf_brdf* b
 fbrdf_result fbrdf_material_replace(fbrdf_material* material, const fbrdf_brdf* brdf)
 {
     return guarded(material ? &material->shared->log : nullptr, [&] {
-        auto gpu = required(material, "material")
-                       .shared->renderer.createMaterial(required(brdf, "brdf").material);
-        material->functions.clear();
-        material->gpu = std::move(gpu);
+        replace(required(material, "material"), required(brdf, "brdf").material);
+    });
+}
+
+fbrdf_result fbrdf_material_load(fbrdf_material* material, const char* path)
+{
+    return guarded(material ? &material->shared->log : nullptr, [&] {
+        replace(required(material, "material"), readFile(&required(path, "path")));
     });
 }
 

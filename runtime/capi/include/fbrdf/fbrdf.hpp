@@ -52,6 +52,7 @@ using Brdf = Handle<fbrdf_brdf, fbrdf_brdf_release>;
 using Renderer = Handle<fbrdf_renderer, fbrdf_renderer_release>;
 using Material = Handle<fbrdf_material, fbrdf_material_release>;
 using Mesh = Handle<fbrdf_mesh, fbrdf_mesh_release>;
+using Library = Handle<fbrdf_library, fbrdf_library_release>;
 using Binding = Handle<fbrdf_binding, fbrdf_binding_release>;
 
 /// A descriptor of zeros with its size set.
