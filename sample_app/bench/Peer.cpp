@@ -149,12 +149,10 @@ void PeerDrawing::uploadMap(const PeerMap& map)
 void PeerDrawing::setUniforms() const
 {
     gl_.UseProgram(program_);
-    const glm::mat3 normal(glm::transpose(glm::inverse(glm::dmat3(view_.view))));
     const glm::vec4 eye(eyeFromProjection(glm::dmat4(view_.projection)));
     gl_.UniformMatrix4fv(location("fbrdfModelView"), 1, GL_FALSE, glm::value_ptr(view_.view));
     gl_.UniformMatrix4fv(location("fbrdfProjection"), 1, GL_FALSE,
                          glm::value_ptr(view_.projection));
-    gl_.UniformMatrix3fv(location("fbrdfNormalMatrix"), 1, GL_FALSE, glm::value_ptr(normal));
     gl_.Uniform4fv(location("fbrdfEye"), 1, glm::value_ptr(eye));
     if (!peer_.parameters.empty())
         gl_.Uniform4fv(location("peerParameters"), static_cast<GLsizei>(peer_.parameters.size()),

@@ -76,7 +76,7 @@ protected:
 TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
 {
     size_t count = 0;
-    for (const int glsl : {120, 140, 150, 330}) {
+    for (const int glsl : {120, 140, 150, 330, 450, 300}) {
         std::map<std::string, std::string> sources;
         for (const Material& material : test::testMaterials()) addSources(material, glsl, sources);
         std::string files = write("surface.vert", vertexSource(glsl));
@@ -88,6 +88,60 @@ TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
         ADD_FAILURE() << "GLSL " << glsl;
     }
     EXPECT_GT(count, 200u);
+}
+
+bool fitsEs100(const Form& form)
+{
+    for (const TableSpec& table : form.tables)
+        if (table.uniform || dimensionCount(table.domain) == 3) return false;
+    return true;
+}
+
+TEST_F(ShaderValidation, Es100TakesWhatItCanAndNamesWhatItCannot)
+{
+    int taken = 0, refused = 0;
+    for (const Material& material : test::testMaterials()) {
+        std::map<std::string, std::string> sources;
+        if (!fitsEs100(material.form)) {
+            ++refused;
+            try {
+                materialFunctions(material.form, encodingsOf(material), 100, 4);
+                ADD_FAILURE() << material.name << " was taken";
+            } catch (const Error& error) {
+                EXPECT_NE(std::string(error.what()).find("GLSL ES 1.00 has no"), std::string::npos)
+                    << error.what();
+            }
+            continue;
+        }
+        ++taken;
+        addSources(material, 100, sources);
+        std::string files = write("surface.vert", vertexSource(100));
+        for (const auto& [text, name] : sources) files += " " + write(name, text);
+        EXPECT_EQ(validate(files), 0) << material.name;
+    }
+    EXPECT_GT(taken, 3);
+    EXPECT_GT(refused, 1);
+}
+
+TEST_F(ShaderValidation, FunctionsAndListsOfEs)
+{
+    const Material material = test::testMaterials().front();
+    for (const auto& [glsl, head] :
+         {std::pair{100, "#version 100\n"}, std::pair{300, "#version 300 es\n"}}) {
+        const std::string output = glsl == 300 ? "out vec4 colour;\n" : "",
+                          name = glsl == 300 ? "colour" : "gl_FragColor";
+        EXPECT_EQ(
+            validate(write("host.frag",
+                           head + materialFunctions(material.form, encodingsOf(material), glsl, 4) +
+                               output + "void main() { " + name +
+                               " = vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, "
+                               "0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n")),
+            0)
+            << glsl;
+        ProgramSpec lists{{{0, {0, 1, 2}, true}}, 1, true, false};
+        lists.clustered = true;
+        EXPECT_THROW(fragmentSource(material.form, encodingsOf(material), lists, glsl), Error);
+    }
 }
 
 TEST_F(ShaderValidation, AcceptsBuiltInInputs)
@@ -108,7 +162,7 @@ TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
 {
     SurfaceInputs inputs;
     inputs.instanced = true;
-    for (const int glsl : {140, 330})
+    for (const int glsl : {140, 330, 450})
         for (const bool ranged : {false, true})
             for (const Form& form : {formPqpr(8, 0.5, 6), formHdio(8, 8, 8)}) {
                 const std::vector<TableEncoding> encodings(form.tables.size(), {true, ranged});
@@ -120,12 +174,13 @@ TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
                           0)
                     << fragment;
             }
-    EXPECT_THROW(vertexSource(120, inputs), Error);
+    for (const int glsl : {120, 100, 300}) EXPECT_THROW(vertexSource(glsl, inputs), Error);
 }
 
 TEST_F(ShaderValidation, LinksTheStages)
 {
-    for (const int glsl : {140, 330}) {  // glslang links neither GLSL 1.20 varyings nor built-ins
+    for (const int glsl :
+         {140, 330, 450, 100, 300}) {  // glslang links neither GLSL 1.20 varyings nor built-ins
         std::map<std::string, std::string> sources;
         addSources(test::testMaterials().front(), glsl, sources);
         const std::string vertex = write("surface.vert", vertexSource(glsl));

@@ -41,7 +41,7 @@ int glslVersion(const Functions& gl)
     const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_SHADING_LANGUAGE_VERSION));
     if (text) std::sscanf(text, "%d.%d", &major, &minor);
     const int version = 100 * major + minor;
-    for (const int supported : {330, 150, 140})
+    for (const int supported : {450, 330, 150, 140})
         if (version >= supported) return supported;
     return 120;
 }

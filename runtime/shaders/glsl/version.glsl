@@ -1,5 +1,16 @@
-// What differs between GLSL 1.20 and 1.40 to 3.30. Textures have one level, so the explicit one of textureLod changes
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit one of textureLod changes
 // nothing but spares the derivatives.
+#ifdef GL_ES
+#ifndef GL_FRAGMENT_PRECISION_HIGH
+#error fbrdf needs highp floats in fragment shaders
+#endif
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+#if __VERSION__ >= 300
+precision highp sampler3D;
+#endif
+#endif
 #if __VERSION__ >= 130
 #define FBRDF_ATTRIBUTE in
 #define FBRDF_TO_FRAGMENT out

@@ -106,6 +106,14 @@ std::string clusteredLoop(const FragmentContext& c)
            lightLines(c, "light", "        ") + litLines(c, "        ") + "    }\n";
 }
 
+/// GLSL ES 1.00 wants to know how often a loop runs (Appendix A).
+std::string lightLoop(const FragmentContext& c)
+{
+    if (c.glsl != kGlslEs100) return "    for (int i = 0; i < fbrdfLightCount; ++i) {\n";
+    return "    for (int i = 0; i < " + std::to_string(c.spec.lightSlots) +
+           "; ++i) {\n        if (i >= fbrdfLightCount) break;\n";
+}
+
 std::string litBody(const FragmentContext& c)
 {
     std::string text, total;
@@ -119,7 +127,7 @@ std::string litBody(const FragmentContext& c)
     else if (c.spec.lightSlots == 1)
         text += lightLines(c, "0", "    ") + litLines(c, "    ");
     else
-        text += "    for (int i = 0; i < fbrdfLightCount; ++i) {\n" +
+        text += lightLoop(c) +
                 lightLines(c, std::to_string(kVectorsPerLight) + " * i", "        ") +
                 litLines(c, "        ") + "    }\n";
     return text + "    vec3 total = NoV > 0.0 ? " + total + " : vec3(0.0);\n";
@@ -151,11 +159,26 @@ void check(const FragmentContext& c)
         fail("factors that depend on the light in a program without lights");
 }
 
+void checkEs100(const FragmentContext& c)
+{
+    forEachFactor(c, [&](const Factor& factor) {
+        const TableSpec& table = tableOf(c, factor);
+        if (table.uniform && texelCount(table.domain) > 1)
+            fail("table '" + table.name +
+                 "': found knots in uniforms, expected a texture: GLSL ES 1.00 has no index that "
+                 "varies");
+        if (dimensionCount(table.domain) == 3)
+            fail("table '" + table.name +
+                 "': found three dimensions, expected two: GLSL ES 1.00 has no volumes");
+    });
+}
+
 }  // namespace
 
 std::string uniformDeclarations(const FragmentContext& c)
 {
     check(c);
+    if (c.glsl == kGlslEs100) checkEs100(c);
     std::set<std::string> lines;
     forEachFactor(c, [&](const Factor& factor) {
         const TableSpec& table = tableOf(c, factor);

@@ -6,10 +6,13 @@
 
 namespace fbrdf {
 
+constexpr int kGlslEs100 = 100, kGlslEs300 = 300;
+
 struct FragmentContext {
     const Form& form;
     const std::vector<TableEncoding>& encodings;
     const ProgramSpec& spec;
+    int glsl;
     bool packed = false;  ///< maps in arrays, the rest in a buffer (PackedParameters.h)
     bool local = false;   ///< directions are given in the tangent frame, whatever the form needs
 };

@@ -12,9 +12,19 @@ namespace {
 
 void checkVersion(int glsl)
 {
-    if (glsl != 120 && glsl != 140 && glsl != 150 && glsl != 330)
+    for (const int known : {120, 140, 150, 330, 450, kGlslEs100, kGlslEs300})
+        if (glsl == known) return;
+    throw Error(ErrorKind::gl, "shader",
+                "found GLSL " + std::to_string(glsl) +
+                    ", expected 120, 140, 150, 330 or 450, or of ES 100 or 300");
+}
+
+/// Buffer textures: GLSL 1.40; not those of ES.
+void checkBuffers(int glsl, const std::string& what)
+{
+    if (glsl == 120 || glsl == kGlslEs100 || glsl == kGlslEs300)
         throw Error(ErrorKind::gl, "shader",
-                    "found GLSL " + std::to_string(glsl) + ", expected 120, 140, 150 or 330");
+                    "found GLSL " + std::to_string(glsl) + ", expected 140 or newer for " + what);
 }
 
 std::string joined(std::initializer_list<const char*> files)
@@ -31,9 +41,8 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     if (glsl != 120 && inputs.builtIns)
         throw Error(ErrorKind::gl, "shader",
                     "found GLSL " + std::to_string(glsl) + ", expected 120 for built-in inputs");
-    if (glsl == 120 && inputs.instanced)
-        throw Error(ErrorKind::gl, "shader", "found GLSL 120, expected 140 for instances");
-    std::string text = "#version " + std::to_string(glsl) + "\n";
+    if (inputs.instanced) checkBuffers(glsl, "instances");
+    std::string text = "#version " + std::to_string(glsl) + (glsl == kGlslEs300 ? " es\n" : "\n");
     if (inputs.builtIns) text += "#define FBRDF_BUILT_INS\n";
     if (inputs.builtIns && inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
     if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";
@@ -76,7 +85,8 @@ std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
 {
-    const FragmentContext context{form, encodings, spec, inputs.instanced};
+    if (spec.clustered) checkBuffers(glsl, "lists of lights");
+    const FragmentContext context{form, encodings, spec, glsl, inputs.instanced};
     // Declared first: that is where what does not agree is refused.
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
@@ -90,7 +100,8 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
 {
     checkVersion(glsl);
     const ProgramSpec spec = wholeSpec(form, maxLights);
-    const FragmentContext context{form, encodings, spec}, local{form, encodings, spec, false, true};
+    const FragmentContext context{form, encodings, spec, glsl},
+        local{form, encodings, spec, glsl, false, true};
     const std::string uniforms = uniformDeclarations(context);
     return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
                    "transfer.glsl"}) +

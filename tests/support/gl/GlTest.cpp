@@ -4,14 +4,15 @@
 
 #include "support/DataDir.h"
 
+#include <algorithm>
+
 namespace fbrdf::test {
 namespace {
 
 void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
                             const GLchar* text, const void*)
 {
-    const bool bad = type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH ||
-                     severity == GL_DEBUG_SEVERITY_MEDIUM;
+    const bool bad = type == GL_DEBUG_TYPE_ERROR || severity != GL_DEBUG_SEVERITY_NOTIFICATION;
     if (bad) ADD_FAILURE() << "GL: " << std::string(text, static_cast<size_t>(length));
 }
 
@@ -74,8 +75,11 @@ gl::RendererOptions GlTest::rendererOptions()
     gl::RendererOptions options;
     options.load = context_->loader();
     options.log = [this](gl::Severity, const std::string& text) { log.push_back(text); };
-    if (!GetParam().legacy) return options;
+    if (!GetParam().legacy && GetParam().backend == Backend::egl) return options;
     Capabilities old = gl::Renderer(options).capabilities();
+    options.capabilities = old;
+    options.capabilities->glsl = std::min(old.glsl, 330);  // EGL tests what the driver has, 4.50
+    if (!GetParam().legacy) return options;
     old.glsl = 120;
     old.vertexArrays = false;
     options.capabilities = old;

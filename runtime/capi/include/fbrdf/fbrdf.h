@@ -248,7 +248,7 @@ FBRDF_API const char* fbrdf_glsl_snippet(uint32_t snippet);
 
 typedef struct fbrdf_glsl_desc {
     uint32_t struct_size;
-    uint32_t glsl_version; /* 120, 140, 150, 330; 0: 330 */
+    uint32_t glsl_version; /* 120, 140, 150, 330, 450; ES: 100, 300; 0: 330 */
     uint32_t max_lights;   /* room of the uniform array fbrdfLights; 0: 8 */
 } fbrdf_glsl_desc;
 /* The functions of one material, to be put after the engine's #version line and before its main():

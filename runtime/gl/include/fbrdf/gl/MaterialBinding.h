@@ -6,7 +6,7 @@
 namespace fbrdf::gl {
 
 /// Functions of a material for somebody else's fragment shader; what it declares is said in
-/// ShaderSource.h. glsl: 120, 140, 150 or 330; maxLights >= 1: room of fbrdfLights.
+/// ShaderSource.h. glsl: as there; maxLights >= 1: room of fbrdfLights.
 std::string materialFunctions(const GpuMaterial& material, int glsl, int maxLights);
 
 class MaterialBinding {

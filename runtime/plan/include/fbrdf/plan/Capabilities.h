@@ -7,7 +7,7 @@ namespace fbrdf {
 
 struct Capabilities {
     int glMajor = 2, glMinor = 1;
-    int glsl = 120;              ///< version to write shaders in: 120, 140, 150 or 330
+    int glsl = 120;              ///< version to write shaders in: 120, 140, 150, 330 or 450
     int maxTextureUnits = 8;     ///< samplers of one fragment shader
     int maxTextureSize = 2048;   ///< texels on a side
     int max3dTextureSize = 256;  ///< texels on a side

@@ -56,7 +56,8 @@ struct SurfaceInputs {
     bool instanced = false;
 };
 
-/// glsl: 120, 140, 150 or 330.
+/// glsl: 120, 140, 150, 330 or 450; of ES 300, or 100, which has neither volumes nor an index that
+/// varies: a form with 3D tables or with knots in uniforms is refused there.
 std::string vertexSource(int glsl, const SurfaceInputs& inputs = {});
 /// encodings: one for each table of the form. Throws Error(gl) for a form that GLSL cannot express.
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
