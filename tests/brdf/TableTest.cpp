@@ -100,6 +100,23 @@ TEST(Quantized, Log8IsOffByHalfAStride)
 }
 
 // The reason for coding differences: plain 8 bits over a range of 10 are off by 0.02.
+TEST(Quantized, Log8OfASymmetricTableIsSymmetric)
+{
+    constexpr int kSide = 17;
+    Table table = tableOf(kSide, kSide, 3, [](int x, int y, int c) {
+        return std::sin(0.37f * float(x * y + c)) * 4.0f + 0.25f * float(x + y);
+    });
+    std::get<GridDomain>(table.domain).symmetric = true;
+    const Table log8 = quantized(table, Storage::log8);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_EQ(log8.texel(y * kSide + x, c), log8.texel(x * kSide + y, c));
+                const int code = codeOf(log8, y * kSide + x, c);
+                ASSERT_TRUE(code >= 0 && code <= 255) << code;
+            }
+}
+
 TEST(Quantized, Log8OfASmoothMapIsFinerThanPlainCodes)
 {
     const Table table = smooth();

@@ -47,7 +47,7 @@ TEST(Nbrdf, RunsTheNetworkOfTheChosenRow)
     EXPECT_EQ(source.name, "nets#1");
     EXPECT_NEAR(source.evaluate({0, 0, 1}, {0.6, 0, 0.8}).x, 0.5, 1e-6);
     EXPECT_EQ(source.evaluate({0, 0, 1}, {0.6, 0, -0.8}), Vec3d(0.0));
-    EXPECT_EQ(source.stream.geometry, "merl 90x90x180");
+    EXPECT_EQ(source.stream.geometry, "merl 90x90x180 full");
 }
 
 TEST(Nbrdf, FindsMaterialsByName)

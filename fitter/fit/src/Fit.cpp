@@ -1,3 +1,4 @@
+#include "Conserve.h"
 #include "Job.h"
 #include "NamedForms.h"
 #include "Search.h"
@@ -85,6 +86,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     const Job job = makeJob(std::move(feed), options, source.name);
     const bool searches = options.form == "auto" && !options.formData;
     Fitted fitted = searches ? searchForm(source, job, summary.trials) : fitNamed(job);
+    if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);
     fitted.material.name = source.name;
     summary.seconds = clock.seconds();
     summary.noiseFloor = job.traits.floor;

@@ -176,10 +176,10 @@ std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample
 // The integral is taken over half vectors, dw_o = 4 (wi.h) dw_h: every wo above the horizon is the
 // mirror image of wi about exactly one h, and highlights sit at the pole, where theta_h = pi/2 u^2
 // puts most points (midpoint rule).
-Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i)
+Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i, double phi_i)
 {
     constexpr int kZenith = 256, kAzimuth = 128;
-    const Vec3d wi = directionFromAngles(theta_i, 0.0);
+    const Vec3d wi = directionFromAngles(theta_i, phi_i);
     Vec3d sum(0.0);
     for (int i = 0; i < kZenith; ++i) {
         const double u = (i + 0.5) / kZenith, theta_h = 0.5 * kPi * u * u;

@@ -97,6 +97,8 @@ void addFitOptions(CLI::App& command, FitOptions& options)
     addInteger(command, "--terms", options.terms, 1, kMaxTerms,
                "terms of a sum that auto tries at most; default 2")
         ->type_name("N");
+    command.add_flag("--conserve", options.conserve,
+                     "scale the material down so that no directional albedo exceeds 1");
     addFitTuning(command, options);
 }
 

@@ -97,6 +97,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"errors", errorsJson(outcome)},
             {"smoothness", jsonOf(outcome.summary.smoothness)},
             {"noise_floor", jsonOf(outcome.summary.noiseFloor)},
+            {"conserve_scale", jsonOf(outcome.summary.conserved)},
             {"folds", outcome.summary.folds},
             {"unsupported_texels", unsupportedTexels(material)},
             {"trials", trialsJson(outcome.summary)}};
@@ -131,6 +132,14 @@ std::string supportText(const Material& material)
            " texels are supported by no sample";
 }
 
+std::string energyText(const FitCommand& command, const FitSummary& summary)
+{
+    if (!command.job.fit.conserve) return "as fitted (--conserve keeps albedos to 1)";
+    return summary.conserved < 1.0
+               ? fmt::format("scaled by {:.4f} so that no albedo exceeds 1", summary.conserved)
+               : "no albedo exceeds 1";
+}
+
 std::string trialsText(const FitSummary& summary)
 {
     if (summary.trials.empty()) return "";
@@ -158,6 +167,7 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                 {"samples", samplesText(outcome)},
                 {"support", supportText(material)},
                 {"smoothness", fmt::format("{:.3g}", outcome.summary.smoothness)},
+                {"energy", energyText(command, outcome.summary)},
                 {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
                                         times.read, times.fit, times.measure, writeSeconds)}}) +
            errorsText(outcome) + trialsText(outcome.summary);

@@ -110,11 +110,12 @@ std::string optionsNote(const FitJob& job)
     const FitOptions& fit = job.fit;
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
-        "smoothness={} seed={} cosine={}{}",
+        "smoothness={} seed={} cosine={}{}{}",
         fit.formData ? describe(*fit.formData) : fit.form, fit.resolution, fit.maxBytes,
         fit.lookups, fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
-        job.sourceOptions.cosine, fit.sharedShape ? " shared" : "");
+        job.sourceOptions.cosine, fit.sharedShape ? " shared" : "",
+        fit.conserve ? " conserve" : "");
 }
 
 std::string generatorNote()

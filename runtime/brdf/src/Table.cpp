@@ -62,7 +62,28 @@ void setStride(Table& table, int channel)
     table.log8.offset[c] = static_cast<int>(std::floor(static_cast<double>(least) / stride)) - 1;
 }
 
+// The texel that a symmetric table holds once more, or the texel itself.
+int mirrorOf(const Domain& domain, int index)
+{
+    const auto* grid = std::get_if<GridDomain>(&domain);
+    if (!grid || !grid->symmetric) return index;
+    const int side = grid->axes[0].size;
+    return index % side * side + index / side;
+}
+
+// Texels of a symmetric domain need not be so: a file may hold what it likes.
+bool isMirrored(const Table& table, int channel)
+{
+    for (int i = 0; i < texelCount(table.domain); ++i)
+        if (table.texel(i, channel) != table.texel(mirrorOf(table.domain, i), channel))
+            return false;
+    return true;
+}
+
 // Closed loop: each code corrects the rounding of the texels before it, so errors do not add up.
+// All texels of a channel lie on one lattice, a stride wide; a value half way between two points
+// would go to one or the other by what lies before it, so the mirrored texel takes over what the
+// first of the two became.
 void roundToLog8(Table& table)
 {
     for (int channel = 0; channel < table.channels; ++channel) {
@@ -70,8 +91,10 @@ void roundToLog8(Table& table)
         setStride(table, channel);
         const auto c = static_cast<size_t>(channel);
         const int stride = table.log8.stride[c], offset = table.log8.offset[c];
+        const bool mirrored = isMirrored(table, channel);
         for (int i = 0; i < texelCount(table.domain); ++i) {
-            const int wanted = unorm16Of(table, i, channel),
+            const int wanted = unorm16Of(
+                          table, mirrored ? std::min(i, mirrorOf(table.domain, i)) : i, channel),
                       previous = previousUnorm16(table, i, channel);
             const auto steps =
                 static_cast<int>(std::lround(static_cast<double>(wanted - previous) / stride));

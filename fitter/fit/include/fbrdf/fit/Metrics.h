@@ -39,8 +39,8 @@ struct PhysicsErrors {
 PhysicsErrors physicsErrors(const BrdfFunction& brdf, int threads);
 
 /// Directional albedo: integral of f cos theta_o over wo, for light at zenith angle theta_i,
-/// azimuth 0.
-Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i);
+/// azimuth phi_i.
+Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i, double phi_i = 0.0);
 
 /// Names and values of interfaces.md, in its order: "log_rms", "cos_rms", ...
 std::map<std::string, double> named(const SampleErrors& errors);
