@@ -424,5 +424,37 @@ TEST_F(WrongPlan, LosingALightFails)
     EXPECT_FALSE(passes(plan_));
 }
 
+TEST(Precision, GrowsByOneRoundingAPass)
+{
+    const double ulp = 0x1p-23;
+    const auto bound = [](int lights, ColourFormat target, Transfer transfer = Transfer::linear) {
+        const PlanRequest request{Technique::twoLookup, lights, 8, 0, target, true, transfer};
+        return planPasses(formHdio(4, 4, 4), request, modern()).error;
+    };
+    const ErrorBound one = bound(1, ColourFormat::rgba32f);
+    EXPECT_NEAR(bound(256, ColourFormat::rgba32f).relative - one.relative, 255 * ulp, 1e-12);
+    EXPECT_EQ(one.absolute, 0.0);
+    // A sum in a float surface is rounded to the target once, however many lights there are.
+    EXPECT_EQ(bound(256, ColourFormat::rgba8).absolute, 1.0 / 255.0);
+    EXPECT_NEAR(
+        bound(256, ColourFormat::rgba16f).relative - bound(256, ColourFormat::rgba32f).relative,
+        0x1p-10, 1.1e-4);
+    const ErrorBound curved = bound(4, ColourFormat::rgba8, Transfer::srgb);
+    EXPECT_EQ(curved.relative, 0.0);
+    EXPECT_LT(curved.absolute, 1.1 / 255.0);
+}
+
+TEST(Precision, NothingMultipliesInPlaceWhereFactorsAreClamped)
+{
+    for (const bool offscreen : {true, false})
+        for (const Technique technique :
+             {Technique::single, Technique::batched, Technique::twoLookup}) {
+            const PlanRequest request{technique, 9, 2, 0, ColourFormat::rgba8, offscreen};
+            for (const Pass& pass : planPasses(formPqp(4, 1.0), request, modern()).passes)
+                EXPECT_FALSE(pass.blend == Blend::multiply && pass.writes == Surface::target)
+                    << techniqueName(technique) << " " << offscreen;
+        }
+}
+
 }  // namespace
 }  // namespace fbrdf

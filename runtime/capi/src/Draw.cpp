@@ -110,6 +110,10 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.lights_dropped = count(from.lightsDropped);
     stats.lights_culled = count(from.lightsCulled);
     stats.max_lookups = count(from.maxLookups);
+    stats.technique = static_cast<uint32_t>(from.technique);
+    stats.error_relative = static_cast<float>(from.error.relative);
+    stats.error_absolute = static_cast<float>(from.error.absolute);
+    from.whyReplaced.copy(stats.why_replaced, sizeof stats.why_replaced - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
     std::memcpy(to, &stats, std::min<size_t>(to->struct_size, sizeof stats));
 }

@@ -9,6 +9,12 @@
 #include <tuple>
 
 namespace fbrdf::gl {
+namespace {
+
+constexpr const char* kNoLists =
+    "found lists of lights asked for, expected OpenGL 3.1, technique single and no limits";
+
+}  // namespace
 
 struct Renderer::State {
     DevicePtr device;
@@ -54,7 +60,8 @@ struct Renderer::State {
     }
 
     /// The plan asked for; where there is none, all lights in one pass, with a warning.
-    Plan planFor(const GpuMaterial& material, PlanRequest wanted, const Target* target)
+    Plan planFor(const GpuMaterial& material, PlanRequest wanted, const Target* target,
+                 std::string& whyReplaced)
     {
         Plan plan = planPasses(material.form(), wanted, device->capabilities);
         const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
@@ -67,6 +74,7 @@ struct Renderer::State {
         device->logOnce(Severity::warning, "material '" + material.name() +
                                                "': " + techniqueName(wanted.technique) +
                                                " replaced by single: " + plan.reason);
+        whyReplaced = plan.reason;
         wanted.technique = Technique::single;
         wanted.maxLookups = 0;
         return planPasses(material.form(), wanted, device->capabilities);
@@ -117,12 +125,17 @@ struct Renderer::State {
         const auto lights = lightsOf(bounds, draw, stats);
         const Plan plan =
             planFor(material, request(draw.options, static_cast<int>(lights.size()), draw.info),
-                    &draw.target);
+                    &draw.target, stats.whyReplaced);
         const auto passPrograms = programsOf(material, plan, draw.clustered);
         stats.maxLookups =
             std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
         const int passes = static_cast<int>(plan.passes.size());
-        if (passes > stats.passes) stats.accumulation = colourFormatName(plan.accumulation);
+        if (passes > stats.passes) {
+            stats.accumulation = colourFormatName(plan.accumulation);
+            stats.technique = plan.technique;
+        }
+        stats.error = {std::max(stats.error.relative, plan.error.relative),
+                       std::max(stats.error.absolute, plan.error.absolute)};
         stats.passes = std::max(stats.passes, passes);
         stats.drawCalls += passes;
     }
@@ -213,10 +226,7 @@ struct Renderer::State {
         const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
                               options.maxLights == 0 && device->capabilities.bufferTextures;
         if (!possible)
-            device->logOnce(
-                Severity::warning,
-                "found lists of lights asked for, expected OpenGL 3.1, technique single "
-                "and no limits: drawing without");
+            device->logOnce(Severity::warning, std::string(kNoLists) + ": drawing without");
         return possible;
     }
 
@@ -246,6 +256,8 @@ struct Renderer::State {
         Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
         LightClusters clusters;
         request.clustered = isClustered(options, request.lights.size());
+        if (options.clustered && !request.clustered && !request.lights.empty())
+            stats.whyReplaced = kNoLists;
         if (request.clustered) {
             clusters = lightClusters(request.vectors, glm::dmat4(view.projection));
             clusterBuffers.update(clusters);
@@ -330,10 +342,11 @@ void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, 
 {
     state_->checkAlive();
     const StateGuard guard(*state_->device);
+    std::string whyReplaced;
     const Plan plan = state_->planFor(
         material,
-        state_->request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}),
-        nullptr);
+        state_->request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}), nullptr,
+        whyReplaced);
     state_->programsOf(material, plan, state_->isClustered(options, static_cast<size_t>(lights)));
 }
 

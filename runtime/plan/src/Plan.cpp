@@ -10,7 +10,6 @@
 #include "CurvedPlan.h"
 #include "PassList.h"
 
-#include <fbrdf/brdf/Error.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
@@ -358,22 +357,16 @@ Plan planStraight(const Form& form, const PlanRequest& request, const Capabiliti
     return finished((chooseTogether ? together : apart).passes(), request);
 }
 
-}  // namespace
-
-void validate(const PlanRequest& request)
+Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
-    const auto refuse = [](const std::string& what) {
-        throw Error(ErrorKind::usage, "plan", what);
-    };
-    if (request.lights < 0)
-        refuse("found " + std::to_string(request.lights) + " lights, expected 0 or more");
-    if (request.lightsPerPass < 1)
-        refuse("found " + std::to_string(request.lightsPerPass) +
-               " lights a pass, expected 1 or more");
-    if (request.maxLookups < 0)
-        refuse("found a limit of " + std::to_string(request.maxLookups) +
-               " look-ups, expected 0 (none) or more");
+    const bool offscreen = limitsOf(form, request, capabilities).offscreen;
+    PlanRequest straight = request;
+    if (offscreen) straight.target = ColourFormat::rgba32f;
+    Plan plan = planStraight(form, straight, capabilities);
+    return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
 }
+
+}  // namespace
 
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 {
@@ -388,12 +381,11 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     validate(request);
-    if (!isCurved(request.transfer)) return planStraight(form, request, capabilities);
-    const bool offscreen = limitsOf(form, request, capabilities).offscreen;
-    PlanRequest straight = request;
-    if (offscreen) straight.target = ColourFormat::rgba32f;
-    Plan plan = planStraight(form, straight, capabilities);
-    return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
+    Plan plan = isCurved(request.transfer) ? planCurved(form, request, capabilities)
+                                           : planStraight(form, request, capabilities);
+    plan.technique = request.technique;
+    plan.error = errorBound(plan.passes, request.target);
+    return plan;
 }
 
 }  // namespace fbrdf

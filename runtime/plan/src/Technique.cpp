@@ -33,4 +33,19 @@ const char* colourFormatName(ColourFormat format)
     return "?";
 }
 
+void validate(const PlanRequest& request)
+{
+    const auto refuse = [](const std::string& what) {
+        throw Error(ErrorKind::usage, "plan", what);
+    };
+    if (request.lights < 0)
+        refuse("found " + std::to_string(request.lights) + " lights, expected 0 or more");
+    if (request.lightsPerPass < 1)
+        refuse("found " + std::to_string(request.lightsPerPass) +
+               " lights a pass, expected 1 or more");
+    if (request.maxLookups < 0)
+        refuse("found a limit of " + std::to_string(request.maxLookups) +
+               " look-ups, expected 0 (none) or more");
+}
+
 }  // namespace fbrdf

@@ -193,6 +193,10 @@ typedef struct fbrdf_draw_stats {
     uint32_t max_lookups;
     char accumulation[16];  /* "RGBA32F", ... */
     uint32_t lights_culled; /* do not reach an item, summed over items */
+    uint32_t technique;     /* fbrdf_technique of the item that needed most passes */
+    /* |stored - exact| <= error_relative max(|exact|, mean / 1000) + error_absolute, Plan.h */
+    float error_relative, error_absolute;
+    char why_replaced[160]; /* why another technique than asked for was taken; "": it was not */
 } fbrdf_draw_stats;
 
 /* stats may be NULL. FBRDF_OK although items were left out: they are counted and logged. */

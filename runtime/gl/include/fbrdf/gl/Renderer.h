@@ -119,6 +119,10 @@ struct DrawStats {
     int lightsCulled = 0;   ///< lights that do not reach an item, summed over items
     int maxLookups = 0;  ///< texture look-ups executed by a fragment in any one pass, counted from
                          ///< the linked programs: fetches, those in the light loop times its lights
+    Technique technique = Technique::single;  ///< of the item that needed most passes
+    std::string whyReplaced;   ///< why another technique than the one asked for was taken, or lists
+                               ///< of lights were not; of the last item where it happened
+    ErrorBound error;          ///< the largest of all items
     std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
 };
 

@@ -76,13 +76,27 @@ struct PlanRequest {
 /// Throws Error(usage) for a request out of range.
 void validate(const PlanRequest& request);
 
+/// How far what is stored may be from what the definition gives after exposure and transfer:
+///     |stored - exact| <= relative x max(|exact|, mean / 1000) + absolute
+/// before UNORM clamps to 1. mean: of the pixels that are lit; below a thousandth of it the
+/// rounding of the cosine dominates. Holds for tables without signs; the derivation is in
+/// ErrorBound.cpp.
+struct ErrorBound {
+    double relative = 0.0, absolute = 0.0;
+};
+
 struct Plan {
     std::vector<Pass> passes;
     ColourFormat accumulation = ColourFormat::rgba32f;  ///< where the lights add up
     int maxLookups = 0;                                 ///< of any pass
+    Technique technique = Technique::single;
+    ErrorBound error;
     std::string reason;  ///< why there is no plan; empty where there is one
     bool feasible() const { return reason.empty(); }
 };
+
+/// Of passes that draw into a target of a format; `other` counts as RGBA8.
+ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target);
 
 /// Lights that the uniforms of one pass can hold beside the knots of the form.
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);

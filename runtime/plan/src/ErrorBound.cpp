@@ -1,0 +1,60 @@
+// Derivation. Radiance is a sum of products of numbers >= 0 (but for signed tables, whose bound is
+// relative to the sum of magnitudes), so relative errors behave:
+//   a sum has at most the largest relative error of its terms; a product the sum of those of its
+//   factors; and a total that k additions build up, each rounded by u, at most k u more, for
+//   partial sums never exceed the total.
+// A pass computes its value within kEvaluation, and within that of what it reads beside. Writing
+// rounds: by u relative to the value (float formats), by one step (UNORM: GL asks for an integer
+// next to the product). A multiplication carries the absolute error on, times a factor that UNORM
+// clamps to 1.
+// A code of an sRGB curve is 1.055 x^(1/2.4) - 0.055, so a relative error r of x <= 1 moves it by
+// at most x dcode/dx r <= 1.055 / 2.4 r; the tone map, x (1 + x / 16) / (1 + x), does not raise r,
+// as its elasticity 1 + x / (16 + x) - x / (1 + x) is at most 1.
+#include <fbrdf/plan/Plan.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fbrdf {
+namespace {
+
+// Float geometry, texture coordinates, exp2 and pow of GL against double: 2.4e-5 measured on
+// llvmpipe in tables of noise, steeper than any material's.
+constexpr double kEvaluation = 1e-4;
+constexpr double kCurveSlope = 1.055 / 2.4;
+
+// GL lets a float format cut off instead of round.
+ErrorBound writing(ColourFormat format)
+{
+    switch (format) {
+        case ColourFormat::rgba32f: return {0x1p-23, 0.0};
+        case ColourFormat::rgba16f: return {0x1p-10, 0x1p-24};
+        case ColourFormat::rgba16: return {0.0, 1.0 / 65535.0};
+        case ColourFormat::rgba8:
+        case ColourFormat::other: return {0.0, 1.0 / 255.0};
+    }
+    return {};
+}
+
+}  // namespace
+
+ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target)
+{
+    std::array<ErrorBound, 4> surfaces{};
+    for (const Pass& pass : passes) {
+        ErrorBound& held = surfaces[static_cast<size_t>(pass.writes)];
+        const ErrorBound rounding =
+            writing(pass.writes == Surface::target ? target : ColourFormat::rgba32f);
+        ErrorBound value{kEvaluation, 0.0};
+        if (pass.reads) value.relative += surfaces[static_cast<size_t>(*pass.reads)].relative;
+        if (isCurved(pass.transfer)) value = {0.0, kCurveSlope * value.relative + kEvaluation};
+        if (pass.blend == Blend::replace) held = value;
+        if (pass.blend == Blend::add) held.relative = std::max(held.relative, value.relative);
+        if (pass.blend == Blend::multiply) held.relative += value.relative;
+        held.relative += rounding.relative;
+        held.absolute += rounding.absolute;
+    }
+    return surfaces[static_cast<size_t>(Surface::target)];
+}
+
+}  // namespace fbrdf
