@@ -129,5 +129,16 @@ TEST(Feed, ALongStreamIsLookedIntoHereAndThere)
     EXPECT_GT(part.back().f.x, 0.9f * std::ldexp(1.0f, 36));
 }
 
+TEST(Feed, AFunctionFillsTheHolesOfATableOfFewNodes)
+{
+    Source table = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.1, 0.2}), 100, 1);
+    EXPECT_EQ(makeFeed(table, 1000, 1, 1).rows, 100u);
+    table.evaluate = test::Ggx{0.3, 0.3, 0.1, 0.2};
+    const Feed filled = makeFeed(table, 1000, 1, 1);
+    EXPECT_EQ(filled.rows, 1100u);
+    EXPECT_FALSE(filled.exact);
+    EXPECT_EQ(makeFeed(table, 100, 1, 1).rows, 100u);  // as many as are wanted: as they are
+}
+
 }  // namespace
 }  // namespace fbrdf

@@ -33,7 +33,7 @@ struct Feed {
 };
 
 /// Samples, held or streamed, of the source itself; `count` of its uniform pairs where it is only a
-/// function. The source must outlive the feed.
+/// function, and beside samples that are fewer. The source must outlive the feed.
 Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads);
 
 /// The samples given, held by the feed.
