@@ -1,10 +1,11 @@
 // fbrdf-osg-knot: a torus knot of a measured material under 200 lights, as OpenSceneGraph draws it.
-//   fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt]      with a second name the scene is saved, not
-//   shown
+//   fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
+// With a second name the scene is not shown but saved, as a scene or as its first picture.
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
 #include <osg/Geometry>
+#include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
 #include <osgViewer/Viewer>
 
@@ -82,23 +83,51 @@ osg::ref_ptr<osgFbrdf::PointLights> lightsAround()
     return lights;
 }
 
+/// Keeps what a camera has drawn.
+class Keep : public osg::Camera::DrawCallback {
+public:
+    void operator()(osg::RenderInfo& info) const override
+    {
+        const osg::Viewport& view = *info.getCurrentCamera()->getViewport();
+        picture->readPixels(0, 0, static_cast<int>(view.width()), static_cast<int>(view.height()),
+                            GL_RGB, GL_UNSIGNED_BYTE);
+    }
+    osg::ref_ptr<osg::Image> picture = new osg::Image;
+};
+
+bool savePicture(osg::Node& scene, const std::string& file)
+{
+    osgViewer::Viewer viewer;
+    viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    viewer.setUpViewInWindow(0, 0, 640, 480);
+    viewer.setSceneData(&scene);
+    viewer.getCamera()->setViewMatrixAsLookAt({0.0, -2.5, 4.5}, {}, {0.0, 0.0, 1.0});
+    const osg::ref_ptr<Keep> keep = new Keep;
+    viewer.getCamera()->setFinalDrawCallback(keep);
+    for (int i = 0; i < 2; ++i) viewer.frame();
+    return osgDB::writeImageFile(*keep->picture, file);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
     if (argc < 2 || argc > 3) {
-        std::cerr << "usage: fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt]\n";
+        std::cerr << "usage: fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n";
         return 2;
     }
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
+    effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, whose buffer holds sRGB codes
     effect->addChild(knotOf());
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(effect);
     scene->addChild(lightsAround());
     // 3. Saved, or shown.
+    if (argc == 3 && osgDB::getLowerCaseFileExtension(argv[2]) == "png")
+        return savePicture(*scene, argv[2]) ? 0 : 5;
     if (argc == 3) return osgDB::writeNodeFile(*scene, argv[2]) ? 0 : 5;
     osgViewer::Viewer viewer;
     viewer.setSceneData(scene);

@@ -23,6 +23,17 @@ bool setTechnique(FactorizedBrdf& effect, const std::string& name)
     return found != kIndices.end();
 }
 
+bool setTransfer(FactorizedBrdf& effect, const std::string& name)
+{
+    static const std::map<std::string, fbrdf::Transfer> kTransfers{
+        {"linear", fbrdf::Transfer::linear},
+        {"srgb", fbrdf::Transfer::srgb},
+        {"tone-map", fbrdf::Transfer::toneMap}};
+    const auto found = kTransfers.find(name);
+    if (found != kTransfers.end()) effect.setTransfer(found->second);
+    return found != kTransfers.end();
+}
+
 /// True for a whole number not below `least`.
 bool integer(const std::string& text, int least, int& value)
 {
@@ -37,6 +48,7 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
 {
     int number = 0;
     if (name == "technique") return setTechnique(effect, text);
+    if (name == "transfer") return setTransfer(effect, text);
     if (name == "exposure") {
         char* end = nullptr;
         const float value = std::strtof(text.c_str(), &end);
@@ -51,12 +63,11 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
     } else if (name == "firstTextureUnit") {
         if (!integer(text, 0, number)) return false;
         effect.setFirstTextureUnit(number);
-    } else if (name == "floatTarget" || name == "derivedTangents") {
+    } else if (name == "floatTarget" || name == "derivedTangents" || name == "reload") {
         if (text != "0" && text != "1") return false;
-        if (name == "floatTarget")
-            effect.setFloatTarget(text == "1");
-        else
-            effect.setDerivedTangents(text == "1");
+        if (name == "floatTarget") effect.setFloatTarget(text == "1");
+        if (name == "derivedTangents") effect.setDerivedTangents(text == "1");
+        if (name == "reload") effect.setReloading(text == "1");
     } else {
         known = false;
     }
@@ -80,6 +91,12 @@ PseudoName pseudoName(const std::string& file)
     return {model, osgDB::getFileExtension(rest) + ".fbrdf"};
 }
 
+std::string plainName(const std::string& file)
+{
+    const std::string rest = osgDB::getNameLessExtension(file);
+    return rest == file || osgDB::getFileExtension(rest).empty() ? "" : rest;
+}
+
 std::vector<OptionText> optionTexts()
 {
     return {
@@ -89,7 +106,9 @@ std::vector<OptionText> optionTexts()
         {"lookupsPerPass=<n>", "Texture look-ups in any pass; default 0: as the technique says"},
         {"firstTextureUnit=<n>", "The maps take it and those after it; default 0"},
         {"floatTarget=0|1", "The colour buffer is RGBA32F; default 0"},
-        {"derivedTangents=0|1", "Tangents along texture coordinate s; default 0"}};
+        {"derivedTangents=0|1", "Tangents along texture coordinate s; default 0"},
+        {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
+        {"reload=0|1", "Read the material again when its file changes; default 0"}};
 }
 
 std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options)

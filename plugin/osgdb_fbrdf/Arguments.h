@@ -14,6 +14,9 @@ struct PseudoName {
 };
 PseudoName pseudoName(const std::string& file);
 
+/// SCENE.EXT for SCENE.EXT.fbrdf, a scene in its plain form; empty for other names.
+std::string plainName(const std::string& file);
+
 struct OptionText {
     std::string name, text;
 };

@@ -1,9 +1,12 @@
 // osgdb_fbrdf: materials for osgDB. FILE.fbrdf as an object is the material, as a node it is a
-// sphere of that material; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it.
+// sphere of that material; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it. SCENE.EXT.fbrdf,
+// where that is no material, is SCENE.EXT in the plain form (osgFbrdf/PlainForm.h): written and
+// restored.
 #include "Arguments.h"
 #include "Sphere.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
+#include <osgFbrdf/PlainForm.h>
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/io/MaterialFile.h>
@@ -21,8 +24,10 @@ class ReaderWriterFbrdf : public osgDB::ReaderWriter {
 public:
     ReaderWriterFbrdf()
     {
-        supportsExtension("fbrdf",
-                          "Factored BRDF; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it");
+        supportsExtension(
+            "fbrdf",
+            "Factored BRDF; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it; "
+            "SCENE.EXT.fbrdf writes and reads SCENE.EXT for readers without osgFbrdf");
         for (const OptionText& option : optionTexts()) supportsOption(option.name, option.text);
     }
 
@@ -46,6 +51,8 @@ public:
             return ReadResult::FILE_NOT_HANDLED;
         const PseudoName name = pseudoName(file);
         if (!name.model.empty()) return readModel(name, options);
+        if (osgDB::findDataFile(file, options).empty() && !plainName(file).empty())
+            return readPlain(plainName(file), options);
         const ReadResult material = readObject(file, options);
         if (!material.success()) return material;
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
@@ -54,7 +61,27 @@ public:
         return effect.get();
     }
 
+    WriteResult writeNode(const osg::Node& node, const std::string& file,
+                          const Options* options) const override
+    {
+        const std::string plain = plainName(file);
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)) || plain.empty())
+            return WriteResult::FILE_NOT_HANDLED;
+        return osgDB::Registry::instance()->writeNode(*plainForm(node), plain, options);
+    }
+
 private:
+    static ReadResult readPlain(const std::string& name, const Options* options)
+    {
+        const std::string path = osgDB::findDataFile(name, options);
+        if (path.empty()) return notFound(name + ".fbrdf");
+        const osg::ref_ptr<Options> local = options ? new Options(*options) : new Options;
+        local->getDatabasePathList().push_front(osgDB::getFilePath(path));
+        const osg::ref_ptr<osg::Node> scene = osgDB::readRefNodeFile(path, local);
+        if (!scene) return ReadResult(name + ": found no scene that can be read");
+        return restored(*scene, local).get();
+    }
+
     static ReadResult notFound(const std::string& file)
     {
         return ReadResult(file + ": found no such file, expected a material");

@@ -37,6 +37,57 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
     return true;
 }
 
+// Binary files hold all properties in order, so what is added later must ask for a later format.
+constexpr int kFormat = 1;
+
+bool checkFormat(const FactorizedBrdf&)
+{
+    return true;
+}
+
+bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
+{
+    int format = 0;
+    stream >> format;
+    if (format > kFormat)
+        OSG_WARN << "osgFbrdf: found a FactorizedBrdf of format " << format << ", expected at most "
+                 << kFormat << ": written by a newer version, what it added is lost" << std::endl;
+    return true;
+}
+
+bool writeFormat(osgDB::OutputStream& stream, const FactorizedBrdf&)
+{
+    stream << kFormat << std::endl;
+    return true;
+}
+
+constexpr const char* kTransferNames[] = {"linear", "exposure", "srgb", "toneMap"};
+
+bool checkTransfer(const FactorizedBrdf& effect)
+{
+    return effect.getTransfer() != fbrdf::Transfer::linear;
+}
+
+bool readTransfer(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    std::string name;
+    stream >> name;
+    for (int i = 0; i < 4; ++i)
+        if (name == kTransferNames[i]) {
+            effect.setTransfer(static_cast<fbrdf::Transfer>(i));
+            return true;
+        }
+    OSG_WARN << "osgFbrdf: found transfer '" << name
+             << "', expected linear, exposure, srgb or toneMap" << std::endl;
+    return true;
+}
+
+bool writeTransfer(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    stream << std::string(kTransferNames[static_cast<int>(effect.getTransfer())]) << std::endl;
+    return true;
+}
+
 bool checkTechnique(const FactorizedBrdf& effect)
 {
     return effect.getSelectedTechnique() != osgFX::Effect::AUTO_DETECT;
@@ -67,6 +118,7 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
                         osgFbrdf::FactorizedBrdf,
                         "osg::Object osg::Node osg::Group osgFX::Effect osgFbrdf::FactorizedBrdf")
 {
+    ADD_USER_SERIALIZER(Format);
     ADD_USER_SERIALIZER(MaterialFile);
     ADD_FLOAT_SERIALIZER(Exposure, 1.0f);
     ADD_INT_SERIALIZER(LightsPerPass, 8);
@@ -75,4 +127,6 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
     ADD_BOOL_SERIALIZER(FloatTarget, false);
     ADD_BOOL_SERIALIZER(DerivedTangents, false);
     ADD_USER_SERIALIZER(Technique);
+    ADD_USER_SERIALIZER(Transfer);
+    ADD_BOOL_SERIALIZER(Reloading, false);
 }

@@ -1,17 +1,16 @@
 // What osgDB does with materials and scenes: plugin, options, pseudo-loader, serializers.
-#include "OsgScene.h"
+#include "FilesTest.h"
 
 #include "support/gl/Scenes.h"
-#include "support/TemporaryDir.h"
 
 #include <Arguments.h>
 
-#include <fbrdf/io/MaterialFile.h>
-
-#include <osg/MatrixTransform>
 #include <osgDB/FileNameUtils>
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
+#include <osgUtil/UpdateVisitor>
+
+#include <sys/wait.h>
 
 #include <array>
 #include <cstdio>
@@ -24,6 +23,7 @@ namespace {
 
 using osgFbrdf::FactorizedBrdf;
 using osgFbrdf::PointLights;
+using Files = FilesTest;
 
 TEST(PseudoName, SplitsModelAndMaterial)
 {
@@ -48,6 +48,7 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_TRUE(osgFbrdf::applyOptions(*effect,
                                        "exposure=2.5 technique=two-lookup lightsPerPass=4 "
                                        "lookupsPerPass=3 firstTextureUnit=2 floatTarget=1 "
+                                       "transfer=tone-map reload=1 "
                                        "somebodyElses=1 word")
                     .empty());
     EXPECT_EQ(effect->getExposure(), 2.5f);
@@ -56,71 +57,15 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_EQ(effect->getLookupsPerPass(), 3);
     EXPECT_EQ(effect->getFirstTextureUnit(), 2);
     EXPECT_TRUE(effect->getFloatTarget());
+    EXPECT_EQ(effect->getTransfer(), Transfer::toneMap);
+    EXPECT_TRUE(effect->getReloading());
     const std::string bad =
         "exposure=-1 exposure= technique=best lightsPerPass=0 "
-        "lookupsPerPass=2x firstTextureUnit=-1 floatTarget=yes";
-    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 7u);
+        "lookupsPerPass=2x firstTextureUnit=-1 floatTarget=yes "
+        "transfer=gamma reload=2";
+    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 9u);
     EXPECT_EQ(effect->getExposure(), 2.5f);
 }
-
-class Files : public OsgTest {
-protected:
-    void SetUp() override
-    {
-        OsgTest::SetUp();
-        writeMaterial(material_, path("noise.fbrdf"));
-    }
-
-    std::string path(const std::string& name) const { return folder_.file(name); }
-
-    /// What a scene of the files looks like.
-    std::vector<float> imageOf(osg::Node* node)
-    {
-        OsgView view(context().loader());
-        view.setView(perspectiveView());
-        osg::ref_ptr<osg::Group> root = new osg::Group;
-        root->addChild(node);
-        root->addChild(osgLights(testLights(9)));
-        view.setScene(root);
-        return view.frame();
-    }
-
-    osg::ref_ptr<osg::Group> scene() const
-    {
-        osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
-        effect->setMaterialFile(path("noise.fbrdf"));
-        effect->setExposure(1.5f);
-        effect->setLightsPerPass(3);
-        effect->setLookupsPerPass(7);
-        effect->setFirstTextureUnit(2);
-        effect->setFloatTarget(true);
-        effect->selectTechnique(osgFbrdf::kBatched);
-        effect->addChild(osgMesh(sphereMesh(12)));
-        osg::ref_ptr<osg::MatrixTransform> root =
-            new osg::MatrixTransform(osg::Matrixd::rotate(0.3, 0.0, 1.0, 0.0));
-        root->addChild(effect);
-        root->addChild(osgLights(testLights(64)));
-        return root;
-    }
-
-    /// Runs a program that knows the plugins by OSG_LIBRARY_PATH and nothing else.
-    std::string run(const std::string& command) const
-    {
-        const std::string whole = std::string("env -u LD_LIBRARY_PATH " FBRDF_OSG_ENVIRONMENT
-                                              "OSG_LIBRARY_PATH=" FBRDF_OSG_LIBRARY_PATH) +
-                                  " " + command + " >" + path("log") + " 2>&1";
-        status_ = std::system(whole.c_str());
-        std::ostringstream text;
-        text << std::ifstream(path("log")).rdbuf();
-        return text.str();
-    }
-
-    Material material_ = testMaterials()[2];
-    mutable int status_ = 0;
-
-private:
-    TemporaryDir folder_;
-};
 
 TEST_F(Files, AMaterialIsAnObject)
 {
@@ -194,6 +139,110 @@ TEST_F(Files, ReloadingABrokenFileKeepsTheMaterial)
     EXPECT_FALSE(notices.text().empty());
 }
 
+// A viewer looks once a second of its clock, which is the frame stamp's.
+TEST_F(Files, AChangedFileIsReadAgainAndABrokenOneIsNot)
+{
+    osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
+    ASSERT_TRUE(effect->setMaterialFile(path("noise.fbrdf")));
+    effect->setReloading(true);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(effect);
+    osgUtil::UpdateVisitor visitor;
+    const osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
+    visitor.setFrameStamp(stamp);
+    double seconds = 0.0;
+    const auto update = [&](double step) {
+        seconds += step;
+        stamp->setReferenceTime(seconds);
+        root->accept(visitor);
+        return effect->getMaterial();
+    };
+    const osg::ref_ptr<osgFbrdf::MaterialObject> first = effect->getMaterial();
+    EXPECT_EQ(update(2.0), first.get());
+    writeMaterial(testMaterials()[4], path("noise.fbrdf"));  // of another size
+    EXPECT_EQ(update(0.5), first.get());
+    const osg::ref_ptr<osgFbrdf::MaterialObject> second = update(0.6);
+    EXPECT_NE(second, first);
+    EXPECT_EQ(second->material().form.name, testMaterials()[4].form.name);
+    const Notices notices;
+    std::ofstream(path("noise.fbrdf")) << "half a file";
+    EXPECT_EQ(update(2.0), second.get());
+    EXPECT_NE(notices.text().find("noise.fbrdf"), std::string::npos) << notices.text();
+    std::remove(path("noise.fbrdf").c_str());
+    EXPECT_EQ(update(2.0), second.get());
+    writeMaterial(material_, path("noise.fbrdf"));
+    EXPECT_EQ(update(2.0)->material().form.name, material_.form.name);
+    effect->setReloading(false);
+    EXPECT_EQ(effect->getNumChildrenRequiringUpdateTraversal(), 0u);
+}
+
+TEST_F(Files, AFileOfANewerVersionIsRefusedWithItsReason)
+{
+    std::ifstream whole(path("noise.fbrdf"), std::ios::binary);
+    std::ostringstream bytes;
+    bytes << whole.rdbuf();
+    std::string text = bytes.str();
+    const std::string name("fbrdf:version\0int\0\4\0\0\0", 22);
+    const size_t at = text.find(name);
+    ASSERT_NE(at, std::string::npos);
+    for (size_t i = at; i != std::string::npos; i = text.find(name, i + 1))
+        text[i + name.size()] = 9;
+    std::ofstream(path("newer.fbrdf"), std::ios::binary) << text;
+    const Notices notices;
+    osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
+    EXPECT_FALSE(effect->setMaterialFile(path("newer.fbrdf")));
+    EXPECT_NE(notices.text().find("newer.fbrdf"), std::string::npos) << notices.text();
+    EXPECT_NE(notices.text().find("version 9"), std::string::npos) << notices.text();
+    effect->addChild(osgMesh(sphereMesh(12)));
+    EXPECT_GT(meanOf(imageOf(effect), 3), 0.3);
+    EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+}
+
+TEST_F(Files, ASceneOfANewerFormatIsReadWithAWarning)
+{
+    ASSERT_TRUE(osgDB::writeNodeFile(*scene(), path("scene.osgt")));
+    std::ostringstream text;
+    text << std::ifstream(path("scene.osgt")).rdbuf();
+    std::string newer = text.str();
+    const size_t at = newer.find("Format 1");
+    ASSERT_NE(at, std::string::npos);
+    newer.replace(at, 8, "Format 7");
+    std::ofstream(path("newer.osgt")) << newer;
+    const Notices notices;
+    const auto node = osgDB::readRefNodeFile(path("newer.osgt"));
+    ASSERT_TRUE(node);
+    EXPECT_NE(notices.text().find("format 7"), std::string::npos) << notices.text();
+}
+
+// The library without its readers: a warning, and the model by the fallback.
+TEST_F(Files, WithoutThePluginTheReasonIsSaid)
+{
+    const std::string text =
+        runWith("/nowhere", std::string(FBRDF_OSG_KNOT) + " " + path("noise.fbrdf"));
+    EXPECT_EQ(WEXITSTATUS(status_), 3) << text;
+    EXPECT_NE(text.find("noise.fbrdf"), std::string::npos) << text;
+    EXPECT_NE(text.find("OSG_LIBRARY_PATH"), std::string::npos) << text;
+}
+
+TEST_F(Files, TheSceneOfTheExampleLoadsByTheEnvironmentAlone)
+{
+    std::string text =
+        run(std::string(FBRDF_OSG_KNOT) + " " + path("noise.fbrdf") + " " + path("knot.osgt"));
+    EXPECT_EQ(status_, 0) << text;
+    text = run("osgconv " + path("knot.osgt") + " " + path("knot.osgb"));
+    EXPECT_EQ(status_, 0) << text;
+    EXPECT_EQ(text.find("Error"), std::string::npos) << text;
+    const auto node = osgDB::readRefNodeFile(path("knot.osgb"));
+    ASSERT_TRUE(node) << text;
+    ASSERT_EQ(node->asGroup()->getNumChildren(), 2u) << text;
+    auto* effect = dynamic_cast<FactorizedBrdf*>(node->asGroup()->getChild(0));
+    const auto* lights = dynamic_cast<PointLights*>(node->asGroup()->getChild(1));
+    ASSERT_TRUE(effect && lights);
+    EXPECT_TRUE(effect->getMaterial());
+    EXPECT_EQ(lights->getLights().size(), 200u);
+    EXPECT_GT(meanOf(imageOf(effect), 3), 0.1);
+}
+
 class RoundTrip : public Files, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(RoundTrip, KeepsEverything)
@@ -215,6 +264,8 @@ TEST_P(RoundTrip, KeepsEverything)
     EXPECT_EQ(effect->getFirstTextureUnit(), 2);
     EXPECT_TRUE(effect->getFloatTarget());
     EXPECT_EQ(effect->getSelectedTechnique(), osgFbrdf::kBatched);
+    EXPECT_EQ(effect->getTransfer(), Transfer::srgb);
+    EXPECT_TRUE(effect->getReloading());
     const auto expected = testLights(64);
     ASSERT_EQ(lights->getLights().size(), expected.size());
     for (size_t i = 0; i < expected.size(); ++i) {

@@ -1,8 +1,8 @@
 #include "DiffuseTechnique.h"
 
+#include "GlLights.h"
 #include "SceneLights.h"
 
-#include <osg/Light>
 #include <osg/LightModel>
 #include <osg/Material>
 #include <osgUtil/CullVisitor>
@@ -13,14 +13,8 @@
 namespace osgFbrdf {
 namespace {
 
-// What every OpenGL with fixed function has; osg::Light with a higher number raises GL errors.
-constexpr int kMostLights = 8;
-constexpr auto kOurs = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
-
-float luminance(const fbrdf::Vec3f& rgb)
-{
-    return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;  // ITU-R BT.709
-}
+constexpr auto kOurs =
+    osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
 float irradianceAt(const fbrdf::Light& light, const fbrdf::Vec3f& place)
 {
@@ -31,30 +25,11 @@ float irradianceAt(const fbrdf::Light& light, const fbrdf::Vec3f& place)
                : size * fbrdf::falloff(glm::dot(d, d), light.radius);
 }
 
-osg::ref_ptr<osg::Light> glLight(const fbrdf::Light& source, int number)
-{
-    osg::ref_ptr<osg::Light> light = new osg::Light(static_cast<unsigned int>(number));
-    const bool point = source.type != fbrdf::Light::Type::directional;
-    const fbrdf::Vec3f colour = source.intensity / static_cast<float>(fbrdf::kPi);
-    light->setPosition(
-        {source.position.x, source.position.y, source.position.z, point ? 1.0f : 0.0f});
-    light->setAmbient({0.0f, 0.0f, 0.0f, 1.0f});
-    light->setDiffuse({colour.x, colour.y, colour.z, 1.0f});
-    light->setSpecular({0.0f, 0.0f, 0.0f, 1.0f});
-    light->setConstantAttenuation(point ? 0.0f : 1.0f);
-    light->setQuadraticAttenuation(point ? 1.0f : 0.0f);
-    if (source.type == fbrdf::Light::Type::spot) {
-        light->setDirection({source.axis.x, source.axis.y, source.axis.z});
-        light->setSpotCutoff(std::min(osg::RadiansToDegrees(source.outerAngle), 90.0f));
-    }
-    return light;
-}
-
 /// Numbers that the osg::LightSources of the scene leave free.
 std::vector<int> freeNumbers(const SceneLights& scene)
 {
     std::vector<int> numbers;
-    for (int n = 0; n < kMostLights; ++n)
+    for (int n = 0; n < kMostGlLights; ++n)
         if (std::none_of(scene.plain.begin(), scene.plain.end(),
                          [n](const PlainLight& plain) { return plain.light->getLightNum() == n; }))
             numbers.push_back(n);
@@ -92,7 +67,7 @@ osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const Sce
     for (size_t i = 0; i < std::min(numbers.size(), scene.lights.size()); ++i)
         state->setMode(GL_LIGHT0 + static_cast<GLenum>(numbers[i]), kOurs);
     for (const PlainLight& plain : scene.plain)
-        if (plain.light->getLightNum() < kMostLights)
+        if (plain.light->getLightNum() < kMostGlLights)
             state->setMode(GL_LIGHT0 + static_cast<GLenum>(plain.light->getLightNum()), kOurs);
     return state;
 }
@@ -120,7 +95,8 @@ void DiffuseTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect
     if (!cull) return effect->inherited_traverse(visitor);
     ++sceneLights(*cull).techniqueTraversals;
     const bool missing = !effect_.getMaterial() || !effect_.getMaterial()->valid();
-    cullDiffuse(*cull, effect_, missing ? "no material" : "");
+    const bool forced = effect_.getSelectedTechnique() == kDiffuseFallback;
+    cullDiffuse(*cull, effect_, missing ? "no material" : forced ? "" : effect_.refusal());
 }
 
 }  // namespace osgFbrdf

@@ -1,6 +1,7 @@
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include "DiffuseTechnique.h"
+#include "FileWatch.h"
 #include "PassTechnique.h"
 #include "SceneLights.h"
 
@@ -42,7 +43,7 @@ osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
     return material;
 }
 
-FactorizedBrdf::FactorizedBrdf() = default;
+FactorizedBrdf::FactorizedBrdf() : watch_(std::make_unique<FileWatch>()) {}
 FactorizedBrdf::~FactorizedBrdf() = default;
 
 FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& op)
@@ -54,13 +55,17 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
       lookupsPerPass_(other.lookupsPerPass_),
       firstTextureUnit_(other.firstTextureUnit_),
       floatTarget_(other.floatTarget_),
-      derivedTangents_(other.derivedTangents_)
+      derivedTangents_(other.derivedTangents_),
+      transfer_(other.transfer_),
+      watch_(std::make_unique<FileWatch>(*other.watch_))
 {
+    setReloading(other.reloading_);
 }
 
 bool FactorizedBrdf::setMaterialFile(const std::string& file, const osgDB::Options* options)
 {
     materialFile_ = file;
+    watch_->follow(file.empty() ? "" : osgDB::findDataFile(file, options));
     material_ = file.empty() ? nullptr : readMaterialObject(file, options);
     changed();
     return material_.valid();
@@ -76,10 +81,35 @@ bool FactorizedBrdf::reloadMaterial(const osgDB::Options* options)
     return true;
 }
 
+void FactorizedBrdf::setReloading(bool reloading)
+{
+    if (reloading == reloading_) return;
+    reloading_ = reloading;
+    const unsigned int others = getNumChildrenRequiringUpdateTraversal();
+    setNumChildrenRequiringUpdateTraversal(reloading ? others + 1 : others - 1);
+}
+
+void FactorizedBrdf::reloadWhenChanged(const osg::NodeVisitor& visitor)
+{
+    const osg::FrameStamp* stamp = visitor.getFrameStamp();
+    if (!stamp || !watch_->changed(stamp->getReferenceTime())) return;
+    const osg::ref_ptr<MaterialObject> material = readMaterialObject(watch_->path());
+    if (!material) return;
+    material_ = material;
+    changed();
+}
+
 void FactorizedBrdf::setMaterial(MaterialObject* material)
 {
     material_ = material;
     materialFile_ = material ? material->fileName() : "";
+    watch_->follow(materialFile_.empty() ? "" : osgDB::findDataFile(materialFile_));
+    changed();
+}
+
+void FactorizedBrdf::setTransfer(fbrdf::Transfer transfer)
+{
+    transfer_ = transfer;
     changed();
 }
 
@@ -112,7 +142,20 @@ void FactorizedBrdf::changed()
 {
     const Lock lock(definition_);
     defined_ = false;
+    refuse("");
     dirtyTechniques();
+}
+
+std::string FactorizedBrdf::refusal() const
+{
+    const Lock lock(reporting_);
+    return refusal_;
+}
+
+void FactorizedBrdf::refuse(const std::string& reason) const
+{
+    const Lock lock(reporting_);
+    refusal_ = reason;
 }
 
 DrawReport FactorizedBrdf::lastReport() const
@@ -155,6 +198,8 @@ bool FactorizedBrdf::define_techniques()
 // Visitors that neither cull nor compile see the children once, whatever the number of passes.
 void FactorizedBrdf::traverse(osg::NodeVisitor& visitor)
 {
+    if (reloading_ && visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR)
+        reloadWhenChanged(visitor);
     const bool compiles = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor) != nullptr;
     if (!visitor.asCullVisitor() && !compiles) return inherited_traverse(visitor);
     if (!defined_) {

@@ -17,8 +17,11 @@ namespace osgFbrdf {
 namespace {
 
 using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
-constexpr auto kOurs = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
-constexpr auto kOff = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE;
+// Stronger than the model's state, and safe from the host's: osgShadow puts its map over a unit of
+// ours.
+constexpr auto kStrong = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+constexpr auto kOurs = osg::StateAttribute::ON | kStrong;
+constexpr auto kOff = osg::StateAttribute::OFF | kStrong;
 
 struct Format {
     GLint internal;
@@ -77,7 +80,8 @@ std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, const
                       std::to_string(place.firstTextureUnit) + 'b' +
                       std::to_string(static_cast<int>(pass.blend)) + 'd' +
                       std::to_string(static_cast<int>(pass.depth)) + (spec.reads ? 'r' : '-') +
-                      (spec.lit ? 'l' : 'u') + std::to_string(spec.lightSlots);
+                      (spec.lit ? 'l' : 'u') + std::to_string(spec.lightSlots) + 'o' +
+                      std::to_string(static_cast<int>(spec.transfer));
     for (const fbrdf::Part& part : spec.parts) {
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
         for (const int factor : part.factors) key += ',' + std::to_string(factor);

@@ -17,6 +17,7 @@ namespace {
 
 // Beside lights and knots: as in the planner, generous.
 constexpr int kOtherUniformVectors = 24;
+constexpr const char* kNoGlsl = "found no GLSL, expected 1.20";
 // Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
 constexpr int kEffectBin = 1;
 
@@ -168,7 +169,8 @@ private:
     void addSurface(osg::StateSet& state, fbrdf::Surface surface) const
     {
         state.setTextureAttribute(static_cast<unsigned int>(readUnit_), surfaces_->texture(surface),
-                                  osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+                                  osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE |
+                                      osg::StateAttribute::PROTECTED);
         state.addUniform(new osg::Uniform("fbrdfRead", readUnit_));
         state.addUniform(new osg::Uniform(
             "fbrdfReadScale", osg::Vec2f(1.0f / static_cast<float>(surfaces_->width()),
@@ -210,23 +212,58 @@ const char* PassTechnique::techniqueDescription()
     return "";
 }
 
+namespace {
+
+std::string found(const std::string& what, int count, int limit)
+{
+    return what + ": found " + std::to_string(limit) + ", expected at least " +
+           std::to_string(count);
+}
+
+}  // namespace
+
 bool PassTechnique::validate(osg::State& state) const
 {
-    if (!effect_.getMaterial() || !effect_.getMaterial()->valid()) return false;
+    const std::string reason = refusalBy(state);
+    if (!reason.empty()) effect_.refuse(reason);
+    return reason.empty();
+}
+
+bool PassTechnique::mayDraw(osg::State& state) const
+{
     const auto* extensions = state.get<osg::GLExtensions>();
-    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return false;
+    if (extensions && !extensions->isGlslSupported) {
+        effect_.refuse(kNoGlsl);
+        return false;
+    }
+    // 1: OSG has not asked yet.
+    const int limit = static_cast<int>(state.getMaxTextureUnits());
+    const int units =
+        effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
+    if (limit > 1 && units > limit) effect_.refuse(found("texture units", units, limit));
+    return limit <= 1 || units <= limit;
+}
+
+/// Why the context, which is current, cannot draw this; empty where it can.
+std::string PassTechnique::refusalBy(osg::State& state) const
+{
+    if (!effect_.getMaterial() || !effect_.getMaterial()->valid()) return "no material";
+    const auto* extensions = state.get<osg::GLExtensions>();
+    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return kNoGlsl;
     if (extensions->glVersion < 3.0f &&
         !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
-        return false;
+        return "found no float textures, expected OpenGL 3.0 or GL_ARB_texture_float";
     const fbrdf::Plan several = plan(2, extensions->isFrameBufferObjectSupported);
+    if (!several.feasible()) return several.reason;
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     const int units = effect_.getFirstTextureUnit() +
                       effect_.getMaterial()->states()->textureUnits() + (reads ? 1 : 0);
-    return units <= limitOf(GL_MAX_TEXTURE_IMAGE_UNITS) &&
-           4 * uniformVectorsNeeded(effect_, kind_) <=
-               limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) &&
-           several.feasible();
+    if (const int limit = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS); units > limit)
+        return found("texture units", units, limit);
+    const int components = 4 * uniformVectorsNeeded(effect_, kind_);
+    const int limit = limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
+    return components <= limit ? "" : found("fragment uniform components", components, limit);
 }
 
 fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
@@ -239,6 +276,7 @@ fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
     request.target =
         effect_.getFloatTarget() ? fbrdf::ColourFormat::rgba32f : fbrdf::ColourFormat::rgba8;
     request.offscreen = offscreen;
+    request.transfer = effect_.getTransfer();
     return fbrdf::planPasses(effect_.getMaterial()->states()->form(), request,
                              assumedCapabilities());
 }
@@ -257,6 +295,8 @@ void PassTechnique::cull(osgUtil::CullVisitor& visitor)
     ++scene.techniqueTraversals;
     if (!effect_.getMaterial() || !effect_.getMaterial()->valid())
         return cullDiffuse(visitor, effect_, "no material");
+    if (visitor.getState() && !mayDraw(*visitor.getState()))
+        return cullDiffuse(visitor, effect_, effect_.refusal());
     const osg::Vec3d centre =
         osg::Vec3d(effect_.getBound().center()) * *visitor.getModelViewMatrix();
     auto lights = lightsInEye(scene, worldToEye(visitor), centre);

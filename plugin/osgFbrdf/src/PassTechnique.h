@@ -33,6 +33,10 @@ protected:
     void define_passes() override {}  // they depend on the lights: see traverse
 
 private:
+    std::string refusalBy(osg::State& state) const;
+    /// False, with a refusal, where what is known of the context without asking OpenGL rules this
+    /// technique out: before the first frame, or when it is forced.
+    bool mayDraw(osg::State& state) const;
     void cull(osgUtil::CullVisitor& visitor);
 
     FactorizedBrdf& effect_;  ///< owns this

@@ -9,9 +9,12 @@
 // function; its attenuation is taken where the middle of the object is; of a spot's exponent only
 // whether it is 0.
 // Where the scene has no light, the light of the osg::View is used (osgViewer's headlight). Output
-// is linear radiance times exposure, alpha 1. Tangents matter to anisotropic materials only.
+// is radiance times exposure through the transfer, alpha 1. Tangents matter to anisotropic
+// materials only.
 #pragma once
 #include <osgFbrdf/MaterialObject.h>
+
+#include <fbrdf/plan/Transfer.h>
 
 #include <osgDB/Options>
 #include <osgFX/Effect>
@@ -20,6 +23,7 @@
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace osgFbrdf {
@@ -38,6 +42,8 @@ struct DrawReport {
     int maxLookups = 0;  ///< in any pass
 };
 
+class FileWatch;
+
 class FactorizedBrdf : public osgFX::Effect {
 public:
     FactorizedBrdf();
@@ -54,12 +60,22 @@ public:
     const std::string& getMaterialFile() const { return materialFile_; }
     /// Reads the file again. When that fails the material stays as it is.
     bool reloadMaterial(const osgDB::Options* options = nullptr);
+    /// True: the update traversal looks at the file once a second of the frame stamp, and reads it
+    /// again when it changed. A file that cannot be read gives a warning, and the last good
+    /// material stays.
+    void setReloading(bool reloading);
+    bool getReloading() const { return reloading_; }
     /// A material from memory or shared with other effects; null: the fallback.
     void setMaterial(MaterialObject* material);
     MaterialObject* getMaterial() const { return material_.get(); }
 
     void setExposure(float exposure) { exposure_ = exposure; }  ///< >= 0, times radiance
     float getExposure() const { return exposure_; }
+    /// What is stored of exposure times radiance: linear (the default), or a curve, as a window
+    /// without sRGB needs. A curve comes after the sum over all passes: several passes then add up
+    /// in an RGBA32F surface. The fallback heeds neither.
+    void setTransfer(fbrdf::Transfer transfer);
+    fbrdf::Transfer getTransfer() const { return transfer_; }
     void setLightsPerPass(int lights);  ///< "batched" only, >= 1
     int getLightsPerPass() const { return lightsPerPass_; }
     void setLookupsPerPass(int lookups);  ///< limit in any pass; 0: what the technique says
@@ -78,6 +94,10 @@ public:
 
     DrawReport lastReport() const;
     void report(const DrawReport& report);  ///< called by the techniques
+    /// Why the last context that refused a technique did so; empty: none did. Both are called by
+    /// the techniques.
+    std::string refusal() const;
+    void refuse(const std::string& reason) const;
     /// True until arraysForgotten says that the context has drawn since releaseGLObjects; both are
     /// called by the techniques.
     bool arraysReleased(unsigned int contextId) const;
@@ -94,16 +114,20 @@ protected:
 private:
     void changed();
     void cull(osg::NodeVisitor& visitor);
+    void reloadWhenChanged(const osg::NodeVisitor& visitor);
 
     std::string materialFile_;
     osg::ref_ptr<MaterialObject> material_;
     float exposure_ = 1.0f;
     int lightsPerPass_ = 8, lookupsPerPass_ = 0, firstTextureUnit_ = 0;
-    bool floatTarget_ = false, derivedTangents_ = false;
+    bool floatTarget_ = false, derivedTangents_ = false, reloading_ = false;
+    fbrdf::Transfer transfer_ = fbrdf::Transfer::linear;
+    std::unique_ptr<FileWatch> watch_;
     std::atomic<bool> defined_{false};
     OpenThreads::Mutex definition_;
     mutable OpenThreads::Mutex reporting_;
     DrawReport report_;
+    mutable std::string refusal_;                     ///< guarded by reporting_
     mutable unsigned int releases_ = 0;               ///< guarded by reporting_
     std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
 };

@@ -1,0 +1,21 @@
+// PlainForm.h - scenes for programs without this library: they leave out nodes of its classes and
+// all that is below ("Unsupported wrapper class").
+//
+// The plain form has an osg::Group where an effect was, with an osg::Material as bright as it, and
+// osg::LightSources for the eight most intense of all PointLights. What stood there is kept as text
+// in a user value of the group, so that restored() gives the scene back. Files: osgdb_fbrdf writes
+// the plain form to SCENE.EXT for the name SCENE.EXT.fbrdf, and restores it where that is read.
+#pragma once
+#include <osg/Node>
+#include <osgDB/Options>
+
+namespace osgFbrdf {
+
+/// A copy; drawables and state sets that need no change are shared with the scene.
+osg::ref_ptr<osg::Node> plainForm(const osg::Node& scene);
+
+/// The scene that plainForm() was made of, made of the same nodes; other scenes stay as they are. A
+/// record that cannot be read gives a warning and stays plain. options: where to find materials.
+osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options = nullptr);
+
+}  // namespace osgFbrdf

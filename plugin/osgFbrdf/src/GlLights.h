@@ -1,0 +1,19 @@
+// GlLights.h - lights as fixed function knows them: for fallbacks and plain forms.
+#pragma once
+#include <fbrdf/plan/Light.h>
+
+#include <osg/Light>
+#include <osg/ref_ptr>
+
+namespace osgFbrdf {
+
+// What every OpenGL with fixed function has; osg::Light with a higher number raises GL errors.
+constexpr int kMostGlLights = 8;
+
+float luminance(const fbrdf::Vec3f& rgb);  ///< ITU-R BT.709
+
+/// The light with which a white diffuse surface reflects what it would under `source`; the window
+/// of a radius and the soft edge of a spot are lost. number: 0 .. kMostGlLights - 1.
+osg::ref_ptr<osg::Light> glLight(const fbrdf::Light& source, int number);
+
+}  // namespace osgFbrdf

@@ -1,0 +1,208 @@
+#include <osgFbrdf/PlainForm.h>
+
+#include "GlLights.h"
+
+#include <osgFbrdf/FactorizedBrdf.h>
+#include <osgFbrdf/PointLights.h>
+
+#include <osg/LightSource>
+#include <osg/Material>
+#include <osg/Notify>
+#include <osg/ValueObject>
+#include <osgDB/Registry>
+
+#include <algorithm>
+#include <sstream>
+
+namespace osgFbrdf {
+namespace {
+
+constexpr const char* kRecord = "osgFbrdf";  ///< user value of a group that stands for something
+constexpr const char* kLit = "lit";          ///< record of the group that turns the lights on
+constexpr const char* kSources = "osgFbrdf plain lights";  ///< name of the group of LightSources
+
+osgDB::ReaderWriter* asciiFormat()
+{
+    return osgDB::Registry::instance()->getReaderWriterForExtension("osgt");
+}
+
+/// The node without its children as text.
+template <class Node>
+std::string recordOf(const Node& node)
+{
+    const osg::ref_ptr<Node> bare = new Node(node, osg::CopyOp::SHALLOW_COPY);
+    bare->removeChildren(0, bare->getNumChildren());
+    std::ostringstream text;
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("Ascii");
+    auto* format = asciiFormat();
+    if (!format || !format->writeObject(*bare, text, options).success())
+        OSG_WARN << "osgFbrdf: " << node.getName()
+                 << ": found no plugin osgdb_osg to record it with; it stays plain" << std::endl;
+    return text.str();
+}
+
+/// A group with the same children, name, mask and state, and the record of the node.
+template <class Node>
+osg::ref_ptr<osg::Group> groupFor(const Node& node)
+{
+    const osg::ref_ptr<osg::Group> group = new osg::Group(node, osg::CopyOp::SHALLOW_COPY);
+    if (node.getStateSet()) group->setStateSet(osg::clone(node.getStateSet()));
+    if (node.getUserDataContainer())
+        group->setUserDataContainer(
+            osg::clone(node.getUserDataContainer(), osg::CopyOp::DEEP_COPY_USERDATA));
+    group->setUserValue(kRecord, recordOf(node));
+    return group;
+}
+
+osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect)
+{
+    const osg::ref_ptr<osg::Group> group = groupFor(effect);
+    osg::Vec3f albedo(0.5f, 0.5f, 0.5f);
+    if (effect.getMaterial()) albedo = effect.getMaterial()->albedo();
+    albedo *= effect.getExposure();
+    for (unsigned int c = 0; c < 3; ++c) albedo[c] = std::min(albedo[c], 1.0f);
+    const osg::ref_ptr<osg::Material> material = new osg::Material;
+    material->setColorMode(osg::Material::OFF);
+    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
+    group->getOrCreateStateSet()->setAttributeAndModes(
+        material, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+    return group;
+}
+
+using Lights = std::vector<std::pair<fbrdf::Light, int>>;  ///< with the number in GL
+
+osg::ref_ptr<osg::Group> plainLights(const PointLights& node, const Lights& lights)
+{
+    const osg::ref_ptr<osg::Group> group = groupFor(node), sources = new osg::Group;
+    sources->setName(kSources);
+    for (const auto& [light, number] : lights) {
+        const osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
+        source->setLight(glLight(light, number));
+        sources->addChild(source);
+    }
+    group->addChild(sources);
+    return group;
+}
+
+void replace(osg::Node& node, osg::Node& by)
+{
+    const osg::Node::ParentList parents = node.getParents();
+    for (osg::Group* parent : parents) parent->replaceChild(&node, &by);
+}
+
+struct Collector : public osg::NodeVisitor {
+    Collector() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Group& group) override
+    {
+        std::string record;
+        if (auto* effect = dynamic_cast<FactorizedBrdf*>(&group)) effects.emplace_back(effect);
+        if (auto* node = dynamic_cast<PointLights*>(&group)) lights.emplace_back(node);
+        if (group.getUserValue(kRecord, record)) records.emplace_back(&group);
+        traverse(group);
+    }
+    void apply(osg::LightSource& source) override
+    {
+        if (source.getLight()) taken.push_back(source.getLight()->getLightNum());
+        traverse(source);
+    }
+    std::vector<osg::ref_ptr<FactorizedBrdf>> effects;
+    std::vector<osg::ref_ptr<PointLights>> lights;
+    std::vector<osg::ref_ptr<osg::Group>> records;
+    std::vector<int> taken;  ///< numbers of the scene's own osg::Lights
+};
+
+/// Which lights of each node get which of GL's numbers: the most intense first.
+std::vector<Lights> chosenLights(const Collector& found)
+{
+    struct Candidate {
+        size_t node;
+        fbrdf::Light light;
+    };
+    std::vector<Candidate> candidates;
+    for (size_t n = 0; n < found.lights.size(); ++n)
+        for (const fbrdf::Light& light : found.lights[n]->getLights())
+            if (fbrdf::isValid(light)) candidates.push_back({n, light});
+    std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return luminance(a.light.intensity) > luminance(b.light.intensity);
+    });
+    std::vector<Lights> chosen(found.lights.size());
+    auto next = candidates.begin();
+    for (int number = 0; number < kMostGlLights && next != candidates.end(); ++number)
+        if (std::count(found.taken.begin(), found.taken.end(), number) == 0) {
+            chosen[next->node].emplace_back(next->light, number);
+            ++next;
+        }
+    return chosen;
+}
+
+/// The root under a group that turns the chosen lights on.
+osg::ref_ptr<osg::Group> lit(osg::Node& root, const std::vector<Lights>& chosen)
+{
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->setUserValue(kRecord, std::string(kLit));
+    for (const Lights& lights : chosen)
+        for (const auto& light : lights)
+            group->getOrCreateStateSet()->setMode(GL_LIGHT0 + static_cast<GLenum>(light.second),
+                                                  osg::StateAttribute::ON);
+    group->addChild(&root);
+    return group;
+}
+
+/// What the record of a group says, with the children of the group; null, with a warning, where it
+/// says nothing that this library knows.
+osg::ref_ptr<osg::Group> nodeFrom(osg::Group& plain, const std::string& record,
+                                  const osgDB::Options* given)
+{
+    const osg::ref_ptr<osgDB::Options> options =
+        given ? new osgDB::Options(*given) : new osgDB::Options;
+    options->setOptionString("Ascii");
+    std::istringstream text(record);
+    auto* format = asciiFormat();
+    auto result = format ? format->readObject(text, options) : osgDB::ReaderWriter::ReadResult();
+    const osg::ref_ptr<osg::Group> node = dynamic_cast<osg::Group*>(result.getObject());
+    if (!node) {
+        OSG_WARN << "osgFbrdf: " << plain.getName()
+                 << ": found a record that cannot be read, expected an effect or lights"
+                 << std::endl;
+        return nullptr;
+    }
+    for (unsigned int i = 0; i < plain.getNumChildren(); ++i)
+        if (plain.getChild(i)->getName() != kSources) node->addChild(plain.getChild(i));
+    return node;
+}
+
+}  // namespace
+
+osg::ref_ptr<osg::Node> plainForm(const osg::Node& scene)
+{
+    const osg::ref_ptr<osg::Group> above = new osg::Group;
+    above->addChild(osg::clone(&scene, osg::CopyOp::DEEP_COPY_NODES));
+    Collector found;
+    above->accept(found);
+    for (const auto& effect : found.effects) replace(*effect, *plainEffect(*effect));
+    const auto chosen = chosenLights(found);
+    for (size_t n = 0; n < chosen.size(); ++n)
+        replace(*found.lights[n], *plainLights(*found.lights[n], chosen[n]));
+    const osg::ref_ptr<osg::Node> root = above->getChild(0);
+    above->removeChildren(0, 1);
+    return chosen.empty() ? root : osg::ref_ptr<osg::Node>(lit(*root, chosen));
+}
+
+osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options)
+{
+    const osg::ref_ptr<osg::Group> above = new osg::Group;
+    above->addChild(&plain);
+    Collector found;
+    above->accept(found);
+    for (const auto& group : found.records) {
+        std::string record;
+        group->getUserValue(kRecord, record);
+        const bool isLit = record == kLit && group->getNumChildren() == 1;
+        const osg::ref_ptr<osg::Node> node =
+            isLit ? group->getChild(0) : nodeFrom(*group, record, options).get();
+        if (node) replace(*group, *node);
+    }
+    return above->getChild(0);
+}
+
+}  // namespace osgFbrdf
