@@ -65,15 +65,16 @@ osg::ref_ptr<osg::Geometry> knotOf()
     return knot;
 }
 
-/// Lights evenly over a sphere (golden angle), in all hues.
+/// Lights evenly over a sphere (golden angle), in all hues, the upper ones brighter.
 osg::ref_ptr<osgFbrdf::PointLights> lightsAround()
 {
     osg::ref_ptr<osgFbrdf::PointLights> lights = new osgFbrdf::PointLights;
     for (int i = 0; i < kLights; ++i) {
         const double z = 1.0 - (2.0 * i + 1.0) / kLights, r = std::sqrt(1.0 - z * z),
                      phi = i * osg::PI * (3.0 - std::sqrt(5.0));
-        const auto hue = [phi](double offset) {
-            return static_cast<float>(0.5 * (1.0 + 0.6 * std::cos(phi + offset)));
+        const double size = 0.02 + 0.6 * std::pow(0.5 + 0.5 * z, 8.0);
+        const auto hue = [phi, size](double offset) {
+            return static_cast<float>(size * (1.0 + 0.4 * std::cos(phi + offset)));
         };
         lights->addPoint(osg::Vec3f(static_cast<float>(r * std::cos(phi)),
                                     static_cast<float>(r * std::sin(phi)), static_cast<float>(z)) *
@@ -101,7 +102,8 @@ bool savePicture(osg::Node& scene, const std::string& file)
     viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     viewer.setUpViewInWindow(0, 0, 640, 480);
     viewer.setSceneData(&scene);
-    viewer.getCamera()->setViewMatrixAsLookAt({0.0, -2.5, 4.5}, {}, {0.0, 0.0, 1.0});
+    viewer.getCamera()->setClearColor({0.04f, 0.04f, 0.05f, 1.0f});
+    viewer.getCamera()->setViewMatrixAsLookAt({0.0, -2.9, 5.8}, {}, {0.0, 0.0, 1.0});
     const osg::ref_ptr<Keep> keep = new Keep;
     viewer.getCamera()->setFinalDrawCallback(keep);
     for (int i = 0; i < 2; ++i) viewer.frame();
@@ -120,6 +122,7 @@ int main(int argc, char** argv)
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
     effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, whose buffer holds sRGB codes
+    effect->setExposure(2.5f);
     effect->addChild(knotOf());
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
