@@ -36,6 +36,9 @@ public:
     ReadResult readObject(const std::string& file, const Options* options) const override
     {
         const std::string path = osgDB::findDataFile(file, options);
+        // osgconv asks for objects only.
+        if (path.empty() && (!pseudoName(file).model.empty() || !plainName(file).empty()))
+            return readNode(file, options);
         if (path.empty()) return notFound(file);
         if (!fbrdf::isMaterialFile(path)) return ReadResult::FILE_NOT_HANDLED;
         try {
@@ -61,6 +64,13 @@ public:
         return effect.get();
     }
 
+    WriteResult writeObject(const osg::Object& object, const std::string& file,
+                            const Options* options) const override
+    {
+        const auto* node = dynamic_cast<const osg::Node*>(&object);
+        return node ? writeNode(*node, file, options) : WriteResult::FILE_NOT_HANDLED;
+    }
+
     WriteResult writeNode(const osg::Node& node, const std::string& file,
                           const Options* options) const override
     {
@@ -75,11 +85,18 @@ private:
     {
         const std::string path = osgDB::findDataFile(name, options);
         if (path.empty()) return notFound(name + ".fbrdf");
-        const osg::ref_ptr<Options> local = options ? new Options(*options) : new Options;
-        local->getDatabasePathList().push_front(osgDB::getFilePath(path));
+        const osg::ref_ptr<Options> local = besides(path, options);
         const osg::ref_ptr<osg::Node> scene = osgDB::readRefNodeFile(path, local);
         if (!scene) return ReadResult(name + ": found no scene that can be read");
         return restored(*scene, local).get();
+    }
+
+    /// Options that look in the folder of a file first.
+    static osg::ref_ptr<Options> besides(const std::string& path, const Options* options)
+    {
+        osg::ref_ptr<Options> local = options ? new Options(*options) : new Options;
+        local->getDatabasePathList().push_front(osgDB::getFilePath(path));
+        return local;
     }
 
     static ReadResult notFound(const std::string& file)
@@ -103,8 +120,9 @@ private:
         if (!model) return ReadResult(name.model + ": found no model that can be read");
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setName(name.model);
-        // Without its material the model is drawn by the fallback.
-        effect->setMaterialFile(name.material, options);
+        // Found beside the model too. Without its material the model is drawn by the fallback.
+        effect->setMaterialFile(name.material,
+                                besides(osgDB::findDataFile(name.model, options), options));
         effect->addChild(model);
         return effect.get();
     }

@@ -77,6 +77,33 @@ TEST_P(PlainForm, IsReadWithoutThePluginAndRestoredWithIt)
 
 INSTANTIATE_TEST_SUITE_P(Formats, PlainForm, ::testing::Values("osgt", "osgb", "osgx"));
 
+TEST_F(PlainFormFiles, OsgconvWritesAndRestoresThem)
+{
+    ASSERT_TRUE(osgDB::writeNodeFile(*scene(), path("scene.osgt")));
+    std::string text = run("osgconv " + path("scene.osgt") + " " + path("plain.osgt.fbrdf"));
+    EXPECT_EQ(status_, 0) << text;
+    const auto plain = osgDB::readRefNodeFile(path("plain.osgt"));
+    ASSERT_TRUE(plain) << text;
+    EXPECT_EQ(censusOf(*plain).ours, 0);
+    text = run("osgconv " + path("plain.osgt.fbrdf") + " " + path("again.osgt"));
+    EXPECT_EQ(status_, 0) << text;
+    const auto again = osgDB::readRefNodeFile(path("again.osgt"));
+    ASSERT_TRUE(again) << text;
+    EXPECT_EQ(censusOf(*again).ours, 2);
+}
+
+TEST_F(PlainFormFiles, OsgconvReadsAModelWithAMaterial)
+{
+    ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(6)), path("ball.osgt")));
+    const std::string text =
+        run("osgconv '" + path("ball.osgt") + ".[noise.fbrdf].fbrdf' " + path("out.osgt"));
+    EXPECT_EQ(status_, 0) << text;
+    const auto node = osgDB::readRefNodeFile(path("out.osgt"));
+    ASSERT_TRUE(node) << text;
+    ASSERT_TRUE(censusOf(*node).effect);
+    EXPECT_TRUE(censusOf(*node).effect->getMaterial());
+}
+
 // What the plain form is for.
 TEST_F(PlainFormFiles, WithoutItAReaderWithoutThePluginLosesTheModel)
 {

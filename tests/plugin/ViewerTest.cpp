@@ -8,6 +8,7 @@
 
 #include <fbrdf/io/MaterialFile.h>
 
+#include <osg/MatrixTransform>
 #include <osgDB/Registry>
 #include <osgDB/WriteFile>
 
@@ -95,14 +96,20 @@ protected:
 
 TEST_P(Viewer, ShowsASceneFileWith64Lights)
 {
-    writeMaterial(testMaterials()[0], folder_.file("noise.fbrdf"));
-    osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
-    ASSERT_TRUE(effect->setMaterialFile(folder_.file("noise.fbrdf")));
-    effect->setExposure(0.02f);
-    effect->selectTechnique(osgFbrdf::kTwoLookups);  // 65 passes through a surface
-    effect->addChild(osgMesh(sphereMesh(24)));
     osg::ref_ptr<osg::Group> root = new osg::Group;
-    root->addChild(effect);
+    for (const size_t kind : {size_t(0), size_t(4)}) {  // a product and a sum
+        const std::string file = folder_.file("noise" + std::to_string(kind) + ".fbrdf");
+        writeMaterial(testMaterials()[kind], file);
+        osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
+        ASSERT_TRUE(effect->setMaterialFile(file));
+        effect->setExposure(0.02f);
+        effect->selectTechnique(osgFbrdf::kTwoLookups);  // 65 passes through a surface and more
+        effect->addChild(osgMesh(sphereMesh(24)));
+        osg::ref_ptr<osg::MatrixTransform> place =
+            new osg::MatrixTransform(osg::Matrixd::translate(kind == 0 ? -0.8 : 0.8, 0.0, 0.0));
+        place->addChild(effect);
+        root->addChild(place);
+    }
     root->addChild(osgLights(testLights(64)));
     ASSERT_TRUE(osgDB::writeNodeFile(*root, folder_.file("scene.osgt")));
     const std::string said = show(folder_.file("scene.osgt"));

@@ -168,8 +168,11 @@ void FactorizedBrdf::report(const DrawReport& report)
 {
     const Lock lock(reporting_);
     if (!report.reason.empty() && report.reason != report_.reason)
-        OSG_WARN << "osgFbrdf: " << (getName().empty() ? materialFile_ : getName()) << ": "
-                 << report.technique << " is drawn: " << report.reason << std::endl;
+        OSG_WARN << "osgFbrdf: "
+                 << (!getName().empty()       ? getName()
+                     : !materialFile_.empty() ? materialFile_
+                                              : "an effect without a name")
+                 << ": " << report.technique << " is drawn: " << report.reason << std::endl;
     report_ = report;
 }
 

@@ -92,6 +92,8 @@ public:
     void setFloatTarget(bool isFloat);
     bool getFloatTarget() const { return floatTarget_; }
 
+    void setUpDemo() override;  ///< brushed metal, for osgfxbrowser
+
     DrawReport lastReport() const;
     void report(const DrawReport& report);  ///< called by the techniques
     /// Why the last context that refused a technique did so; empty: none did. Both are called by
