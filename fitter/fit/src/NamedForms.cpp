@@ -159,6 +159,25 @@ BaseForm baseOf(const NamedForm& named, const std::function<Form(int)>& make)
     return {named, ladderOf(make, sizes), make};
 }
 
+// Of these two the smaller sizes are not the default's in proportion.
+BaseForm baseHdio()
+{
+    const auto make = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
+    return {{"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
+             "isotropic, reciprocal; N passes of two look-ups", 64},
+            {make(16), make(24), make(32), formHdio(48, 8, 8), make(48), make(64)},
+            make};
+}
+
+BaseForm baseHdpio()
+{
+    return {{"hdpio", "V(theta_h, theta_d, phi_d) T2(theta_i, theta_o)",
+             "isotropic, reciprocal; hdio that sees phi_d: N passes of two look-ups", 48},
+            {formHdpio(16, 4, 6), formHdpio(24, 5, 8), formHdpio(32, 6, 8), formHdpio(40, 9, 10),
+             formHdpio(48, 12, 12)},
+            [](int n) { return formHdpio(n, quarter(n), quarter(n)); }};
+}
+
 std::vector<BaseForm> makeBaseForms()
 {
     const auto pqp = [](int n) { return formPqp(n, kGamma); };
@@ -168,26 +187,21 @@ std::vector<BaseForm> makeBaseForms()
         form.tables[0].domain = DiscDomain::fitting(std::min(n, 32), kGamma);
         return form;
     };
-    const auto hdio = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
-    std::vector<BaseForm> forms{
+    return {
         baseOf({"pqp", "p(wo) q(h) p(wi)",
                 "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32},
                pqp),
         baseOf({"pqpr", "p(wo) q(h) p(wi) r(theta_d)",
                 "as pqp; r is a uniform array and costs no look-up", 32},
                pqpr),
-        baseOf({"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
-                "isotropic, reciprocal; N passes of two look-ups", 64},
-               hdio),
+        baseHdio(),
         baseOf({"hdg", "T1(theta_h, theta_d) g(theta_i) g(theta_o)",
                 "isotropic, reciprocal; g is a uniform array: N passes of one look-up", 64},
                formHdg),
         baseOf({"hdp", "V(theta_h, theta_d, phi_d)",
                 "isotropic, reciprocal; one 3D table: N passes of one look-up", 32},
                formHdp),
-        baseOf({"hdpio", "V(theta_h, theta_d, phi_d) T2(theta_i, theta_o)",
-                "isotropic, reciprocal; hdio that sees phi_d: N passes of two look-ups", 48},
-               [](int n) { return formHdpio(n, quarter(n), quarter(n)); }),
+        baseHdpio(),
         baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
                 "anisotropic in h alone, reciprocal; N passes of two look-ups", 32},
                formQdio),
@@ -216,11 +230,6 @@ std::vector<BaseForm> makeBaseForms()
          {formGg(kKnots)},
          formGg},
     };
-    BaseForm& isotropic = forms[2];
-    forms[5].ladder = {formHdpio(16, 4, 6), formHdpio(24, 5, 8), formHdpio(32, 6, 8),
-                       formHdpio(40, 9, 10), formHdpio(48, 12, 12)};
-    isotropic.ladder = {hdio(16), hdio(24), hdio(32), formHdio(48, 8, 8), hdio(48), hdio(64)};
-    return forms;
 }
 
 const std::vector<BaseForm>& baseForms()

@@ -73,8 +73,12 @@ bool FactorizedBrdf::setMaterialFile(const std::string& file, const osgDB::Optio
 
 bool FactorizedBrdf::reloadMaterial(const osgDB::Options* options)
 {
-    if (materialFile_.empty()) return false;
-    const osg::ref_ptr<MaterialObject> material = readMaterialObject(materialFile_, options);
+    return !materialFile_.empty() && replaceMaterial(readMaterialObject(materialFile_, options));
+}
+
+/// Null changes nothing.
+bool FactorizedBrdf::replaceMaterial(const osg::ref_ptr<MaterialObject>& material)
+{
     if (!material) return false;
     material_ = material;
     changed();
@@ -92,11 +96,8 @@ void FactorizedBrdf::setReloading(bool reloading)
 void FactorizedBrdf::reloadWhenChanged(const osg::NodeVisitor& visitor)
 {
     const osg::FrameStamp* stamp = visitor.getFrameStamp();
-    if (!stamp || !watch_->changed(stamp->getReferenceTime())) return;
-    const osg::ref_ptr<MaterialObject> material = readMaterialObject(watch_->path());
-    if (!material) return;
-    material_ = material;
-    changed();
+    if (stamp && watch_->changed(stamp->getReferenceTime()))
+        replaceMaterial(readMaterialObject(watch_->path()));
 }
 
 void FactorizedBrdf::setMaterial(MaterialObject* material)

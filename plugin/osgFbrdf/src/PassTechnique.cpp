@@ -91,6 +91,12 @@ void cullRuns(osgUtil::CullVisitor& visitor, const fbrdf::Plan& plan, Surfaces& 
     }
 }
 
+std::string found(const std::string& what, int count, int limit)
+{
+    return what + ": found " + std::to_string(limit) + ", expected at least " +
+           std::to_string(count);
+}
+
 int limitOf(GLenum name)
 {
     GLint value = 0;
@@ -211,16 +217,6 @@ const char* PassTechnique::techniqueDescription()
     }
     return "";
 }
-
-namespace {
-
-std::string found(const std::string& what, int count, int limit)
-{
-    return what + ": found " + std::to_string(limit) + ", expected at least " +
-           std::to_string(count);
-}
-
-}  // namespace
 
 bool PassTechnique::validate(osg::State& state) const
 {

@@ -116,6 +116,7 @@ protected:
 private:
     void changed();
     void cull(osg::NodeVisitor& visitor);
+    bool replaceMaterial(const osg::ref_ptr<MaterialObject>& material);
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
 
     std::string materialFile_;
