@@ -12,7 +12,7 @@ packages=(
   libopenimageio-dev
 )
 if [ "$purpose" = tests ]; then
-  packages+=(libgtest-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph)
+  packages+=(libgtest-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph xdotool)
 fi
 
 missing=()

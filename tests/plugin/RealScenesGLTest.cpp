@@ -113,6 +113,29 @@ TEST_F(RealScenes, CastsShadowsInOsgShadow)
     EXPECT_GT(inShadow, 50u);
 }
 
+// GL has one set of lights for all objects: that of the view stays what it is.
+TEST_F(RealScenes, TheFallbackLeavesOthersTheirHeadlight)
+{
+    view_->viewer().setLightingMode(osg::View::HEADLIGHT);
+    osg::ref_ptr<osg::Geometry> wall =
+        osg::createTexturedQuadGeometry({-4, -4, -1.5f}, {8, 0, 0}, {0, 8, 0});
+    const auto expected = beside(wall);
+    effect_->selectTechnique(osgFbrdf::kDiffuseFallback);
+    osg::ref_ptr<osg::Group> both = new osg::Group;
+    both->addChild(effect_);
+    both->addChild(wall);
+    const auto found = beside(both);
+    size_t compared = 0;
+    for (size_t i = 0; i < found.size(); i += 4)
+        if (alone_[i + 3] == 0.0f) {
+            EXPECT_EQ(found[i + 1], expected[i + 1]) << i;
+            ++compared;
+        }
+    EXPECT_GT(compared, 100u);
+    EXPECT_GT(meanOf(expected, 1), 0.1);
+    EXPECT_EQ(effect_->lastReport().lightsUsed, 7);
+}
+
 TEST_F(RealScenes, StandsBelowLevelsOfDetailAndSwitches)
 {
     osg::ref_ptr<osg::LOD> levels = new osg::LOD;

@@ -25,12 +25,13 @@ float irradianceAt(const fbrdf::Light& light, const fbrdf::Vec3f& place)
                : size * fbrdf::falloff(glm::dot(d, d), light.radius);
 }
 
-/// Numbers that the osg::LightSources of the scene leave free.
+/// Numbers that the osg::LightSources of the scene and the light of the view leave free.
 std::vector<int> freeNumbers(const SceneLights& scene)
 {
     std::vector<int> numbers;
     for (int n = 0; n < kMostGlLights; ++n)
-        if (std::none_of(scene.plain.begin(), scene.plain.end(),
+        if (n != scene.viewNumber &&
+            std::none_of(scene.plain.begin(), scene.plain.end(),
                          [n](const PlainLight& plain) { return plain.light->getLightNum() == n; }))
             numbers.push_back(n);
     return numbers;

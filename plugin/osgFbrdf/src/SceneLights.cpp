@@ -110,10 +110,14 @@ size_t rootOf(const osg::NodePath& path)
     return 0;
 }
 
-void addViewLight(SceneLights& scene, const osg::Camera* camera)
+/// Lights the effects only where nothing else does, but other objects always.
+void findViewLight(SceneLights& scene, const osg::Camera* camera)
 {
+    scene.viewNumber = -1;
     const osg::View* view = camera ? camera->getView() : nullptr;
     if (!view || !view->getLight() || view->getLightingMode() == osg::View::NO_LIGHT) return;
+    scene.viewNumber = view->getLight()->getLightNum();
+    if (!scene.lights.empty() || !scene.plain.empty()) return;
     scene.plain.push_back({view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT});
 }
 
@@ -211,8 +215,7 @@ SceneLights& sceneLights(osgUtil::CullVisitor& visitor)
     scene->filled_ = true;
     Collector collector(*scene);
     root->accept(collector);
-    if (scene->lights.empty() && scene->plain.empty())
-        addViewLight(*scene, visitor.getCurrentCamera());
+    findViewLight(*scene, visitor.getCurrentCamera());
     return *scene;
 }
 

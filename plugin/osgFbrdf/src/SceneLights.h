@@ -37,6 +37,7 @@ public:
 
         std::vector<fbrdf::Light> lights;  ///< of PointLights, valid ones, world
     std::vector<PlainLight> plain;
+    int viewNumber = -1;  ///< GL's number of the light of the osg::View; -1: it has none
     int dropped = 0;
     int techniqueTraversals = 0;  ///< counted by techniques, see FactorizedBrdf::traverse
     bool fallbackPlaced = false;  ///< DiffuseTechnique placed GL's lights in this frame
