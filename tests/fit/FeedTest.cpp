@@ -91,19 +91,39 @@ TEST(Folds, SomeSamplesOfAFoldAreThoseOfThatFold)
     const Feed feed = makeFeed(source, 0, 1, 1);
     size_t all = 0;
     for (int fold = 0; fold < kFolds; ++fold) {
-        const auto part = someSamples(feed, fold, 10000, 9);
+        const auto part = someSamples(feed, FoldChoice::onlyOf(fold), 10000, 9);
         for (const Sample& s : part) EXPECT_EQ(foldOf(uint64_t(s.f.x), 9), fold);
         all += part.size();
     }
     EXPECT_EQ(all, source.samples.size());
-    EXPECT_LE(someSamples(feed, kNoFold, 100, 9).size(), 100u);
+    EXPECT_LE(someSamples(feed, FoldChoice::all(), 100, 9).size(), 100u);
+}
+
+TEST(Folds, AllButOneAreTheOthers)
+{
+    const Source source = numbered(3000);
+    const Feed feed = makeFeed(source, 0, 1, 1);
+    const auto others = someSamples(feed, FoldChoice::allBut(2), 10000, 9),
+               fold = someSamples(feed, FoldChoice::onlyOf(2), 10000, 9);
+    for (const Sample& s : others) EXPECT_NE(foldOf(uint64_t(s.f.x), 9), 2);
+    EXPECT_EQ(others.size() + fold.size(), source.samples.size());
+}
+
+TEST(Folds, SomeSamplesAreTheSameOnAnyNumberOfThreads)
+{
+    const Source source = numbered(50000);
+    const Feed feed = makeFeed(source, 0, 1, 1);
+    const auto one = someSamples(feed, FoldChoice::all(), 5000, 9, 1),
+               four = someSamples(feed, FoldChoice::all(), 5000, 9, 4);
+    ASSERT_EQ(one.size(), four.size());
+    for (size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].f.x, four[i].f.x);
 }
 
 TEST(Folds, SomeSamplesAreSpreadOverAllOfThem)
 {
     // Half of the samples: a stride of whole numbers would take the first half.
     const Source source = numbered(20000);
-    const auto part = someSamples(makeFeed(source, 0, 1, 1), kNoFold, 10000, 9);
+    const auto part = someSamples(makeFeed(source, 0, 1, 1), FoldChoice::all(), 10000, 9);
     EXPECT_LE(part.size(), 10000u);
     EXPECT_GT(part.size(), 9000u);
     double sum = 0.0;
@@ -123,7 +143,7 @@ TEST(Feed, ALongStreamIsLookedIntoHereAndThere)
         for (uint64_t i = first; i < first + count; ++i)
             out.push_back({Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(float(i)), 1.0f});
     };
-    const auto part = someSamples(makeFeed(source, 0, 1, 1), kNoFold, 5000, 9);
+    const auto part = someSamples(makeFeed(source, 0, 1, 1), FoldChoice::all(), 5000, 9);
     EXPECT_GT(part.size(), 4000u);
     EXPECT_LE(rowsRead, 20000u);
     EXPECT_GT(part.back().f.x, 0.9f * std::ldexp(1.0f, 36));

@@ -24,7 +24,7 @@ struct Problem {
     Problem(Source from, size_t count)
         : source(std::move(from)),
           feed(makeFeed(source, count, 1, 2)),
-          traits(traitsOf(someSamples(feed, kNoFold, 20000, 1), feed.exact, "data"))
+          traits(traitsOf(someSamples(feed, FoldChoice::all(), 20000, 1), feed.exact, "data"))
     {
     }
 };
@@ -280,6 +280,29 @@ TEST(Cache, AnotherGridIsNotMistakenForIt)
             without(form, problem.feed, problem.traits, 1, 2);
         EXPECT_EQ(with.step(with.flatState(), {}), without.step(without.flatState(), {}));
     }
+}
+
+TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)
+{
+    Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);
+    const Form form = formHdio(16, 6, 6);
+    EXPECT_FALSE(
+        LeastSquares(form, problem.feed, problem.traits, 1, 2).dependsOnState(StepOptions{}));
+    std::vector<Sample> samples = someSamples(problem.feed, FoldChoice::all(), 20000, 1);
+    samples[777].f.y = 0.0f;
+    ASSERT_TRUE(problem.traits.sameWeights);
+    EXPECT_TRUE(LeastSquares(form, heldFeed(std::move(samples)), problem.traits, 1, 2)
+                    .dependsOnState(StepOptions{}));
+}
+
+TEST(Weights, AStepOfALinearProblemDoesNotDependOnWhereItStarts)
+{
+    Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);
+    const LeastSquares squares(formHdio(16, 6, 6), problem.feed, problem.traits, 1, 2);
+    const State flat = squares.flatState(), once = squares.step(flat, {});
+    StepOptions damped;  // so little that only the start is another
+    damped.damping = 1e-15;
+    EXPECT_LT(largestDifference(squares, squares.step(once, damped), squares, once), kSolversAgree);
 }
 
 TEST(Ranks, TwoProcessesTakeTheStepOfOne)

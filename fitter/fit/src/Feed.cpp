@@ -1,6 +1,5 @@
 #include "Feed.h"
 
-#include "Mixed.h"
 #include "Parallel.h"
 
 #include <fbrdf/brdf/Error.h>
@@ -45,14 +44,23 @@ Feed feedOf(const SampleStream& stream)
     return feed;
 }
 
+// The parts in order, cut off at the limit.
+std::vector<Sample> joined(const std::vector<std::vector<Sample>>& parts, size_t limit)
+{
+    size_t size = 0;
+    for (const auto& part : parts) size += part.size();
+    std::vector<Sample> all;
+    all.reserve(size);
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    all.resize(std::min(size, limit));
+    return all;
+}
+
 Owner allSamples(const Feed& feed, int threads)
 {
     std::vector<std::vector<Sample>> blocks(feed.blocks());
     parallelTasks(blocks.size(), threads, [&](size_t b) { feed.block(b, blocks[b]); });
-    auto all = std::make_shared<std::vector<Sample>>();
-    all->reserve(feed.rows);
-    for (const auto& block : blocks) all->insert(all->end(), block.begin(), block.end());
-    return all;
+    return std::make_shared<std::vector<Sample>>(joined(blocks, feed.rows));
 }
 
 // Ranges of a feed, in order: all of it, or pieces at equal distances.
@@ -71,6 +79,12 @@ Ranges rangesFor(const Feed& feed, uint64_t wanted)
     return {feed.rows / pieces, kPiece, static_cast<size_t>(pieces)};
 }
 
+// Rows to look at for `limit` of the choice.
+uint64_t wantedRows(const FoldChoice& choice, size_t limit)
+{
+    return static_cast<uint64_t>(std::ceil(static_cast<double>(limit) / choice.share()));
+}
+
 Feed feedOfSamples(const Source& source, int threads)
 {
     if (!source.samples.empty()) return feedOf(nullptr, source.samples);
@@ -83,7 +97,7 @@ Feed feedOfSamples(const Source& source, int threads)
 // A table of few nodes leaves holes that its own interpolation fills.
 Feed withFunction(const Feed& nodes, const Source& source, size_t count, uint64_t seed, int threads)
 {
-    std::vector<Sample> all = someSamples(nodes, kNoFold, nodes.rows, seed);
+    std::vector<Sample> all = someSamples(nodes, FoldChoice::all(), nodes.rows, seed, threads);
     const auto between = samplesAt(source, uniformPairs(count, seed + 1), threads);
     all.insert(all.end(), between.begin(), between.end());
     return heldFeed(std::move(all));
@@ -120,7 +134,8 @@ FeedBlock Feed::block(size_t index, std::vector<Sample>& scratch) const
     return read(first, static_cast<size_t>(std::min<uint64_t>(kFeedBlock, rows - first)), scratch);
 }
 
-// Folds show no pattern of the measurement.
+// Words are multiplied in pairs, each plus a constant of its own: products of one sample do not
+// wait for each other (Black et al. 1999, "UMAC": NH).
 std::string geometryOf(const Feed& feed, int threads)
 {
     if (!feed.held) return {};
@@ -128,13 +143,16 @@ std::string geometryOf(const Feed& feed, int threads)
     parallelTasks(hashes.size(), threads, [&](size_t b) {
         std::vector<Sample> scratch;
         const FeedBlock block = feed.block(b, scratch);
-        std::array<uint32_t, 8> words{};
+        std::array<uint32_t, 8> words{}, keys;
+        for (size_t w = 0; w < keys.size(); ++w) keys[w] = static_cast<uint32_t>(mixed(w + 1));
         for (size_t i = 0; i < block.count; ++i) {
             const Sample& s = block.samples[i];
             const float numbers[7] = {s.wo.x, s.wo.y, s.wo.z, s.wi.x, s.wi.y, s.wi.z, s.weight};
             std::memcpy(words.data(), numbers, sizeof numbers);
-            for (size_t w = 0; w < 8; w += 2)
-                hashes[b] = mixed(hashes[b] ^ (uint64_t{words[w]} << 32 | words[w + 1]));
+            uint64_t sum = hashes[b];
+            for (size_t w = 0; w < words.size(); w += 2)
+                sum += uint64_t{words[w] + keys[w]} * uint64_t{words[w + 1] + keys[w + 1]};
+            hashes[b] = mixed(sum);
         }
     });
     uint64_t hash = feed.rows;
@@ -142,36 +160,40 @@ std::string geometryOf(const Feed& feed, int threads)
     return std::to_string(feed.rows) + " rows " + std::to_string(hash);
 }
 
-int foldOf(uint64_t number, uint64_t seed)
+double FoldChoice::share() const
 {
-    return static_cast<int>(mixed(number ^ mixed(seed)) % kFolds);
+    if (only != kNoFold) return 1.0 / kFolds;
+    return without == kNoFold ? 1.0 : 1.0 - 1.0 / kFolds;
 }
 
-std::vector<Sample> someSamples(const Feed& feed, int fold, size_t limit, uint64_t seed)
+std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size_t limit,
+                                uint64_t seed, int threads)
 {
-    const uint64_t folds = fold == kNoFold ? 1 : kFolds;
-    const Ranges ranges = rangesFor(feed, folds * limit);
-    const uint64_t seen = std::min<uint64_t>(feed.rows, ranges.count * ranges.length) / folds;
+    const Ranges ranges = rangesFor(feed, wantedRows(choice, limit));
+    const auto most = static_cast<double>(limit),
+               seen = choice.share() *
+                      double(std::min<uint64_t>(feed.rows, ranges.count * ranges.length));
     // A regular stride would beat with the grid of a measurement: a hash decides. Four standard
     // deviations fewer than the limit are expected, so that it cuts nothing off at the end.
-    const auto most = static_cast<double>(limit);
-    const double share = seen <= limit ? 1.0 : (most - 4.0 * std::sqrt(most)) / double(seen);
-    auto kept = [&, met = uint64_t{0}]() mutable {
-        return share >= 1.0 || std::ldexp(double(mixed(met++ ^ ~seed) >> 11), -53) < share;
-    };
-    std::vector<Sample> chosen, scratch;
-    for (size_t r = 0; r < ranges.count && chosen.size() < limit; ++r) {
+    const bool every = seen <= most;
+    const auto bound = every ? uint64_t{0}
+                             : static_cast<uint64_t>(std::ldexp(
+                                   std::max(0.0, most - 4.0 * std::sqrt(most)) / seen, 64));
+    std::vector<std::vector<Sample>> parts(ranges.count);
+    parallelTasks(ranges.count, threads, [&](size_t r) {
         const uint64_t first = r * ranges.distance;
         const auto length =
             static_cast<size_t>(std::min<uint64_t>(ranges.length, feed.rows - first));
+        std::vector<Sample> scratch;
         const FeedBlock block = feed.read(first, length, scratch);
-        for (size_t i = 0; i < block.count && chosen.size() < limit; ++i) {
-            if (fold != kNoFold && foldOf(block.first + i, seed) != fold) continue;
-            if (!kept()) continue;
-            chosen.push_back(block.samples[i]);
+        for (size_t i = 0; i < block.count; ++i) {
+            const uint64_t number = block.first + i;
+            if (!every && mixed(number ^ ~seed) >= bound) continue;
+            if (choice.isAll() || choice.has(foldOf(number, seed)))
+                parts[r].push_back(block.samples[i]);
         }
-    }
-    return chosen;
+    });
+    return joined(parts, limit);
 }
 
 }  // namespace fbrdf

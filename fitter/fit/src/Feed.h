@@ -2,6 +2,8 @@
 // and again. Fits read them once a pass and hold none, so memory does not grow with the number of
 // samples.
 #pragma once
+#include "Mixed.h"
+
 #include <fbrdf/sources/Source.h>
 
 #include <functional>
@@ -43,11 +45,28 @@ Feed heldFeed(std::vector<Sample> samples);
 /// chance in 2^64); empty for a feed that is not held.
 std::string geometryOf(const Feed& feed, int threads);
 
-/// Which of kFolds a sample belongs to.
-int foldOf(uint64_t number, uint64_t seed);
+/// Which of kFolds a sample belongs to: folds show no pattern of the measurement.
+inline int foldOf(uint64_t number, uint64_t seed)
+{
+    return static_cast<int>(mixed(number ^ mixed(seed)) % kFolds);
+}
 
-/// Samples spread over the whole feed, `limit` at most; of one fold, or of all with kNoFold. A long
-/// stream is looked into here and there, not read through.
-std::vector<Sample> someSamples(const Feed& feed, int fold, size_t limit, uint64_t seed);
+/// All samples, those of one fold, or all but those of one.
+struct FoldChoice {
+    int only = kNoFold, without = kNoFold;
+
+    static FoldChoice all() { return {}; }
+    static FoldChoice onlyOf(int fold) { return {fold, kNoFold}; }
+    static FoldChoice allBut(int fold) { return {kNoFold, fold}; }
+    bool isAll() const { return only == kNoFold && without == kNoFold; }
+    bool has(int fold) const { return only == kNoFold ? fold != without : fold == only; }
+    /// Of all samples, how many are chosen.
+    double share() const;
+};
+
+/// Chosen samples spread over the whole feed, `limit` at most. A long stream is looked into here
+/// and there, not read through.
+std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size_t limit,
+                                uint64_t seed, int threads = 0);
 
 }  // namespace fbrdf

@@ -13,7 +13,8 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // taken from a source that is only a function
-constexpr size_t kProbeSamples = 200000;     // that traits and sample errors are taken from
+constexpr size_t kTraitSamples = 65536;      // that traits are taken from
+constexpr size_t kProbeSamples = 200000;     // that sample errors are taken from
 constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
 constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
 
@@ -30,7 +31,9 @@ Feed readFeed(const Source& source, const FitOptions& options)
 Job makeJob(Feed feed, const FitOptions& options, const std::string& source)
 {
     Job job{options, std::move(feed), {}, false, 1};
-    job.traits = traitsOf(probeOf(job), job.feed.exact, source);
+    job.traits = traitsOf(
+        someSamples(job.feed, FoldChoice::all(), kTraitSamples, options.seed, options.threads),
+        job.feed.exact, source);
     job.robust = options.robust && !job.feed.exact;
     job.folds = job.feed.rows < kSmallSet ? kFolds : 1;
     return job;
@@ -69,9 +72,9 @@ LeastSquaresOptions problemOptions(const Job& job)
     return options;
 }
 
-std::vector<Sample> probeOf(const Job& job, int fold)
+std::vector<Sample> probeOf(const Job& job, const FoldChoice& choice)
 {
-    return someSamples(job.feed, fold, kProbeSamples, job.options.seed);
+    return someSamples(job.feed, choice, kProbeSamples, job.options.seed, job.options.threads);
 }
 
 Fitted fitForm(const Job& job, const Form& form)
@@ -108,7 +111,7 @@ HeldOut heldOutOf(const Job& job, const Form& form, double smoothness, int folds
         const Solution solution = solve(problem, options);
         result.smoothness = solution.smoothness;
         const Material material = bake(form, problem.layout(), solution.x, job.options.storage);
-        const auto part = probeOf(job, fold);
+        const auto part = probeOf(job, FoldChoice::onlyOf(fold));
         const auto values = evaluateAt(material, part, job.options.threads);
         held.insert(held.end(), part.begin(), part.end());
         fitted.insert(fitted.end(), values.begin(), values.end());

@@ -42,8 +42,8 @@ Fitted fitForm(const Job& job, const Form& form);
 /// of fits of the same form and smoothness that leave folds out where it is not.
 SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted);
 
-/// At most kProbeSamples of the data: what traits and errors are taken from.
-std::vector<Sample> probeOf(const Job& job, int fold = kNoFold);
+/// At most kProbeSamples of the data: what errors are taken from.
+std::vector<Sample> probeOf(const Job& job, const FoldChoice& choice = FoldChoice::all());
 
 /// Errors on samples that took no part, and the smoothness of the last fit.
 struct HeldOut {

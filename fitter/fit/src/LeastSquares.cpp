@@ -28,9 +28,8 @@ std::shared_ptr<const RowGeometries> knownRows(const std::string& key,
 
 }  // namespace
 
-Response responseOf(Metric metric, float c, float logF, float logG)
+Response responseInMetric(Metric metric, float c, float logF, float logG)
 {
-    if (metric == Metric::log) return {logF - logG, 1.0f};
     const float f = c * std::exp2(logF), g = c * std::exp2(logG);
     const bool cube = metric == Metric::cubeRoot;
     const float phiF = cube ? std::cbrt(f) : std::log1p(f);
@@ -45,6 +44,7 @@ LeastSquares::Texels::Texels(const LeastSquares& problem, const State& x)
     const size_t n = problem.unknowns();
     const Layout& layout = problem.layout_;
     if (!layout.sharedShape()) {
+        if (takeFlat(problem, x)) return;
         for (size_t i = 0; i < n; ++i) values[i] = Vec3f(Vec3d(x[i], x[n + i], x[2 * n + i]));
         return;
     }
@@ -52,6 +52,19 @@ LeastSquares::Texels::Texels(const LeastSquares& problem, const State& x)
     for (size_t t = 0; t < levels.size(); ++t)
         for (int c = 0; c < 3; ++c)
             levels[t][c] = static_cast<float>(x[static_cast<size_t>(layout.levelOf(t, c))]);
+}
+
+// Texels that are all equal say the same everywhere: weights of a factor sum to 1.
+bool LeastSquares::Texels::takeFlat(const LeastSquares& problem, const State& x)
+{
+    const size_t n = problem.unknowns();
+    if (problem.form_.terms.size() > 1) return false;
+    for (size_t i = 0; i < x.size(); ++i)
+        if (x[i] != x[i / n * n]) return false;
+    values.clear();
+    levels[0] = static_cast<float>(problem.form_.terms[0].factors.size()) *
+                Vec3f(Vec3d(x[0], x[n], x[2 * n]));
+    return true;
 }
 
 Vec3f LeastSquares::Texels::predict(const std::vector<int>& termEnd, const int* unknown,
@@ -92,23 +105,14 @@ LeastSquares::LeastSquares(Form form, Feed feed, const DataTraits& traits, uint6
 
 bool LeastSquares::dependsOnState(const StepOptions& options) const
 {
-    return !traits_.sameWeights || options.robust || form_.terms.size() > 1 ||
+    return !store_->sameWeights() || options.robust || form_.terms.size() > 1 ||
            options.metric != Metric::log;
 }
 
 LeastSquares LeastSquares::thinned(size_t rows, int excludedFold) const
 {
-    std::vector<Sample> samples;
-    if (excludedFold == kNoFold) {
-        samples = someSamples(feed_, kNoFold, rows, seed_);
-    } else {
-        for (int fold = 0; fold < kFolds; ++fold) {
-            if (fold == excludedFold) continue;
-            const auto part = someSamples(feed_, fold, rows / (kFolds - 1), seed_);
-            samples.insert(samples.end(), part.begin(), part.end());
-        }
-    }
-    Feed thin = heldFeed(std::move(samples));
+    Feed thin =
+        heldFeed(someSamples(feed_, FoldChoice::allBut(excludedFold), rows, seed_, threads_));
     thin.exact = feed_.exact;
     LeastSquaresOptions options = options_;
     options.ranks = {};  // small enough for each process to solve it by itself
@@ -231,47 +235,64 @@ std::vector<double> LeastSquares::support() const
     return sum;
 }
 
+// Calls visit(part, rows, i, fold's place in `folds`) for the samples of the folds. Of many samples
+// some are visited: rows where they are kept, else whole blocks.
+template <class Visit>
+void LeastSquares::forEachLeftOut(const std::vector<int>& folds, const Visit& visit) const
+{
+    constexpr size_t kRows = 262144;
+    // Hashes up to these are visited.
+    const uint64_t all = std::numeric_limits<uint64_t>::max(),
+                   some = all / std::max<uint64_t>(1, feed_.rows / kRows);
+    const uint64_t lastRow = store_->geometry() ? some : all,
+                   lastBlock = store_->geometry() ? all : some;
+    forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
+        if (mixed(block ^ seed_) > lastBlock) return;
+        const RowStore::Block rows = store_->block(block, scratch);
+        for (size_t i = 0; i < rows.geometry.count; ++i) {
+            const uint64_t number = rows.geometry.first + i;
+            const auto found = std::find(folds.begin(), folds.end(), foldOf(number, seed_));
+            if (found == folds.end() || mixed(number ^ ~seed_) > lastRow) continue;
+            visit(part, rows, i, static_cast<size_t>(found - folds.begin()));
+        }
+    });
+}
+
 // For every strength, the sum over folds of the weighted mean |log2 f - log2 g| of the samples left
 // out.
 std::vector<double> LeastSquares::foldErrors(const std::vector<States>& states,
                                              const std::vector<int>& folds) const
 {
-    const size_t strengths = states[0].size(), numbers = 2 * folds.size() * strengths;
-    std::vector<std::vector<Texels>> texels(folds.size());
-    for (size_t k = 0; k < folds.size(); ++k)
-        for (const State& state : states[k]) texels[k].emplace_back(*this, state);
+    std::vector<Texels> texels;  // of every fold and strength
+    for (const States& fold : states)
+        for (const State& state : fold) texels.emplace_back(*this, state);
+    const size_t strengths = states[0].size(), numbers = 2 * texels.size();
     std::vector<double> sums(kParts * numbers, 0.0);
-    forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-        const RowStore::Block rows = store_->block(block, scratch);
-        std::vector<Vec3f> share(form_.terms.size(), Vec3f(1.0f));
-        for (size_t i = 0; i < rows.geometry.count; ++i) {
-            const int fold = foldOf(rows.geometry.first + i, seed_);
-            const auto found = std::find(folds.begin(), folds.end(), fold);
-            if (found == folds.end()) continue;
-            const auto k = static_cast<size_t>(found - folds.begin());
-            for (size_t s = 0; s < strengths; ++s) {
-                const Row row = rowAt(rows, i, texels[k][s], {}, Vec3f(1.0f), share.data());
-                double* sum = &sums[part * numbers + 2 * (k * strengths + s)];
-                for (int c = 0; c < 3; ++c) {
-                    const auto weight = static_cast<double>(row.sampleWeight[c]);
-                    sum[0] += weight * std::abs(static_cast<double>(row.residual[c]));
-                    sum[1] += weight;
-                }
+    std::vector<std::vector<Vec3f>> shares(kParts,
+                                           std::vector<Vec3f>(form_.terms.size(), Vec3f(1.0f)));
+    forEachLeftOut(folds, [&](size_t part, const RowStore::Block& rows, size_t i, size_t fold) {
+        for (size_t k = fold * strengths; k < (fold + 1) * strengths; ++k) {
+            const Row row = rowAt(rows, i, texels[k], {}, Vec3f(1.0f), shares[part].data());
+            double* sum = &sums[part * numbers + 2 * k];
+            for (int c = 0; c < 3; ++c) {
+                const auto weight = static_cast<double>(row.sampleWeight[c]);
+                sum[0] += weight * std::abs(static_cast<double>(row.residual[c]));
+                sum[1] += weight;
             }
         }
     });
     options_.ranks.sum(sums);
     std::vector<double> errors(strengths, 0.0);
-    for (size_t k = 0; k < folds.size(); ++k)
-        for (size_t s = 0; s < strengths; ++s) {
-            double sum = 0.0, weight = 0.0;
-            for (size_t part = 0; part < kParts; ++part) {
-                sum += sums[part * numbers + 2 * (k * strengths + s)];
-                weight += sums[part * numbers + 2 * (k * strengths + s) + 1];
-            }
-            const double error = weight > 0.0 ? sum / weight : 0.0;
-            errors[s] += std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+    for (size_t k = 0; k < texels.size(); ++k) {
+        double sum = 0.0, weight = 0.0;
+        for (size_t part = 0; part < kParts; ++part) {
+            sum += sums[part * numbers + 2 * k];
+            weight += sums[part * numbers + 2 * k + 1];
         }
+        const double error = weight > 0.0 ? sum / weight : 0.0;
+        errors[k % strengths] +=
+            std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+    }
     return errors;
 }
 

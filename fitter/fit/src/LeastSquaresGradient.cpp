@@ -42,37 +42,31 @@ struct LeastSquares::GradientProblem {
           pass(p.layout_.sharedShape() ? Pass{0, 1, kLanes} : Pass{0, 3, kLanes})
     {
         const size_t n = p.unknowns();
-        const LaneVector sums = accumulated(2 * n, [n](const NormalRow& row, LaneVector& sum) {
+        const LaneVector sums = accumulated(2 * n, [n](const auto& row, LaneVector& sum) {
             for (size_t k = 0; k < row.width; ++k) {
                 const auto u = static_cast<size_t>(row.unknown[k]);
                 Lanes entry{};  // an unknown may stand in a row twice
                 for (size_t j = 0; j < row.width; ++j)
                     for (size_t l = 0; row.unknown[j] == row.unknown[k] && l < kLanes; ++l)
-                        entry[l] += row.entry[j][l];
+                        entry[l] += laneOf(row.entry[j], l);
                 for (size_t l = 0; l < kLanes; ++l) {
-                    sum[u][l] += row.scaled[k][l] * entry[l];
-                    sum[n + u][l] += row.scaled[k][l] * row.residual[l];
+                    const double scaled = row.weight[l] * laneOf(row.entry[k], l);
+                    sum[u][l] += scaled * entry[l];
+                    sum[n + u][l] += scaled * row.residual[l];
                 }
             }
         });
         diagonal.assign(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(n));
         right.assign(sums.begin() + static_cast<std::ptrdiff_t>(n), sums.end());
         addSmoothnessOf(x);
-        if (!p.dependsOnState(o)) texels = Texels();
+        if (!p.dependsOnState(o)) texels = Texels(p, p.flatState());
     }
 
     template <class Add>
     LaneVector accumulated(size_t size, const Add& add) const
     {
         std::vector<LaneVector> parts(kParts, LaneVector(size, Lanes{}));
-        problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-            NormalRowBuffer buffer(static_cast<size_t>(problem.maker_.width()) +
-                                   problem.form_.terms.size());
-            problem.forEachRow(block, scratch, texels, options, scale, [&](const Row& row, int) {
-                problem.forEachNormalRow(
-                    row, pass, buffer, [&](const NormalRow& normal) { add(normal, parts[part]); });
-            });
-        });
+        problem.withEntries(pass, [&](auto one) { addRows<decltype(one)>(add, parts); });
         std::vector<double> total(kLanes * size, 0.0);
         for (const LaneVector& part : parts)
             for (size_t u = 0; u < size; ++u)
@@ -82,6 +76,20 @@ struct LeastSquares::GradientProblem {
         for (size_t u = 0; u < size; ++u)
             for (size_t l = 0; l < kLanes; ++l) result[u][l] = total[kLanes * u + l];
         return result;
+    }
+
+    template <class Entry, class Add>
+    void addRows(const Add& add, std::vector<LaneVector>& parts) const
+    {
+        problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
+            NormalRowBuffer<Entry> buffer(static_cast<size_t>(problem.maker_.width()) +
+                                          problem.form_.terms.size());
+            problem.forEachRow(block, scratch, texels, options, scale, [&](const Row& row, int) {
+                problem.forEachNormalRow(row, pass, buffer, [&](const NormalRow<Entry>& normal) {
+                    add(normal, parts[part]);
+                });
+            });
+        });
     }
 
     void addSmoothnessOf(const State& x)
@@ -120,14 +128,16 @@ struct LeastSquares::GradientProblem {
 
     LaneVector operator()(const LaneVector& p) const
     {
-        LaneVector result = accumulated(p.size(), [&p](const NormalRow& row, LaneVector& sum) {
+        LaneVector result = accumulated(p.size(), [&p](const auto& row, LaneVector& sum) {
             Lanes along{};
             for (size_t k = 0; k < row.width; ++k)
                 for (size_t l = 0; l < kLanes; ++l)
-                    along[l] += row.entry[k][l] * p[static_cast<size_t>(row.unknown[k])][l];
+                    along[l] += laneOf(row.entry[k], l) * p[static_cast<size_t>(row.unknown[k])][l];
+            for (size_t l = 0; l < kLanes; ++l) along[l] *= row.weight[l];
             for (size_t k = 0; k < row.width; ++k)
                 for (size_t l = 0; l < kLanes; ++l)
-                    sum[static_cast<size_t>(row.unknown[k])][l] += row.scaled[k][l] * along[l];
+                    sum[static_cast<size_t>(row.unknown[k])][l] +=
+                        laneOf(row.entry[k], l) * along[l];
         });
         addSmoothness(result, p, problem.smoothness_, strengths, 1.0);
         for (size_t u = 0; u < p.size(); ++u)

@@ -14,15 +14,16 @@ constexpr size_t kParts = 4;
 
 /// A state as rows read it: floats, the channels of a texel side by side.
 struct LeastSquares::Texels {
-    std::vector<Vec3f> values;  ///< one an unknown
+    std::vector<Vec3f> values;  ///< one an unknown; none where the levels say all
     std::vector<Vec3f> levels;  ///< one a term; 0 without a shared shape
 
-    /// Predicts nothing: for rows whose weights do not depend on the state.
-    Texels() = default;
     Texels(const LeastSquares& problem, const State& x);
     /// log2 g of a row; share: one a term, what it contributes to g.
     Vec3f predict(const std::vector<int>& termEnd, const int* unknown, const float* weight,
                   Vec3f* share) const;
+
+private:
+    bool takeFlat(const LeastSquares& problem, const State& x);
 };
 
 /// What a visitor of rows sees of one sample.
@@ -41,18 +42,24 @@ struct LeastSquares::Pass {
     size_t first, channels, matrices;
 };
 
+template <class Entry>
 struct LeastSquares::NormalRowBuffer {
     std::vector<int> unknown;
-    std::vector<Lanes> entry, scaled;
+    std::vector<Entry> entry;
 
-    explicit NormalRowBuffer(size_t width) : unknown(width), entry(width), scaled(width) {}
+    explicit NormalRowBuffer(size_t width) : unknown(width), entry(width) {}
 };
 
 // phi(f), phi(g) and d phi / d log2 g of the metrics; c is cos theta_i.
 struct Response {
     float residual, weight;
 };
-Response responseOf(Metric metric, float c, float logF, float logG);
+Response responseInMetric(Metric metric, float c, float logF, float logG);  ///< not of log
+inline Response responseOf(Metric metric, float c, float logF, float logG)
+{
+    if (metric == Metric::log) return {logF - logG, 1.0f};
+    return responseInMetric(metric, c, logF, logG);
+}
 
 // Beaton and Tukey 1974: (1 - (r / (c s))^2)^2 within c s, 0 beyond. 95 % efficiency for Gaussian
 // noise.
@@ -97,7 +104,7 @@ inline LeastSquares::Row LeastSquares::rowAt(const RowStore::Block& rows, size_t
         &rows.geometry.unknown[from], &rows.geometry.weight[from], share, Vec3f(0.0f), Vec3f(0.0f),
         rows.values.weight[i]};
     const Vec3f logG = texels.values.empty()
-                           ? Vec3f(0.0f)
+                           ? texels.levels[0]
                            : texels.predict(maker_.termEnd(), row.unknown, row.weight, share);
     for (int c = 0; c < 3; ++c) {
         if (row.noiseWeight[c] == 0.0f) continue;
@@ -121,59 +128,72 @@ void LeastSquares::forEachRow(size_t block, RowStore::Scratch& scratch, const Te
 {
     const RowStore::Block rows = store_->block(block, scratch);
     std::vector<Vec3f> share(form_.terms.size(), Vec3f(1.0f));
+    const bool everyFold = options.excludedFold == kNoFold;
     for (size_t i = 0; i < rows.geometry.count; ++i) {
         const int fold = foldOf(rows.geometry.first + i, seed_);
-        if (options.excludedFold == kNoFold || fold != options.excludedFold)
+        if (everyFold || fold != options.excludedFold)
             visit(rowAt(rows, i, texels, options, scale, share.data()), fold);
     }
 }
 
+// What a texel of term t has in the row of a channel, or of channels side by side.
+inline void setEntry(double& entry, const Vec3f& share, size_t channel, double weight)
+{
+    entry = static_cast<double>(share[static_cast<int>(channel)]) * weight;
+}
+inline void setEntry(Lanes& entry, const Vec3f& share, size_t, double weight)
+{
+    entry = {static_cast<double>(share.x) * weight, static_cast<double>(share.y) * weight,
+             static_cast<double>(share.z) * weight, 0.0};
+}
+
 // A row of the normal equations a sample; with a shared shape one a channel, levels included.
-template <class Add>
-void LeastSquares::forEachNormalRow(const Row& row, const Pass& pass, NormalRowBuffer& buffer,
-                                    const Add& add) const
+template <class Entry, class Add>
+void LeastSquares::forEachNormalRow(const Row& row, const Pass& pass,
+                                    NormalRowBuffer<Entry>& buffer, const Add& add) const
 {
     const auto width = static_cast<size_t>(maker_.width());
     const bool shared = layout_.sharedShape();
-    NormalRow normal{row.unknown,
-                     buffer.entry.data(),
-                     buffer.scaled.data(),
-                     width,
-                     static_cast<size_t>(maker_.bandedFirst()),
-                     static_cast<size_t>(maker_.bandedLast()),
-                     Lanes{}};
+    NormalRow<Entry> normal{row.unknown,
+                            buffer.entry.data(),
+                            width,
+                            static_cast<size_t>(maker_.bandedFirst()),
+                            static_cast<size_t>(maker_.bandedLast()),
+                            Lanes{},
+                            Lanes{}};
     for (size_t c = pass.first; c < (shared ? 3 : pass.first + 1); ++c) {
-        Lanes weight{};
         bool counts = false;
         for (size_t l = 0; l < pass.channels; ++l) {
             const auto channel = static_cast<int>(c + l);
-            weight[l] = static_cast<double>(row.sampleWeight[channel]);
+            normal.weight[l] = static_cast<double>(row.sampleWeight[channel]);
             normal.residual[l] = static_cast<double>(row.residual[channel]);
-            counts = counts || weight[l] > 0.0;
+            counts = counts || normal.weight[l] > 0.0;
         }
         if (!counts) continue;
-        const auto set = [&](size_t k, size_t t, double factor) {
-            for (size_t l = 0; l < pass.channels; ++l) {
-                buffer.entry[k][l] =
-                    static_cast<double>(row.share[t][static_cast<int>(c + l)]) * factor;
-                buffer.scaled[k][l] = weight[l] * buffer.entry[k][l];
-            }
-        };
         size_t k = 0;
         for (size_t t = 0; t < form_.terms.size(); ++t)
             for (; k < static_cast<size_t>(maker_.termEnd()[t]); ++k)
-                set(k, t, static_cast<double>(row.weight[k]));
+                setEntry(buffer.entry[k], row.share[t], c, static_cast<double>(row.weight[k]));
         if (shared) {
             std::copy(row.unknown, row.unknown + width, buffer.unknown.begin());
             for (size_t t = 0; t < form_.terms.size(); ++t, ++k) {
                 buffer.unknown[k] = layout_.levelOf(t, static_cast<int>(c));
-                set(k, t, 1.0);
+                setEntry(buffer.entry[k], row.share[t], c, 1.0);
             }
             normal.unknown = buffer.unknown.data();
             normal.width = k;
         }
         add(normal);
     }
+}
+
+// Calls visit(one) with a value of the type of the entries that a pass needs: channels that share
+// a row have the same where nothing but the texels decides.
+template <class Visit>
+auto LeastSquares::withEntries(const Pass& pass, const Visit& visit) const
+{
+    if (pass.channels == 1 || form_.terms.size() == 1) return visit(double{});
+    return visit(Lanes{});
 }
 
 }  // namespace fbrdf

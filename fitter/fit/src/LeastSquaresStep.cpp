@@ -38,32 +38,35 @@ std::vector<LeastSquares::Pass> LeastSquares::passes(const StepOptions& options,
     return {{0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
 }
 
-// The sums of the samples in no fold of `folds`, then those of each fold.
-std::vector<NormalSums> LeastSquares::sums(const State& x, const StepOptions& options,
-                                           const Pass& pass, const std::vector<int>& folds) const
+// Group 0: the rows in no fold of `folds`; then those of each fold.
+template <class Entry>
+void LeastSquares::addRows(const State& x, const StepOptions& options, const Pass& pass,
+                           const std::vector<int>& folds,
+                           std::vector<std::vector<NormalSums>>& parts) const
 {
     const Vec3f scale = options.robust ? tukeyScale(x, options) : Vec3f(1.0f);
     const Texels texels(*this, x);
     const BorderedShape shape = shapeOf(layout_);
-    std::vector<std::vector<NormalSums>> parts(kParts, std::vector<NormalSums>(folds.size() + 1));
     forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-        NormalRowBuffer buffer(static_cast<size_t>(maker_.width()) + form_.terms.size());
+        NormalRowBuffer<Entry> buffer(static_cast<size_t>(maker_.width()) + form_.terms.size());
         forEachRow(block, scratch, texels, options, scale, [&](const Row& row, int fold) {
             const auto found = std::find(folds.begin(), folds.end(), fold);
-            NormalSums& group =
-                parts[part]
-                     [found == folds.end() ? 0 : 1 + static_cast<size_t>(found - folds.begin())];
+            const auto index = static_cast<size_t>(found - folds.begin());
+            NormalSums& group = parts[part][found == folds.end() ? 0 : 1 + index];
             if (group.empty()) group = NormalSums(shape, pass.matrices);
-            if (pass.matrices == 0) {
-                const Vec3d w(row.sampleWeight), r(row.residual);
-                group.addRight(row.unknown, row.weight, static_cast<size_t>(maker_.width()),
-                               {w.x, w.y, w.z}, {r.x, r.y, r.z});
-                return;
-            }
             forEachNormalRow(row, pass, buffer,
-                             [&group](const NormalRow& normal) { group.add(normal); });
+                             [&group](const NormalRow<Entry>& normal) { group.add(normal); });
         });
     });
+}
+
+// The sums of each group.
+std::vector<NormalSums> LeastSquares::sums(const State& x, const StepOptions& options,
+                                           const Pass& pass, const std::vector<int>& folds) const
+{
+    std::vector<std::vector<NormalSums>> parts(kParts, std::vector<NormalSums>(folds.size() + 1));
+    withEntries(pass, [&](auto one) { addRows<decltype(one)>(x, options, pass, folds, parts); });
+    const BorderedShape shape = shapeOf(layout_);
     std::vector<NormalSums> groups(folds.size() + 1, NormalSums(shape, pass.matrices));
     for (size_t g = 0; g < groups.size(); ++g) {
         for (auto& part : parts) {
@@ -179,8 +182,9 @@ void LeastSquares::repeatGrey(State& x) const
 State LeastSquares::step(const State& x, const StepOptions& options) const
 {
     if (isLarge()) return conjugateGradientStep(x, options);
-    State next = x;
-    const auto channels = allSystems(x, options, {});
+    // Where nothing depends on the state, the one that costs least will do.
+    State next = dependsOnState(options) || options.damping > 0.0 ? x : flatState();
+    const auto channels = allSystems(next, options, {});
     parallelTasks(channels.size(), threads_, [&](size_t i) {
         takeStep(next, channels[i], 0, options.smoothness, options.damping);
     });

@@ -3,56 +3,56 @@
 namespace fbrdf {
 namespace {
 
-// The sums of one row. N lanes: 1 matrix for all channels, or one each.
-template <size_t N>
+// What one row adds to sums of N lanes: 1 for all channels, or one each.
+template <size_t N, class Entry>
 struct RowSums {
-    const BorderedShape& shape;
-    double* matrix;
+    const NormalRow<Entry>& row;
+    using Factor = std::array<double, N>;
 
-    static void addTo(double* sum, const Lanes& a, const Lanes& b)
+    size_t unknownOf(size_t k) const { return static_cast<size_t>(row.unknown[k]); }
+    Factor scaled(size_t k) const
     {
-        for (size_t l = 0; l < N; ++l) sum[l] += a[l] * b[l];
+        Factor result;
+        for (size_t l = 0; l < N; ++l) result[l] = row.weight[l] * laneOf(row.entry[k], l);
+        return result;
     }
-    void bandedWith(size_t row, const Lanes& scaled, const int* unknown, const Lanes* entry,
-                    size_t from, size_t to) const
+    /// Adds factor b for the entries [from, to) whose unknowns are counted, to a line of sums whose
+    /// first belongs to unknown `first`.
+    template <class Counts>
+    void add(double* line, size_t first, const Factor& factor, size_t from, size_t to,
+             const Counts& counts) const
     {
         for (size_t k = from; k < to; ++k) {
-            const auto column = static_cast<size_t>(unknown[k]);
-            if (column <= row) addTo(matrix + N * shape.bandAt(row, column), scaled, entry[k]);
-        }
-    }
-    void borderWith(size_t row, const Lanes& scaled, const int* unknown, const Lanes* entry,
-                    size_t from, size_t to) const
-    {
-        for (size_t k = from; k < to; ++k)
-            addTo(matrix + N * shape.borderAt(row, static_cast<size_t>(unknown[k]) - shape.banded),
-                  scaled, entry[k]);
-    }
-    void denseWith(size_t row, const Lanes& scaled, const int* unknown, const Lanes* entry,
-                   size_t from, size_t to) const
-    {
-        for (size_t k = from; k < to; ++k) {
-            const size_t column = static_cast<size_t>(unknown[k]) - shape.banded;
-            if (column <= row) addTo(matrix + N * shape.denseAt(row, column), scaled, entry[k]);
+            if (!counts(unknownOf(k))) continue;
+            double* sum = line + N * (unknownOf(k) - first);
+            for (size_t l = 0; l < N; ++l) sum[l] += factor[l] * laneOf(row.entry[k], l);
         }
     }
 };
 
-template <size_t N>
-void addRow(const RowSums<N>& sums, const NormalRow& row)
+template <size_t N, class Entry>
+void addRow(const NormalRow<Entry>& row, const BorderedShape& shape, double* matrix)
 {
-    const auto unknownOf = [&row](size_t k) { return static_cast<size_t>(row.unknown[k]); };
-    const size_t first = row.bandedFirst, last = row.bandedLast;
+    const RowSums<N, Entry> sums{row};
+    const size_t first = row.bandedFirst, last = row.bandedLast, banded = shape.banded;
+    const auto every = [](size_t) { return true; };
     for (size_t a = first; a < last; ++a) {
-        sums.bandedWith(unknownOf(a), row.scaled[a], row.unknown, row.entry, first, last);
-        sums.borderWith(unknownOf(a), row.scaled[a], row.unknown, row.entry, 0, first);
-        sums.borderWith(unknownOf(a), row.scaled[a], row.unknown, row.entry, last, row.width);
+        const size_t u = sums.unknownOf(a);
+        const auto factor = sums.scaled(a);
+        sums.add(matrix + N * shape.bandAt(u, 0), 0, factor, first, last,
+                 [u](size_t column) { return column <= u; });
+        double* border = matrix + N * shape.borderAt(u, 0);
+        sums.add(border, banded, factor, 0, first, every);
+        sums.add(border, banded, factor, last, row.width, every);
     }
     for (size_t a = 0; a < row.width; ++a) {
         if (a >= first && a < last) continue;
-        const size_t dense = unknownOf(a) - sums.shape.banded;
-        sums.denseWith(dense, row.scaled[a], row.unknown, row.entry, 0, first);
-        sums.denseWith(dense, row.scaled[a], row.unknown, row.entry, last, row.width);
+        const size_t u = sums.unknownOf(a);
+        const auto factor = sums.scaled(a);
+        double* dense = matrix + N * shape.denseAt(0, u - banded);
+        const auto below = [u](size_t other) { return other >= u; };
+        sums.add(dense, banded, factor, 0, first, below);
+        sums.add(dense, banded, factor, last, row.width, below);
     }
 }
 
@@ -73,26 +73,20 @@ NormalSums::NormalSums(const BorderedShape& shape, size_t matrices)
 {
 }
 
-void NormalSums::add(const NormalRow& row)
+template <class Entry>
+void NormalSums::add(const NormalRow<Entry>& row)
 {
     if (matrixLanes_ == kLanes)
-        addRow(RowSums<kLanes>{shape_, matrix_.data()}, row);
+        addRow<kLanes>(row, shape_, matrix_.data());
     else if (matrixLanes_ == 1)
-        addRow(RowSums<1>{shape_, matrix_.data()}, row);
-    for (size_t k = 0; k < row.width; ++k)
-        RowSums<kLanes>::addTo(&right_[kLanes * static_cast<size_t>(row.unknown[k])], row.scaled[k],
-                               row.residual);
+        addRow<1>(row, shape_, matrix_.data());
+    Lanes pull;
+    for (size_t l = 0; l < kLanes; ++l) pull[l] = row.weight[l] * row.residual[l];
+    RowSums<kLanes, Entry>{row}.add(right_.data(), 0, pull, 0, row.width,
+                                    [](size_t) { return true; });
 }
-
-void NormalSums::addRight(const int* unknown, const float* entry, size_t width, const Lanes& weight,
-                          const Lanes& residual)
-{
-    for (size_t k = 0; k < width; ++k) {
-        double* sum = &right_[kLanes * static_cast<size_t>(unknown[k])];
-        const auto factor = static_cast<double>(entry[k]);
-        for (size_t l = 0; l < kLanes; ++l) sum[l] += weight[l] * factor * residual[l];
-    }
-}
+template void NormalSums::add(const NormalRow<double>&);
+template void NormalSums::add(const NormalRow<Lanes>&);
 
 NormalSums& NormalSums::operator+=(const NormalSums& other)
 {

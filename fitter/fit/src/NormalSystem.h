@@ -17,14 +17,25 @@ using Lanes = std::array<double, kLanes>;
 
 BorderedShape shapeOf(const Layout& layout);
 
-/// A row b with its weight w and residual r, a lane a channel.
+/// A row b with its weight w and residual r, a lane a channel. Entry: double where all lanes have
+/// the same b, else Lanes.
+template <class Entry>
 struct NormalRow {
     const int* unknown;
-    const Lanes *entry, *scaled;  ///< b, and w b
+    const Entry* entry;  ///< b
     size_t width;
     size_t bandedFirst, bandedLast;  ///< the entries of banded unknowns
-    Lanes residual;
+    Lanes weight, residual;
 };
+
+inline double laneOf(double entry, size_t)
+{
+    return entry;
+}
+inline double laneOf(const Lanes& entry, size_t lane)
+{
+    return entry[lane];
+}
 
 /// Sums of w b b^T and w b r over rows.
 class NormalSums {
@@ -34,10 +45,8 @@ public:
     NormalSums(const BorderedShape& shape, size_t matrices);
     bool empty() const { return right_.empty(); }
 
-    void add(const NormalRow& row);
-    /// Of a row with the same entries in all lanes, w b r alone; the same bits as add.
-    void addRight(const int* unknown, const float* entry, size_t width, const Lanes& weight,
-                  const Lanes& residual);
+    template <class Entry>
+    void add(const NormalRow<Entry>& row);
     NormalSums& operator+=(const NormalSums& other);
 
     /// The system of one lane.

@@ -2,6 +2,8 @@
 
 #include "Parallel.h"
 
+#include <algorithm>
+
 namespace fbrdf {
 namespace {
 
@@ -17,17 +19,23 @@ size_t bytesPerRow(int width)
 
 RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
                    std::shared_ptr<const RowGeometries> known)
-    : maker_(maker), feed_(feed), traits_(traits), geometry_(std::move(known))
+    : maker_(maker),
+      feed_(feed),
+      traits_(traits),
+      geometry_(std::move(known)),
+      sameWeights_(traits.sameWeights)
 {
     if (!feed.held || feed.rows * bytesPerRow(maker.width()) > kKeptBytes) return;
     values_.resize(blocks());
     const auto made = geometry_ ? nullptr : std::make_shared<RowGeometries>(blocks());
+    std::vector<char> same(blocks());
     parallelTasks(blocks(), threads, [&](size_t b) {
         std::vector<Sample> scratch;
         const FeedBlock block = feed_.block(b, scratch);
         if (made) makeGeometry(block, (*made)[b]);
-        makeValues(block, values_[b]);
+        same[b] = makeValues(block, values_[b]) ? 1 : 0;
     });
+    sameWeights_ = std::count(same.begin(), same.end(), 0) == 0;
     if (made) geometry_ = made;
 }
 
@@ -45,20 +53,23 @@ void RowStore::makeGeometry(const FeedBlock& block, RowGeometry& geometry) const
     }
 }
 
-void RowStore::makeValues(const FeedBlock& block, RowValues& values) const
+bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
 {
     values.logValue.resize(block.count);
     values.weight.resize(block.count);
     values.censored.assign(block.count, 0);
+    bool same = true;
     for (size_t i = 0; i < block.count; ++i) {
         const Sample& sample = block.samples[i];
         for (int c = 0; c < 3; ++c) {
             const Observed o = observe(sample.f[c], traits_, c, sample.weight);
             values.logValue[i][c] = o.logValue;
             values.weight[i][c] = o.weight;
+            same = same && o.weight == sample.weight;
             if (o.censored) values.censored[i] |= static_cast<unsigned char>(1 << c);
         }
     }
+    return same;
 }
 
 RowStore::Block RowStore::block(size_t index, Scratch& scratch) const

@@ -47,18 +47,23 @@ public:
     };
     /// Valid until the next call with the same scratch.
     Block block(size_t index, Scratch& scratch) const;
+    /// No value of any channel is at or below the floor and all weigh as much as their sample: the
+    /// matrix depends on the geometry alone. Of rows that are not kept, traits tell.
+    bool sameWeights() const { return sameWeights_; }
     /// Null where the rows are too many to keep.
     std::shared_ptr<const RowGeometries> geometry() const { return geometry_; }
 
 private:
     void makeGeometry(const FeedBlock& block, RowGeometry& geometry) const;
-    void makeValues(const FeedBlock& block, RowValues& values) const;
+    /// Returns whether all values weigh as much as their sample.
+    bool makeValues(const FeedBlock& block, RowValues& values) const;
 
     const RowMaker& maker_;
     const Feed& feed_;
     const DataTraits& traits_;
     std::shared_ptr<const RowGeometries> geometry_;
     std::vector<RowValues> values_;
+    bool sameWeights_;
 };
 
 }  // namespace fbrdf

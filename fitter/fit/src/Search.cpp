@@ -267,7 +267,8 @@ Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& tria
 {
     std::vector<Sample> some;
     if (job.feed.rows > kTrialSamples)
-        some = someSamples(job.feed, kNoFold, kTrialSamples, job.options.seed);
+        some = someSamples(job.feed, FoldChoice::all(), kTrialSamples, job.options.seed,
+                           job.options.threads);
     const Job part = partOf(job, std::move(some));
     Search search(job, part, trials);
     const auto named = search.tryForms(candidateNames(source, job.options.terms));

@@ -151,8 +151,8 @@ Solution refined(const LeastSquares& problem, const SolveOptions& options, Solut
     return near;
 }
 
-// Robust weights, shares of terms and the smoothness are statistics of the data: a part of many
-// samples tells them (Bickel 1975, one-step M-estimators).
+// Robust weights and shares of terms are statistics of the data: a part of many samples tells them,
+// and the smoothness on the way (Bickel 1975, one-step M-estimators).
 Solution solveMany(const LeastSquares& problem, const SolveOptions& options)
 {
     SolveOptions part = options;
@@ -175,7 +175,8 @@ Solution solveLarge(const LeastSquares& problem, const LeastSquares& coarse,
 
 Solution solve(const LeastSquares& problem, const SolveOptions& options)
 {
-    if (problem.rows() >= 2 * kStartRows) return solveMany(problem, options);
+    const bool needsStart = problem.isLarge() || problem.dependsOnState(lastStep(options, 0.0));
+    if (needsStart && problem.rows() >= 2 * kStartRows) return solveMany(problem, options);
     if (!problem.isLarge()) return solveWhole(problem, options);
     return solveLarge(problem, problem.withForm(halved(problem.form())), options);
 }
