@@ -66,6 +66,20 @@ void GLAD_API_PTR shaderSource(GLuint shader, GLsizei n, const GLchar* const* te
         active->real.ShaderSource(shader, n, text, length);
 }
 
+/// With a second main() where asked.
+void GLAD_API_PTR linkProgram(GLuint program)
+{
+    if (active->spoilPrograms) {
+        const GLchar* const second = "void main() { gl_Position = vec4(1.0); }\n";
+        const GLuint shader = active->real.CreateShader(GL_VERTEX_SHADER);
+        active->real.ShaderSource(shader, 1, &second, nullptr);
+        active->real.CompileShader(shader);
+        active->real.AttachShader(program, shader);
+        active->real.DeleteShader(shader);
+    }
+    active->real.LinkProgram(program);
+}
+
 GLenum GLAD_API_PTR checkFramebufferStatus(GLenum target)
 {
     GLint type = GL_NONE;
@@ -120,6 +134,7 @@ void* hooked(const std::string& name)
         {"glCreateProgram", pointer(createProgram)},
         {"glDeleteProgram", pointer(deleteProgram)},
         {"glShaderSource", pointer(shaderSource)},
+        {"glLinkProgram", pointer(linkProgram)},
         {"glCheckFramebufferStatus", pointer(checkFramebufferStatus)},
         {"glGetError", pointer(getError)},
         {"glDrawElements", pointer(drawElements)},

@@ -25,6 +25,7 @@ public:
     std::map<std::string, int> alive;  ///< objects made less objects deleted, by kind
     int made = 0, deleted = 0;         ///< objects of all kinds
     bool corruptShaders = false;       ///< sources no longer compile
+    bool spoilPrograms = false;        ///< shaders compile, programs do not link
     bool refuseFramebuffers = false;   ///< framebuffers with a texture are never complete
     GLenum nextError = GL_NO_ERROR;    ///< what glGetError tells once
     int errorAfter = 0;                ///< calls of glGetError that still tell the truth
