@@ -63,11 +63,13 @@ TEST(Peer, ThoseOfMerlAnswerByName)
     }
 }
 
-TEST(Peer, SingularValuesNeedAFunction)
+TEST(Peer, SingularValuesNeedAFunctionOrIsotropicSamples)
 {
     Source scattered = openSource("lambert");
     scattered.samples = samplesAt(scattered, uniformPairs(500), 1);
     scattered.evaluate = {};
+    EXPECT_TRUE(findPeer("svd").fit(scattered, context()));
+    scattered.isotropic = false;
     EXPECT_FALSE(findPeer("svd").fit(scattered, context()));
     EXPECT_LE(peerSamples(scattered, 100, context()).size(), 100u);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fbrdf {
 namespace {
@@ -346,6 +347,35 @@ TEST(Plan, SaysWhyThereIsNone)
     Capabilities old = modern();
     old.floatTargets = false;
     EXPECT_FALSE(planPasses(formPqp(8, 1.0), request, old).feasible());
+}
+
+TEST(Plan, AddsNothingNegativeUpWhereItWouldBeClamped)
+{
+    const Form two = sum(formHdio(8, 8, 8), formHdio(8, 8, 8));
+    for (const bool offscreen : {true, false})
+        for (const ColourFormat target :
+             {ColourFormat::rgba8, ColourFormat::rgba16, ColourFormat::rgba16f,
+              ColourFormat::rgba32f, ColourFormat::other}) {
+            PlanRequest request = twoLookup(3);
+            request.offscreen = offscreen;
+            request.target = target;
+            request.signs = true;
+            const Plan plan = planPasses(two, request, modern());
+            const bool isFloat = target == ColourFormat::rgba16f || target == ColourFormat::rgba32f;
+            EXPECT_EQ(plan.feasible(), offscreen || isFloat) << colourFormatName(target);
+            if (!plan.feasible()) {
+                EXPECT_NE(plan.reason.find("signs"), std::string::npos);
+                EXPECT_TRUE(plan.passes.empty());
+                request.technique = Technique::single;  // one pass: the sum alone is clamped
+                EXPECT_TRUE(planPasses(two, request, modern()).feasible());
+                continue;
+            }
+            EXPECT_TRUE(std::isinf(plan.error.relative));  // terms may cancel
+            const auto writes =
+                std::count_if(plan.passes.begin(), plan.passes.end(),
+                              [](const Pass& p) { return p.writes == Surface::target; });
+            EXPECT_TRUE(isFloat || writes == 1) << colourFormatName(target);
+        }
 }
 
 TEST(Plan, DrawsBlackWithoutLights)

@@ -26,6 +26,7 @@ TEST(Transfer, ToneMappingStartsAsTheIdentityAndEndsAtWhite)
     EXPECT_EQ(toneMapped(4.0), 1.0);
     EXPECT_EQ(toneMapped(400.0), 1.0);
     EXPECT_NEAR(toneMapped(1.0), 17.0 / 32.0, kTight);
+    EXPECT_EQ(toneMapped(-1.0), 0.0);  // a pole of the formula
     for (double x = 0.01; x < 4.0; x *= 1.2) EXPECT_GT(toneMapped(x), toneMapped(x / 1.2)) << x;
 }
 

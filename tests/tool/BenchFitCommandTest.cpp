@@ -46,6 +46,22 @@ TEST(BenchFitCommand, ComparesFormsAndPeersOnAFunction)
     EXPECT_EQ(linesOf(readText(folder.file("t.csv"))).size(), 7u);
 }
 
+TEST(BenchFitCommand, ComparesSingularValuesAndWrittenFactorsAsForms)
+{
+    const auto json =
+        jsonFrom(runTool({"bench-fit", "ward:alpha=0.4", "ggx:alpha=0.4", "--json", "--forms",
+                          "svd2,svd:2600,analytic", "--peers", "none", "--threads", "1"}));
+    const auto ward = json["materials"][0]["scores"], ggx = json["materials"][1]["scores"];
+    ASSERT_EQ(ward.size(), 3u);
+    EXPECT_EQ(ward[0]["bytes"], 2496);
+    EXPECT_EQ(ward[1]["bytes"], 2496);  // as many terms as the budget holds
+    EXPECT_EQ(ward[0]["lookups"], 4);
+    EXPECT_EQ(ward[2]["lookups"], 1);
+    EXPECT_GT(ward[2]["errors"]["psnr_linear"].get<double>(), 55.0);
+    EXPECT_EQ(ggx.size(), 2u);  // no factors are known of it: no row
+    expectError(runTool({"bench-fit", "lambert", "--forms", "svd77"}), 2, "svd77");
+}
+
 TEST(BenchFitCommand, GoesOnFromTheTableOfAnEarlierRun)
 {
     const TemporaryDir folder;

@@ -1,5 +1,6 @@
 #include "Conserve.h"
 #include "Job.h"
+#include "MadeForms.h"
 #include "NamedForms.h"
 #include "Search.h"
 
@@ -23,6 +24,14 @@ Form formFor(const Job& job)
                        options.maxBytes * (options.sharedShape ? 3 : 1), options.storage);
 }
 
+void checkLookups(const FitOptions& options, const Form& form)
+{
+    const int lookups = lookupsPerPass(form);
+    if (lookups > options.lookups)
+        refuse("lookups", std::to_string(options.lookups),
+               "at least " + std::to_string(lookups) + " for " + form.name);
+}
+
 void checkLimits(const Job& job, const Form& form)
 {
     const FitOptions& options = job.options;
@@ -30,10 +39,7 @@ void checkLimits(const Job& job, const Form& form)
     if (options.maxBytes > 0 && bytes > options.maxBytes)
         refuse("max-bytes", std::to_string(options.maxBytes),
                "at least " + std::to_string(bytes) + " for this form and resolution");
-    const int lookups = lookupsPerPass(form);
-    if (lookups > options.lookups)
-        refuse("lookups", std::to_string(options.lookups),
-               "at least " + std::to_string(lookups) + " for " + form.name);
+    checkLookups(options, form);
 }
 
 Fitted fitNamed(const Job& job)
@@ -41,6 +47,25 @@ Fitted fitNamed(const Job& job)
     const Form form = formFor(job);
     checkLimits(job, form);
     return fitForm(job, form);
+}
+
+bool isMade(const FitOptions& options)
+{
+    return !options.formData && isMadeForm(options.form);
+}
+
+Fitted fitMade(const Source& source, const Job& job)
+{
+    Fitted fitted = makeFitted(source, job);
+    checkLookups(job.options, fitted.material.form);
+    return fitted;
+}
+
+Fitted fitAny(const Source& source, const Job& job, std::vector<Trial>& trials)
+{
+    if (isMade(job.options)) return fitMade(source, job);
+    const bool searches = job.options.form == "auto" && !job.options.formData;
+    return searches ? searchForm(source, job, trials) : fitNamed(job);
 }
 
 void measure(const Source& source, const Job& job, const Fitted& fitted, FitSummary& summary)
@@ -53,8 +78,10 @@ void measure(const Source& source, const Job& job, const Fitted& fitted, FitSumm
         for (int c = 0; c < 3; ++c)
             if (!(s.f[c] > job.traits.floor[c])) ++summary.belowFloor;
     if (!job.options.heldOut) return;
-    summary.folds = job.feed.exact ? 0 : job.folds;
-    summary.heldOut = heldOutErrors(source, job, fitted);
+    const bool made = isMade(job.options);
+    summary.folds = job.feed.exact || (made && source.evaluate) ? 0 : job.folds;
+    summary.heldOut =
+        made ? madeHeldOutErrors(source, job, fitted) : heldOutErrors(source, job, fitted);
 }
 
 }  // namespace
@@ -69,6 +96,8 @@ void checkOptions(const FitOptions& options)
         validate(*options.formData, "form");
         if (options.resolution > 0)
             refuse("resolution", "it beside a form as data", "the sizes of the form alone");
+    } else if (isMade(options)) {
+        checkMadeOptions(options);
     } else {
         makeForm(options.form == "auto" ? "hdio" : options.form, options.resolution);
     }
@@ -84,8 +113,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     summary.readSeconds = readClock.seconds();
     const Clock clock;
     const Job job = makeJob(std::move(feed), options, source.name);
-    const bool searches = options.form == "auto" && !options.formData;
-    Fitted fitted = searches ? searchForm(source, job, summary.trials) : fitNamed(job);
+    Fitted fitted = fitAny(source, job, summary.trials);
     if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);
     fitted.material.name = source.name;
     summary.seconds = clock.seconds();

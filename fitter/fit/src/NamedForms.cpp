@@ -1,6 +1,7 @@
 #include "NamedForms.h"
 
 #include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/Svd.h>
 
 #include <algorithm>
 #include <functional>
@@ -244,9 +245,9 @@ const BaseForm& baseForm(const std::string& name)
         if (base.named.name == name) return base;
     std::string known;
     for (const BaseForm& base : baseForms()) known += ", " + base.named.name;
-    throw Error(
-        ErrorKind::usage, "form",
-        "found '" + name + "', expected auto" + known + ", or a sum of them such as io+hdio");
+    for (const NamedForm& made : madeForms()) known += ", " + made.name;
+    throw Error(ErrorKind::usage, "form",
+                "found '" + name + "', expected auto" + known + ", or a sum such as io+hdio");
 }
 
 std::vector<std::string> partsOf(const std::string& name)
@@ -309,6 +310,18 @@ const std::vector<NamedForm>& namedForms()
         for (const BaseForm& base : baseForms()) named.push_back(base.named);
         return named;
     }();
+    return forms;
+}
+
+const std::vector<NamedForm>& madeForms()
+{
+    static const std::vector<NamedForm> forms{
+        {"svd", "sum over k of u_k(h) v_k(d)",
+         "the baseline of singular values: signed half floats, two look-ups a term; svdN: N terms",
+         kSvdSize},
+        {"analytic", "by the model: p(wo) q(h) p(wi) + D",
+         "factors written down, no fit: models ward (one look-up) and ashikhmin-shirley (two)",
+         64}};
     return forms;
 }
 

@@ -1,9 +1,7 @@
 #include <fbrdf/peers/Peer.h>
 
-#include <fbrdf/peers/AnalyticFactors.h>
 #include <fbrdf/peers/LinearMaps.h>
 #include <fbrdf/peers/PublishedFits.h>
-#include <fbrdf/peers/SvdBaseline.h>
 #ifdef FBRDF_HAVE_CERES
 #include <fbrdf/peers/GgxFit.h>
 #endif
@@ -163,23 +161,28 @@ std::optional<PeerFit> publishedNpf(const Source& source, const PeerContext& con
     return fit;
 }
 
+// A form of the fitter that others thought of first.
+std::optional<PeerFit> madeForm(const Source& source, const PeerContext& context,
+                                const std::string& form)
+{
+    if (!suitsForm(source, form)) return std::nullopt;
+    FitOptions options;
+    options.form = form;
+    options.heldOut = false;
+    options.threads = context.threads;
+    FitResult result = fitMaterial(source, options);
+    PeerFit fit;
+    fit.seconds = result.summary.seconds;
+    fit.bytes = materialBytes(result.material);
+    fit.lookups = lookupsPerLight(result.material.form);
+    fit.note = describe(result.material.form);
+    fit.brdf = shaderFunction(std::move(result.material));
+    return fit;
+}
+
 std::optional<PeerFit> resampledSvd(const Source& source, const PeerContext& context)
 {
-    constexpr int kTerms = 4;
-    if (!source.evaluate) return std::nullopt;
-    const Clock clock;
-    const SvdGrid grid = source.isotropic ? SvdGrid{} : SvdGrid{32, 32, 16, 32};
-    const auto model =
-        std::make_shared<const SvdModel>(fitSvd(source.evaluate, grid, kTerms, context.threads));
-    PeerFit fit;
-    fit.seconds = clock.seconds();
-    fit.brdf = [model](const Vec3d& wo, const Vec3d& wi) { return evaluate(*model, wo, wi); };
-    fit.bytes = bytesOf(*model);
-    fit.lookups = 2 * kTerms;
-    fit.note = "4 terms u(h) v(d), h " + std::to_string(grid.thetaH) + " x " +
-               std::to_string(grid.phiH) + ", d " + std::to_string(grid.thetaD) + " x " +
-               std::to_string(grid.phiD);
-    return fit;
+    return madeForm(source, context, "svd4");
 }
 
 std::optional<PeerFit> mapsOf2001(const Source& source, const PeerContext& context)
@@ -211,19 +214,9 @@ std::optional<PeerFit> mapsOf2001(const Source& source, const PeerContext& conte
     return fit;
 }
 
-std::optional<PeerFit> writtenDown(const Source& source, const PeerContext&)
+std::optional<PeerFit> writtenDown(const Source& source, const PeerContext& context)
 {
-    constexpr int kSize = 64;
-    if (source.format != "model" && !source.format.empty()) return std::nullopt;
-    if (!namesModel(source.name)) return std::nullopt;
-    std::optional<Material> material = analyticFactors(source.name, kSize, Storage::log8);
-    if (!material) return std::nullopt;
-    PeerFit fit;
-    fit.bytes = materialBytes(*material);
-    fit.lookups = 3;
-    fit.note = describe(material->form);
-    fit.brdf = shaderFunction(std::move(*material));
-    return fit;
+    return madeForm(source, context, "analytic");
 }
 
 }  // namespace

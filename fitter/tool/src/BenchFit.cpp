@@ -38,13 +38,16 @@ Contender formFrom(const std::string& word)
         form.maxBytes = static_cast<size_t>(integerFromText("--forms " + form.name,
                                                             word.substr(form.name.size() + 1), 1,
                                                             std::numeric_limits<uint64_t>::max()));
-    if (form.name != "auto") makeForm(form.name);
+    FitOptions options;
+    options.form = form.name;
+    checkOptions(options);
     return form;
 }
 
 std::optional<PeerFit> fitForm(const Contender& contender, const Source& source,
                                const BenchOptions& options)
 {
+    if (!suitsForm(source, contender.name)) return std::nullopt;
     FitOptions fit = options.fit;
     fit.form = contender.name;
     fit.maxBytes = contender.maxBytes;

@@ -38,6 +38,12 @@ double secondsToWrite(const Material& material, const std::string& path)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// All tables of a fit have one storage; svd has its own, whatever was asked for.
+std::string storageText(const Material& material)
+{
+    return storageName(material.tables.front().storage);
+}
+
 Json samplesJson(const FitOutcome& outcome)
 {
     const SampleReport& report = outcome.report;
@@ -86,7 +92,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"output", command.output},
             {"form", material.form.name},
             {"description", describe(material.form)},
-            {"storage", storageName(command.job.fit.storage)},
+            {"storage", storageText(material)},
             {"bytes", materialBytes(material)},
             {"seconds",
              {{"read", outcome.times.read},
@@ -132,6 +138,11 @@ std::string supportText(const Material& material)
            " texels are supported by no sample";
 }
 
+std::string smoothnessText(const FitSummary& summary)
+{
+    return summary.smoothness > 0.0 ? fmt::format("{:.3g}", summary.smoothness) : "none";
+}
+
 std::string energyText(const FitCommand& command, const FitSummary& summary)
 {
     if (!command.job.fit.conserve) return "as fitted (--conserve keeps albedos to 1)";
@@ -163,10 +174,10 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
            alignedTable(
                {Align::left, Align::left},
                {{"form", material.form.name + ", " + withSeparators(materialBytes(material)) +
-                             " bytes as " + storageName(command.job.fit.storage)},
+                             " bytes as " + storageText(material)},
                 {"samples", samplesText(outcome)},
                 {"support", supportText(material)},
-                {"smoothness", fmt::format("{:.3g}", outcome.summary.smoothness)},
+                {"smoothness", smoothnessText(outcome.summary)},
                 {"energy", energyText(command, outcome.summary)},
                 {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
                                         times.read, times.fit, times.measure, writeSeconds)}}) +

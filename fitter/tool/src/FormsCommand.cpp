@@ -47,7 +47,13 @@ Json formsJson()
                          {"lookups_per_light", f.lookups},
                          {"default_resolution", f.named.defaultResolution},
                          {"bytes", f.bytes}});
-    return {{"forms", forms}};
+    Json made = Json::array();
+    for (const NamedForm& named : madeForms())
+        made.push_back({{"name", named.name},
+                        {"product", named.product},
+                        {"note", named.note},
+                        {"default_resolution", named.defaultResolution}});
+    return {{"forms", forms}, {"made_forms", made}};
 }
 
 std::string formsText()
@@ -58,6 +64,9 @@ std::string formsText()
         rows.push_back({f.named.name, f.named.product, fmt::format("{}", f.lookups),
                         fmt::format("{}", f.named.defaultResolution), withSeparators(f.bytes),
                         f.named.note});
+    for (const NamedForm& named : madeForms())
+        rows.push_back({named.name, named.product, "", fmt::format("{}", named.defaultResolution),
+                        "", named.note});
     const Align l = Align::left, r = Align::right;
     return alignedTable({l, l, r, r, r, l}, rows) +
            "\nResolution and bytes are the defaults, 8 bits a texel and channel. "

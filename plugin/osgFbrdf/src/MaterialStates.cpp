@@ -126,6 +126,7 @@ fbrdf::Capabilities assumedCapabilities()
 
 MaterialStates::MaterialStates(const fbrdf::Material& material)
     : form_(material.form),
+      hasSigns_(fbrdf::hasSigns(material)),
       name_(material.name.empty() ? material.form.name : material.name),
       vertex_(vertexShader(false)),
       derivingVertex_(vertexShader(true))

@@ -32,6 +32,7 @@ public:
     explicit MaterialStates(const fbrdf::Material& material);
 
     const fbrdf::Form& form() const { return form_; }
+    bool hasSigns() const { return hasSigns_; }
     int textureUnits() const { return static_cast<int>(textures_.size()); }
     /// Program, maps, blending, depth and bin of a pass. The caller adds lights, scales and eye.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, const PassPlace& place);
@@ -52,6 +53,7 @@ private:
     void addMaps(osg::StateSet& state, int firstTextureUnit) const;
 
     fbrdf::Form form_;
+    bool hasSigns_ = false;
     std::string name_;
     std::vector<fbrdf::TableEncoding> encodings_;
     std::vector<Map> maps_;         ///< one a table

@@ -273,6 +273,7 @@ fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
         effect_.getFloatTarget() ? fbrdf::ColourFormat::rgba32f : fbrdf::ColourFormat::rgba8;
     request.offscreen = offscreen;
     request.transfer = effect_.getTransfer();
+    request.signs = effect_.getMaterial()->states()->hasSigns();
     return fbrdf::planPasses(effect_.getMaterial()->states()->form(), request,
                              assumedCapabilities());
 }

@@ -1,6 +1,7 @@
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/brdf/Material.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fbrdf {
@@ -59,6 +60,12 @@ size_t materialBytes(const Material& material)
     size_t bytes = 0;
     for (const Table& table : material.tables) bytes += table.bytes();
     return bytes;
+}
+
+bool hasSigns(const Material& material)
+{
+    return std::any_of(material.tables.begin(), material.tables.end(),
+                       [](const Table& table) { return table.storage == Storage::signedHalf; });
 }
 
 void validate(const Material& material, const std::string& where)

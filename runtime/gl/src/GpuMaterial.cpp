@@ -58,6 +58,7 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
       id_(device_->nextMaterial++),
       name_(material.name.empty() ? material.form.name : material.name),
       form_(material.form),
+      hasSigns_(fbrdf::hasSigns(material)),
       scales_(material.scales)
 {
     validate(material, "material '" + name_ + "'");
@@ -106,6 +107,7 @@ GpuMaterial::GpuMaterial(DevicePtr device, const std::vector<const Material*>& l
       id_(device_->nextMaterial++),
       name_("library of " + layers.front()->form.name),
       form_(layers.front()->form),
+      hasSigns_(fbrdf::hasSigns(*layers.front())),
       packed_(layers.size() * static_cast<size_t>(parameterLayout(form_).stride)),
       parameters_(device_, GL_RGBA32F, "material parameters")
 {

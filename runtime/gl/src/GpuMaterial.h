@@ -34,6 +34,7 @@ public:
     uint64_t id() const { return id_; }  ///< unique on its device
     const std::string& name() const { return name_; }
     const Form& form() const { return form_; }
+    bool hasSigns() const { return hasSigns_; }
     const std::vector<TableEncoding>& encodings() const { return encodings_; }
     const std::vector<GpuTable>& tables() const { return tables_; }
     const std::vector<Vec3f>& scales() const { return scales_; }
@@ -48,6 +49,7 @@ private:
     uint64_t id_;
     std::string name_;
     Form form_;
+    bool hasSigns_ = false;
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;

@@ -63,6 +63,7 @@ struct Renderer::State {
     Plan planFor(const GpuMaterial& material, PlanRequest wanted, const Target* target,
                  std::string& whyReplaced)
     {
+        wanted.signs = material.hasSigns();
         Plan plan = planPasses(material.form(), wanted, device->capabilities);
         const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
         if (target && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&
@@ -77,7 +78,11 @@ struct Renderer::State {
         whyReplaced = plan.reason;
         wanted.technique = Technique::single;
         wanted.maxLookups = 0;
-        return planPasses(material.form(), wanted, device->capabilities);
+        plan = planPasses(material.form(), wanted, device->capabilities);
+        if (!plan.feasible())
+            device->logOnce(Severity::error,
+                            "material '" + material.name() + "' not drawn: " + plan.reason);
+        return plan;
     }
 
     /// What materials come from, and a mesh.

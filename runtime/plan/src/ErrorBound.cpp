@@ -1,5 +1,5 @@
-// Derivation. Radiance is a sum of products of numbers >= 0 (but for signed tables, whose bound is
-// relative to the sum of magnitudes), so relative errors behave:
+// Derivation. Radiance is a sum of products of numbers >= 0 (signed tables have no bound), so
+// relative errors behave:
 //   a sum has at most the largest relative error of its terms; a product the sum of those of its
 //   factors; and a total that k additions build up, each rounded by u, at most k u more, for
 //   partial sums never exceed the total.

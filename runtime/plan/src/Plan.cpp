@@ -357,6 +357,22 @@ Plan planStraight(const Form& form, const PlanRequest& request, const Capabiliti
     return finished((chooseTogether ? together : apart).passes(), request);
 }
 
+/// A UNORM target clamps what every pass writes to 0: of terms with signs it can take the sum
+/// alone.
+Plan withSigns(Plan plan, const PlanRequest& request)
+{
+    plan.error.relative = std::numeric_limits<double>::infinity();
+    if (request.target == ColourFormat::rgba16f || request.target == ColourFormat::rgba32f)
+        return plan;
+    const auto writes = std::count_if(plan.passes.begin(), plan.passes.end(),
+                                      [](const Pass& p) { return p.writes == Surface::target; });
+    if (writes <= 1) return plan;
+    Plan none;
+    none.reason = std::string("terms with signs do not add up in ") +
+                  colourFormatName(request.target) + ", which holds nothing below 0";
+    return none;
+}
+
 Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     const bool offscreen = limitsOf(form, request, capabilities).offscreen;
@@ -385,7 +401,7 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
                                            : planStraight(form, request, capabilities);
     plan.technique = request.technique;
     plan.error = errorBound(plan.passes, request.target);
-    return plan;
+    return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 
 }  // namespace fbrdf

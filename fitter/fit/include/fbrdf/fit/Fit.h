@@ -42,13 +42,14 @@ class FitCache;
 std::shared_ptr<FitCache> makeFitCache();
 
 struct FitOptions {
-    std::string form = "auto";     ///< a name of namedForms(), a sum such as "io+hdio", or "auto"
+    /// A name of namedForms(), a sum such as "io+hdio", a name of madeForms(), or "auto".
+    std::string form = "auto";
     std::optional<Form> formData;  ///< a form as data, fitted as it is; `form` is ignored then
     int resolution = 0;   ///< texels along the main axis of the form; 0: the form's own default
     size_t maxBytes = 0;  ///< > 0: no material larger than this
     int lookups = 2;      ///< at least lookupsPerPass() of the form, >= 1
     int terms = 2;        ///< of auto: terms of a sum at most, >= 1
-    Storage storage = Storage::log8;
+    Storage storage = Storage::log8;  ///< of svd always signed
     Metric metric = Metric::log;
     bool robust = true;  ///< Tukey biweight reweighting of scattered samples
     std::optional<double>
@@ -110,6 +111,12 @@ struct NamedForm {
     int defaultResolution;
 };
 const std::vector<NamedForm>& namedForms();
+/// Forms whose tables no least squares in logs gives: "svd" (Svd.h), "svdN" of N terms, and
+/// "analytic" (AnalyticFactors.h). "svd" takes as many terms as maxBytes holds, 4 without it.
+const std::vector<NamedForm>& madeForms();
+/// False for a made form that has nothing to go on: analytic without a model that has factors, svd
+/// with scattered samples that are not known to be isotropic. Throws Error(usage) as checkOptions.
+bool suitsForm(const Source& source, const std::string& form);
 /// A named form, or a sum of named forms: "io+hdio". Throws Error(usage) for an unknown name.
 /// `resolution` 0: the default.
 Form makeForm(const std::string& name, int resolution = 0);

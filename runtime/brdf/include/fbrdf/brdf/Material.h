@@ -25,6 +25,9 @@ struct Material {
 /// Bytes of all tables: texels x channels x bytes a channel.
 size_t materialBytes(const Material& material);
 
+/// True when a table may hold negative values: terms, and sums of some of them, may be negative.
+bool hasSigns(const Material& material);
+
 /// Throws Error(input) naming `where` unless form, tables and scales agree and every number is
 /// finite.
 void validate(const Material& material, const std::string& where);

@@ -71,6 +71,7 @@ struct PlanRequest {
     bool offscreen = true;  ///< accumulation and scratch surfaces may be used (a multisampled
                             ///< target cannot: edges would read texels that nothing was drawn to)
     Transfer transfer = Transfer::linear;  ///< a curve comes after the sum over all passes
+    bool signs = false;  ///< hasSigns(material): no pass but the last may clamp at 0
 };
 
 /// Throws Error(usage) for a request out of range.
@@ -79,8 +80,8 @@ void validate(const PlanRequest& request);
 /// How far what is stored may be from what the definition gives after exposure and transfer:
 ///     |stored - exact| <= relative x max(|exact|, mean / 1000) + absolute
 /// before UNORM clamps to 1. mean: of the pixels that are lit; below a thousandth of it the
-/// rounding of the cosine dominates. Holds for tables without signs; the derivation is in
-/// ErrorBound.cpp.
+/// rounding of the cosine dominates. Nothing is claimed of a material with signs, whose terms may
+/// cancel: relative is infinite. The derivation is in ErrorBound.cpp.
 struct ErrorBound {
     double relative = 0.0, absolute = 0.0;
 };

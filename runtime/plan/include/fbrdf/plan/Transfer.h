@@ -34,10 +34,12 @@ T srgbFromLinear(T x)
 }
 
 /// Reinhard, Stark, Shirley, Ferwerda 2002, "Photographic Tone Reproduction for Digital Images",
-/// Eq. 4, on each channel, with 4 as the smallest value that becomes white.
+/// Eq. 4, on each channel, with 4 as the smallest value that becomes white; below 0 (of materials
+/// with signs) it is 0.
 template <class T>
-T toneMapped(T x)
+T toneMapped(T radiance)
 {
+    const T x = std::max(T(0), radiance);
     return std::min(T(1), x * (T(1) + x / T(16)) / (T(1) + x));
 }
 

@@ -1,5 +1,7 @@
-#include <fbrdf/peers/AnalyticFactors.h>
+#include <fbrdf/fit/AnalyticFactors.h>
 
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/fit/Fit.h>
 #include <fbrdf/fit/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
@@ -57,6 +59,44 @@ TEST(AnalyticFactors, AreValidReciprocalMaterials)
 TEST(AnalyticFactors, AreOfNoOtherModel)
 {
     EXPECT_FALSE(analyticFactors("ggx", 16, Storage::log8));
+}
+
+FitOptions analytic()
+{
+    FitOptions options;
+    options.form = "analytic";
+    options.threads = 1;
+    options.heldOut = false;
+    return options;
+}
+
+TEST(AnalyticFactors, AreAForm)
+{
+    FitOptions options = analytic();
+    options.storage = Storage::half;
+    const Source source = makeModelSource("ward-rolled-brass");
+    const FitResult result = fitMaterial(source, options);
+    EXPECT_EQ(result.material.form.name, "analytic");
+    EXPECT_EQ(lookupsPerLight(result.material.form), 1);
+    EXPECT_EQ(result.summary.smoothness, 0.0);
+    options.maxBytes = 5000;
+    EXPECT_LE(materialBytes(fitMaterial(source, options).material), 5000u);
+    options.maxBytes = 100;
+    EXPECT_THROW(fitMaterial(source, options), Error);
+}
+
+TEST(AnalyticFactors, SayWhichModelsHaveThem)
+{
+    try {
+        fitMaterial(makeModelSource("ggx"), analytic());
+        FAIL() << "ggx was taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_NE(std::string(error.what()).find("ward, ashikhmin-shirley"), std::string::npos);
+    }
+    FitOptions linear = analytic();
+    linear.storage = Storage::linear8;
+    EXPECT_THROW(checkOptions(linear), Error);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <fbrdf/peers/AnalyticFactors.h>
+#include <fbrdf/fit/AnalyticFactors.h>
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/Model.h>
@@ -11,7 +11,8 @@ namespace fbrdf {
 namespace {
 
 constexpr double kGamma = 0.5;       // of q's map: texels where the highlight is
-constexpr int kAngles = 32;          // knots over theta_i, theta_o, theta_d
+constexpr int kAngles = 32;          // knots over theta_i, theta_o of T
+constexpr int kKnots = 64;           // of a uniform array over one angle
 constexpr double kSmallest = 1e-12;  // a factor's logarithm must be finite
 constexpr double kGrazing = 1e-3;    // the knot at the horizon stands for this cosine
 
@@ -73,29 +74,32 @@ TableSpec pairTable(const std::string& name)
     return {name, GridDomain{{cosineAxis(kAngles), cosineAxis(kAngles)}, true}, false};
 }
 
+TableSpec curve(const std::string& name, const Axis& axis)
+{
+    return {name, GridDomain{{axis}}, true};
+}
+
 TableSpec lobeTable(int size)
 {
     return {"q", DiscDomain::fitting(size, kGamma), false};
 }
 
-const std::vector<Angle> kBothAngles{Angle::theta_i, Angle::theta_o};
+const std::vector<Angle> kThetaI{Angle::theta_i}, kThetaO{Angle::theta_o}, kThetaD{Angle::theta_d},
+    kBothAngles{Angle::theta_i, Angle::theta_o};
 
-// Ward 1992, Eq. 5: q holds the Gaussian, T the 1 / sqrt(cos cos), D the Lambertian.
+// Ward 1992, Eq. 5: q holds the Gaussian, p the 1 / sqrt(cos), D the Lambertian.
 Material wardFactors(const ModelValues& values, int size)
 {
     const double ax = values.at("alpha_x").x, ay = values.at("alpha_y").x;
     Material m;
-    m.form.name = "analytic-ward";
-    m.form.tables = {lobeTable(size),
-                     pairTable("T"),
-                     {"D", GridDomain{{cosineAxis(2), cosineAxis(2)}, true}, false}};
-    m.form.terms = {{{{0, Direction::h}, {1, kBothAngles}}}, {{{2, kBothAngles}}}};
+    m.form.tables = {lobeTable(size), curve("p", cosineAxis(kKnots)), curve("D", cosineAxis(2))};
+    m.form.terms = {{{{1, kThetaO}, {0, Direction::h}, {1, kThetaI}}}, {{{2, kThetaI}}}};
     m.tables.push_back(discTable(m.form.tables[0], [=](const Vec3d& h) {
         const double z = std::max(h.z, kGrazing), x = h.x / (ax * z), y = h.y / (ay * z);
         return Vec3d(std::exp(-x * x - y * y));
     }));
     m.tables.push_back(angleTable(
-        m.form.tables[1], [](double a, double b) { return Vec3d(1.0 / std::sqrt(a * b)); }));
+        m.form.tables[1], [](double cosine, double) { return Vec3d(1.0 / std::sqrt(cosine)); }));
     m.tables.push_back(angleTable(m.form.tables[2], [](double, double) { return Vec3d(1.0); }));
     m.scales = {Vec3f(values.at("rho_s") / (4.0 * kPi * ax * ay)), Vec3f(values.at("rho_d") / kPi)};
     return m;
@@ -113,14 +117,10 @@ Material ashikhminShirleyFactors(const ModelValues& values, int size)
     const double nu = values.at("nu").x, nv = values.at("nv").x;
     const Vec3d ks = values.at("ks");
     Material m;
-    m.form.name = "analytic-ashikhmin-shirley";
-    m.form.tables = {lobeTable(size),
-                     {"r", GridDomain{{{kAngles, {}}}, false}, true},
-                     pairTable("T"),
-                     pairTable("D")};
-    m.form.terms = {
-        {{{0, Direction::h}, {1, std::vector<Angle>{Angle::theta_d}}, {2, kBothAngles}}},
-        {{{3, kBothAngles}}}};
+    m.form.tables = {lobeTable(size), curve("r", {kKnots, {}}), pairTable("T"),
+                     curve("d", cosineAxis(kKnots))};
+    m.form.terms = {{{{0, Direction::h}, {1, kThetaD}, {2, kBothAngles}}},
+                    {{{3, kThetaO}, {3, kThetaI}}}};
     m.tables.push_back(discTable(m.form.tables[0], [=](const Vec3d& h) {
         const double s = h.x * h.x + h.y * h.y;
         const double n = s > 0.0 ? (nu * h.x * h.x + nv * h.y * h.y) / s : 0.0;
@@ -131,26 +131,37 @@ Material ashikhminShirleyFactors(const ModelValues& values, int size)
     }));
     m.tables.push_back(angleTable(m.form.tables[2],
                                   [](double a, double b) { return Vec3d(1.0 / std::max(a, b)); }));
-    m.tables.push_back(angleTable(m.form.tables[3], [](double a, double b) {
-        return Vec3d(diffuseShape(a) * diffuseShape(b));
-    }));
+    m.tables.push_back(angleTable(
+        m.form.tables[3], [](double cosine, double) { return Vec3d(diffuseShape(cosine)); }));
     m.scales = {Vec3f(static_cast<float>(std::sqrt((nu + 1.0) * (nv + 1.0)) / (8.0 * kPi))),
                 Vec3f(values.at("kd") * (1.0 - ks) * (28.0 / (23.0 * kPi)))};
     return m;
 }
 
+using Writer = Material (*)(const ModelValues& values, int size);
+
+// None for a model without factors of its own.
+Writer writerOf(const std::string& model)
+{
+    if (model == "ward") return wardFactors;
+    if (model == "ashikhmin-shirley") return ashikhminShirleyFactors;
+    return nullptr;
+}
+
 }  // namespace
+
+bool hasAnalyticFactors(const std::string& spec)
+{
+    return namesModel(spec) && writerOf(parseModelSpec(spec).model->name);
+}
 
 std::optional<Material> analyticFactors(const std::string& spec, int size, Storage storage)
 {
     const ModelSpec model = parseModelSpec(spec);
-    Material material;
-    if (model.model->name == "ward")
-        material = wardFactors(model.values, size);
-    else if (model.model->name == "ashikhmin-shirley")
-        material = ashikhminShirleyFactors(model.values, size);
-    else
-        return std::nullopt;
+    const Writer writer = writerOf(model.model->name);
+    if (!writer) return std::nullopt;
+    Material material = writer(model.values, size);
+    material.form.name = "analytic";
     for (Table& table : material.tables) table = quantized(table, storage);
     material.name = spec;
     return material;
