@@ -130,9 +130,10 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
     const bool direct = isLinear(problem, options.metric);
     StepOptions last = lastStep(options, fixed ? options.smoothness : kFirstSmoothness);
     if (!direct) last.damping = kFirstDamping;
-    // A plain linear problem needs no start.
-    const State x = direct && !options.robust ? problem.flatState()
-                                              : solveAt(problem, options, last.smoothness);
+    // A sum finds its way down a smooth slope; a plain linear problem needs no start.
+    const double start = direct ? last.smoothness : std::max(last.smoothness, kFirstSmoothness);
+    const State x =
+        direct && !options.robust ? problem.flatState() : solveAt(problem, options, start);
     if (fixed && direct) return {problem.step(x, last), last.smoothness};
     if (fixed) return {descend(problem, x, last, kLastSteps), last.smoothness};
     if (direct) {
