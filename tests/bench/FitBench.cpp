@@ -1,19 +1,19 @@
 // fbrdf-fit-bench: seconds of fits, reading apart, and how they grow. Every figure that the
 // documentation states about the speed and memory of the fitter comes from here.
+#include "FitTiming.h"
+
 #include <fbrdf/brdf/Error.h>
-#include <fbrdf/fit/Fit.h>
 #include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/peers/Peer.h>
 #include <fbrdf/sources/Source.h>
 #include <fbrdf/sources/Write.h>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -31,40 +31,6 @@ struct Settings {
     uint64_t rows = 2000000;
     int materials = 100;
 };
-
-struct Timing {
-    double seconds = 0.0, cpu = 0.0;  ///< of the fit, and of the process during it and its report
-};
-
-double cpuSeconds()
-{
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double peakMegabytes()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-Timing timed(const Source& source, const FitOptions& options)
-{
-    const double before = cpuSeconds();
-    const FitResult result = fitMaterial(source, options);
-    return {result.summary.seconds, cpuSeconds() - before};
-}
-
-// The fastest of several: what other processes take is no part of the figure.
-Timing best(const Settings& settings, const Source& source, const FitOptions& options)
-{
-    Timing least{1e9, 1e9};
-    for (int i = 0; i < settings.repeat; ++i) {
-        const Timing t = timed(source, options);
-        if (t.seconds < least.seconds) least = t;
-    }
-    return least;
-}
 
 FitOptions formOptions(const std::string& form, bool robust)
 {
@@ -97,10 +63,20 @@ Source scattered(const Source& function, size_t count)
     return source;
 }
 
-void print(const std::string& what, const Timing& timing, const std::string& more = "")
+// Many materials measured on one grid: seconds after 1, 3, 10, ... of them.
+void benchMany(const Settings& settings, const Source& source, bool robust)
 {
-    fmt::print("{:<52} {:>9.3f} s  cpu {:>8.3f} s  {}\n", what, timing.seconds, timing.cpu, more);
-    std::fflush(stdout);
+    FitOptions options = formOptions("hdio", robust);
+    options.cache = makeFitCache();
+    Timing sum;
+    int next = 1;
+    for (int i = 1; i <= settings.materials; ++i) {
+        sum += timed(source, options);
+        if (i != next && i != settings.materials) continue;
+        print(fmt::format("{} MERL grids, hdio, {}", i, robust ? "robust" : "plain"), sum,
+              fmt::format("{:.3f} s each", sum.seconds / i));
+        next = next % 3 == 0 ? next / 3 * 10 : next * 3;
+    }
 }
 
 void benchMerl(const Settings& settings)
@@ -108,26 +84,34 @@ void benchMerl(const Settings& settings)
     const TemporaryFile file(".binary");
     writeMerl(openSource(kPlastic), file.path());
     const Source source = openSource(file.path());
-    print("MERL grid, RGB, hdio, plain, cold", best(settings, source, formOptions("hdio", false)));
+    print("MERL grid, RGB, hdio, plain, cold",
+          best(settings.repeat, source, formOptions("hdio", false)));
     FitOptions cached = formOptions("hdio", false);
     cached.cache = makeFitCache();
     timed(source, cached);
-    print("MERL grid, RGB, hdio, plain, grid cached", best(settings, source, cached));
-    print("MERL grid, RGB, hdio, robust", best(settings, source, formOptions("hdio", true)));
-    for (const bool robust : {false, true}) {
-        FitOptions options = formOptions("hdio", robust);
-        options.cache = makeFitCache();
-        Timing sum;
-        for (int i = 0; i < settings.materials; ++i) {
-            const Timing t = timed(source, options);
-            sum.seconds += t.seconds;
-            sum.cpu += t.cpu;
-        }
-        print(
-            fmt::format("{} MERL grids, hdio, {}", settings.materials, robust ? "robust" : "plain"),
-            sum);
+    print("MERL grid, RGB, hdio, plain, grid cached", best(settings.repeat, source, cached));
+    print("MERL grid, RGB, hdio, robust", best(settings.repeat, source, formOptions("hdio", true)));
+    benchMany(settings, source, false);
+    benchMany(settings, source, true);
+    print("MERL grid, RGB, auto", best(settings.repeat, source, formOptions("auto", true)));
+}
+
+// What others need for the same table, in the same run.
+void benchPeers(const Settings& settings)
+{
+    const TemporaryFile file(".binary");
+    writeMerl(openSource(kPlastic), file.path());
+    const Source source = openSource(file.path());
+    const Timing ours = best(settings.repeat, source, formOptions("hdio", false));
+    print("MERL grid, RGB, hdio, plain", ours);
+    for (const Peer& peer : peers()) {
+        PeerContext context;
+        const auto fit = peer.fit(source, context);
+        if (!fit || fit->seconds == 0.0) continue;
+        fmt::print("{:<48} {:>8.3f} s  {:.1f} times hdio\n", "MERL grid, RGB, " + peer.title,
+                   fit->seconds, fit->seconds / ours.seconds);
     }
-    print("MERL grid, RGB, auto", timed(source, formOptions("auto", true)));
+    if (!peersLeftOut().empty()) fmt::print("{}\n", peersLeftOut());
 }
 
 void benchScattered(const Settings& settings)
@@ -136,7 +120,8 @@ void benchScattered(const Settings& settings)
         scattered(openSource("ggx:alpha_x=0.1,alpha_y=0.4,f0=0.9/0.7/0.4,kd=0"), 150000);
     FitOptions options = formOptions("pqp", false);
     options.resolution = 64;
-    print("150,000 scattered samples, RGB, pqp 64 x 64, plain", best(settings, source, options));
+    print("150,000 scattered samples, RGB, pqp 64 x 64, plain",
+          best(settings.repeat, source, options));
 }
 
 void writeColumns(const Source& function, uint64_t rows, const std::string& path)
@@ -157,31 +142,31 @@ void writeColumns(const Source& function, uint64_t rows, const std::string& path
 
 void benchColumns(const Settings& settings)
 {
-    const TemporaryFile file(".f32c");
-    writeColumns(openSource(kPlastic), settings.rows, file.path());
-    const Source source = openSource(file.path());
-    for (const bool robust : {false, true}) {
-        const Timing t = timed(source, formOptions("hdio", robust));
-        print(fmt::format("{} streamed rows, hdio, {}", settings.rows, robust ? "robust" : "plain"),
-              t,
-              fmt::format("{:.2f} M rows/s, peak {:.0f} MB",
-                          static_cast<double>(settings.rows) / t.seconds / 1e6, peakMegabytes()));
+    for (const uint64_t rows : {settings.rows / 4, settings.rows}) {
+        const TemporaryFile file(".f32c");
+        writeColumns(openSource(kPlastic), rows, file.path());
+        const Source source = openSource(file.path());
+        for (const bool robust : {false, true}) {
+            const Timing t = timed(source, formOptions("hdio", robust));
+            print(fmt::format("{} streamed rows, hdio, {}", rows, robust ? "robust" : "plain"), t,
+                  fmt::format("{:.2f} M rows/s", static_cast<double>(rows) / t.seconds / 1e6));
+        }
     }
 }
 
 void benchGrowth(const Settings& settings)
 {
     const Source plastic = openSource(kPlastic);
-    for (const size_t count : {10000, 40000, 160000, 640000, 2560000})
+    for (const size_t count : {10000, 30000, 100000, 300000, 1000000, 2900000})
         print(fmt::format("{} samples, hdio, plain", count),
-              best(settings, scattered(plastic, count), formOptions("hdio", false)));
+              best(settings.repeat, scattered(plastic, count), formOptions("hdio", false)));
     const Source samples = scattered(plastic, 160000);
     for (const char* form : {"hdio", "pqp"})
         for (const int resolution : {16, 32, 48, 64, 96, 128}) {
             FitOptions options = formOptions(form, false);
             options.resolution = resolution;
             print(fmt::format("160,000 samples, {} of {}", form, resolution),
-                  best(settings, samples, options));
+                  best(settings.repeat, samples, options));
         }
 }
 
@@ -189,16 +174,18 @@ using Bench = std::pair<const char*, void (*)(const Settings&)>;
 constexpr Bench kBenches[] = {{"merl", benchMerl},
                               {"scattered", benchScattered},
                               {"columns", benchColumns},
-                              {"growth", benchGrowth}};
+                              {"growth", benchGrowth},
+                              {"peers", benchPeers}};
 
 }  // namespace
 }  // namespace fbrdf
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Seconds of fits, reading apart; cpu counts the held-out errors as well.");
+    CLI::App app(
+        "Seconds of fits, reading apart; the most anonymous memory; cpu counts reading as well.");
     fbrdf::Settings settings;
-    app.add_option("--only", settings.only, "merl, scattered, columns, growth; default all")
+    app.add_option("--only", settings.only, "merl, scattered, columns, growth, peers; default all")
         ->delimiter(',');
     app.add_option("--repeat", settings.repeat, "fits of which the fastest counts");
     app.add_option("--rows", settings.rows, "of the streamed file: 36 bytes each");

@@ -282,6 +282,19 @@ TEST(Cache, AnotherGridIsNotMistakenForIt)
     }
 }
 
+TEST(Sums, AGivenStrengthGetsAsFarAsTheSameOneChosen)
+{
+    Problem problem(test::sourceOf(test::Ggx{0.1, 0.1, 0.04, 0.3}), 20000);
+    const LeastSquares squares(makeForm("io+hdio", 32), problem.feed, problem.traits, 1, 2);
+    SolveOptions options;
+    options.robust = true;
+    const Solution chosen = solve(squares, options);
+    options.smoothness = chosen.smoothness;
+    const State given = solve(squares, options).x;
+    StepOptions plain;
+    EXPECT_LT(squares.cost(given, plain, given), 1.5 * squares.cost(chosen.x, plain, chosen.x));
+}
+
 TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);

@@ -15,6 +15,7 @@ constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
 constexpr int kMaxSteps = 24, kFineSteps = 4, kLastSteps = 2;
+constexpr int kRounds = 3;             // of choosing the smoothness of a sum
 constexpr size_t kCoarseRows = 32768;  // find the way for the halved form of a sum
 constexpr size_t kStartRows = 262144;  // find it for all rows; a last step is taken on all
 constexpr double kFirstDamping = 1e-3, kMaxDamping = 1e3;
@@ -59,35 +60,6 @@ State descend(const LeastSquares& problem, State x, StepOptions options, int max
     return x;
 }
 
-// A sum of terms: the way down is found on a quarter of the texels and few samples, the last steps
-// are taken in full.
-State solveSum(const LeastSquares& problem, const StepOptions& step)
-{
-    const LeastSquares thin = problem.thinned(kCoarseRows, step.excludedFold);
-    const LeastSquares coarse = thin.withForm(halved(problem.form()));
-    StepOptions all = step;
-    all.excludedFold = kNoFold;  // the thinned samples have none of it
-    const State x = descend(coarse, coarse.flatState(), all, kMaxSteps);
-    return descend(problem, prolonged(coarse, x, problem), step, kFineSteps);
-}
-
-State solveAt(const LeastSquares& problem, const SolveOptions& options, double smoothness)
-{
-    StepOptions step;
-    step.smoothness = smoothness;
-    step.excludedFold = options.excludedFold;
-    State x = problem.form().terms.size() == 1 ? problem.step(problem.flatState(), step)
-                                               : solveSum(problem, step);
-    step.metric = options.metric;
-    if (options.metric != Metric::log) x = descend(problem, std::move(x), step, kMaxSteps);
-    step.robust = options.robust;
-    if (!options.robust) return x;
-    if (!isLinear(problem, options.metric))
-        return descend(problem, std::move(x), step, kRobustSteps);
-    for (int i = 0; i < kRobustSteps; ++i) x = problem.step(x, step);
-    return x;
-}
-
 // Folds that choose the smoothness. Within a fit that leaves a fold out, that fold must not choose
 // either.
 std::vector<int> choosingFolds(const SolveOptions& options)
@@ -123,24 +95,80 @@ Solution bestNearby(const LeastSquares& problem, const SolveOptions& options, co
     return {x, last.smoothness};
 }
 
+// A problem that is not linear leans on smoothness on its way down: less of it may do the better
+// the nearer it has come. A given strength is kept.
+Solution settled(const LeastSquares& problem, const SolveOptions& options, Solution near, int steps)
+{
+    const bool fixed = options.smoothness > 0.0;
+    for (int round = 0; round < kRounds; ++round) {
+        const double before = near.smoothness;
+        StepOptions last = lastStep(options, before);
+        last.damping = kFirstDamping;
+        if (fixed)
+            near.smoothness = options.smoothness;
+        else
+            near = bestNearby(problem, options, near.x, last);
+        near.x = descend(problem, std::move(near.x), lastStep(options, near.smoothness), steps);
+        if (fixed || near.smoothness == before) break;
+    }
+    return near;
+}
+
+// A sum of terms: the way down is found on a quarter of the texels and few samples, the last steps
+// are taken in full.
+Solution solveSum(const LeastSquares& problem, const SolveOptions& options)
+{
+    const LeastSquares thin = problem.thinned(kCoarseRows, options.excludedFold);
+    const LeastSquares coarse = thin.withForm(halved(problem.form()));
+    SolveOptions plain = options;
+    plain.metric = Metric::log;
+    plain.robust = false;
+    SolveOptions part = plain;
+    part.excludedFold = kNoFold;  // the thinned samples have none of it
+    const StepOptions first = lastStep(part, std::max(options.smoothness, kFirstSmoothness));
+    Solution near{descend(coarse, coarse.flatState(), first, kMaxSteps), first.smoothness};
+    near = settled(coarse, part, std::move(near), kMaxSteps);
+    near.x = descend(problem, prolonged(coarse, near.x, problem), lastStep(plain, near.smoothness),
+                     kFineSteps);
+    return near;
+}
+
+// The plain solution, then the metric, then robust weights.
+Solution solveStart(const LeastSquares& problem, const SolveOptions& options)
+{
+    const double strength = options.smoothness > 0.0 ? options.smoothness : kFirstSmoothness;
+    StepOptions step = lastStep(options, strength);
+    step.metric = Metric::log;
+    step.robust = false;
+    Solution near = problem.form().terms.size() == 1
+                        ? Solution{problem.step(problem.flatState(), step), strength}
+                        : solveSum(problem, options);
+    step = lastStep(options, near.smoothness);
+    step.robust = false;
+    if (options.metric != Metric::log)
+        near.x = descend(problem, std::move(near.x), step, kMaxSteps);
+    step.robust = options.robust;
+    if (!options.robust) return near;
+    if (!isLinear(problem, options.metric))
+        near.x = descend(problem, std::move(near.x), step, kRobustSteps);
+    else
+        for (int i = 0; i < kRobustSteps; ++i) near.x = problem.step(near.x, step);
+    return near;
+}
+
 // All samples, all texels, nothing known before.
 Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
 {
-    const bool fixed = options.smoothness > 0.0;
     const bool direct = isLinear(problem, options.metric);
-    StepOptions last = lastStep(options, fixed ? options.smoothness : kFirstSmoothness);
-    if (!direct) last.damping = kFirstDamping;
-    // A sum finds its way down a smooth slope; a plain linear problem needs no start.
-    const double start = direct ? last.smoothness : std::max(last.smoothness, kFirstSmoothness);
-    const State x =
-        direct && !options.robust ? problem.flatState() : solveAt(problem, options, start);
-    if (fixed && direct) return {problem.step(x, last), last.smoothness};
-    if (fixed) return {descend(problem, x, last, kLastSteps), last.smoothness};
-    if (direct) {
-        auto choice = problem.stepWithBest(x, last, kSmoothnessLadder, choosingFolds(options));
-        return {std::move(choice.x), choice.smoothness};
-    }
-    return bestNearby(problem, options, x, last);
+    // A plain linear problem needs no start.
+    const Solution start = direct && !options.robust
+                               ? Solution{problem.flatState(), options.smoothness}
+                               : solveStart(problem, options);
+    if (!direct) return settled(problem, options, start, kFineSteps);
+    const StepOptions last = lastStep(options, start.smoothness);
+    if (options.smoothness > 0.0) return {problem.step(start.x, last), last.smoothness};
+    auto choice = problem.stepWithBest(start.x, last, kSmoothnessLadder, choosingFolds(options));
+    return {std::move(choice.x), choice.smoothness};
 }
 
 // The last step from a solution that is near.
