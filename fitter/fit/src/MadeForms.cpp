@@ -176,7 +176,7 @@ SampleErrors madeHeldOutErrors(const Source& source, const Job& job, const Fitte
     }
     for (int fold = 0; !source.evaluate && fold < job.folds; ++fold) {
         const Material material = svdOf(source, job, fitted.material.form, fold);
-        const auto part = probeOf(job, fold);
+        const auto part = probeOf(job, FoldChoice::onlyOf(fold));
         const auto found = evaluateAt(material, part, job.options.threads);
         held.insert(held.end(), part.begin(), part.end());
         values.insert(values.end(), found.begin(), found.end());
