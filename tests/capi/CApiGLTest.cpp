@@ -167,6 +167,90 @@ TEST_P(CApiGL, FaultsAreResultsAndLogLines)
     EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_GL);
 }
 
+TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    abi::Brdf brdf;
+    abi::Material material;
+    abi::Mesh mesh;
+    abi::Hooks hooks;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
+    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
+    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
+    // Nowhere until the hook brings it into view, by what the extra array holds.
+    const float positions[12] = {-2, -2, 50, 2, -2, 50, 2, 2, 50, -2, 2, 50},
+                normals[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
+                shift[16] = {50, 0, 0, 0, 50, 0, 0, 0, 50, 0, 0, 0, 50, 0, 0, 0};
+    const float* const extra[] = {shift};
+    const uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
+    auto shape = abi::describe<fbrdf_mesh_desc>();
+    shape.vertex_count = 4;
+    shape.index_count = 6;
+    shape.positions = positions;
+    shape.normals = normals;
+    shape.indices = indices;
+    shape.extra_count = 1;
+    shape.extra = extra;
+    ASSERT_EQ(mesh.create(fbrdf_mesh_create, renderer.get(), &shape), FBRDF_OK);
+    struct Host {
+        const GladGLContext& gl;
+        int calls;
+    } host{gl(), 0};
+    auto given = abi::describe<fbrdf_hooks_desc>();
+    given.vertex =
+        "FBRDF_ATTRIBUTE vec4 fbrdfExtra0;\n"
+        "void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 tangent)\n"
+        "{ position.z -= fbrdfExtra0.x; }\n";
+    given.shadow =
+        "uniform float shade;\nfloat fbrdfShadow(int light, vec3 position, vec3 toLight)\n"
+        "{ return light == 1 ? shade : 0.0; }\n";
+    given.shadow_uniforms = 1;
+    given.user = &host;
+    given.set_uniforms = [](void* user, uint32_t program) {
+        Host& h = *static_cast<Host*>(user);
+        h.gl.Uniform1f(h.gl.GetUniformLocation(program, "shade"), 0.5f);
+        ++h.calls;
+    };
+    ASSERT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_OK);
+
+    Offscreen offscreen = makeOffscreen(kSize);
+    fbrdf_light lights[2]{};
+    for (fbrdf_light& light : lights) {
+        light.type = FBRDF_DIRECTIONAL;
+        light.position[2] = 1.0f;
+        for (float& channel : light.intensity) channel = 2.0f;
+    }
+    fbrdf_item item{};
+    item.material = material.get();
+    item.mesh = mesh.get();
+    item.hooks = hooks.get();
+    auto draw = abi::describe<fbrdf_draw_desc>();
+    draw.framebuffer = offscreen.framebuffer();
+    draw.width = draw.height = kSize;
+    for (const int diagonal : {0, 5, 10, 15})
+        item.model[diagonal] = draw.view[diagonal] = draw.projection[diagonal] = 1.0f;
+    draw.projection[10] = -1.0f;  // looks along -z
+    draw.item_count = 1;
+    draw.item_size = sizeof item;
+    draw.items = &item;
+    draw.light_count = 2;
+    draw.light_size = sizeof(fbrdf_light);
+    draw.lights = lights;
+    ASSERT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    expectPlainPicture(offscreen.readPixels());  // half of twice what plain.c's light gives
+    EXPECT_EQ(host.calls, 1);
+    draw.item_size = offsetof(fbrdf_item, hooks);  // an older caller's: not brought into view
+    offscreen.clear();
+    ASSERT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    EXPECT_EQ(offscreen.readPixels()[3], 0.0f);
+    expectMessages();
+    given.shadow = "nonsense";
+    EXPECT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_ERROR_INPUT);
+    EXPECT_TRUE(hooks);
+}
+
 TEST_P(CApiGL, AMaterialThatCannotBeReplacedStays)
 {
     Lines lines;

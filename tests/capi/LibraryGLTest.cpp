@@ -154,7 +154,9 @@ TEST_P(CApiLibrary, AMaterialKeepsItsLastGoodFile)
 {
     abi::Material material;
     ASSERT_EQ(material.create(fbrdf_material_create, renderer_.get(), brdfs_[0].get()), FBRDF_OK);
-    fbrdf_item item{material.get(), mesh_.get(), {}};
+    fbrdf_item item{};
+    item.material = material.get();
+    item.mesh = mesh_.get();
     for (const int diagonal : {0, 5, 10, 15}) item.model[diagonal] = 1.0f;
     const auto drawn = [&] {
         Offscreen offscreen = makeOffscreen(kSize);

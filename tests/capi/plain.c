@@ -50,6 +50,7 @@ static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_material* materia
                          fbrdf_draw_stats* stats)
 {
     fbrdf_item item;
+    memset(&item, 0, sizeof item);
     item.material = material;
     item.mesh = mesh;
     identity(item.model);

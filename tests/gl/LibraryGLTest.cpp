@@ -48,10 +48,6 @@ std::vector<gl::Instance> rows(int count, int materials)
 
 class Library : public GlTest {
 protected:
-    struct Drawn {
-        std::vector<float> pixels;
-        gl::DrawStats stats;
-    };
     bool packs() const { return !GetParam().legacy; }
 
     Drawn drawBatch(gl::Renderer& renderer, const gl::GpuLibrary& library, const gl::GpuMesh& mesh,
@@ -77,12 +73,7 @@ protected:
         std::vector<gl::Item> items;
         for (const gl::Instance& i : instances)
             items.push_back({made[static_cast<size_t>(i.material)].get(), &mesh, i.model});
-        Offscreen offscreen = makeOffscreen(kSize);
-        Drawn drawn;
-        drawn.stats = renderer.draw({offscreen.framebuffer(), kSize, kSize}, orthographicView(),
-                                    items, testLights(lights));
-        drawn.pixels = offscreen.readPixels();
-        return drawn;
+        return drawItems(renderer, kSize, orthographicView(), items, testLights(lights));
     }
 
     static void expectEqual(const Drawn& a, const Drawn& b, double most, const std::string& what)

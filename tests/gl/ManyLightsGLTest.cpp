@@ -34,21 +34,12 @@ std::vector<Light> smallLights(int count)
 
 class ManyLights : public GlTest {
 protected:
-    struct Drawn {
-        std::vector<float> pixels;
-        gl::DrawStats stats;
-    };
     Drawn draw(gl::Renderer& renderer, const std::vector<Light>& lights,
                const gl::DrawOptions& options, const gl::View& view = perspectiveView())
     {
         const auto material = renderer.createMaterial(testMaterials()[0]);
         const auto mesh = renderer.createMesh(knotMesh(48, 8));
-        Offscreen offscreen = makeOffscreen(kSize);
-        Drawn drawn;
-        drawn.stats = renderer.draw({offscreen.framebuffer(), kSize, kSize}, view,
-                                    {{material.get(), mesh.get()}}, lights, options);
-        drawn.pixels = offscreen.readPixels();
-        return drawn;
+        return drawItems(renderer, kSize, view, {{material.get(), mesh.get()}}, lights, options);
     }
     bool hasLists() const { return !GetParam().legacy; }
 };

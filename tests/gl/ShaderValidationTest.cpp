@@ -148,7 +148,7 @@ TEST_F(ShaderValidation, AcceptsBuiltInInputs)
 {
     const Material material = test::testMaterials().front();
     const std::vector<TableEncoding> encodings(material.form.tables.size());
-    for (const SurfaceInputs inputs : {SurfaceInputs{true, false}, SurfaceInputs{true, true}}) {
+    for (const SurfaceInputs& inputs : {SurfaceInputs{true, false}, SurfaceInputs{true, true}}) {
         const std::string fragment =
             fragmentSource(material.form, encodings,
                            ProgramSpec{{{0, {0, 1, 2}, true}}, 1, true, false}, 120, inputs);
@@ -175,6 +175,34 @@ TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
                     << fragment;
             }
     for (const int glsl : {120, 100, 300}) EXPECT_THROW(vertexSource(glsl, inputs), Error);
+}
+
+TEST_F(ShaderValidation, AcceptsHooksNormalMapsAndDerivedTangents)
+{
+    SurfaceInputs inputs;
+    inputs.normalMap = inputs.derivedTangent = true;
+    inputs.vertexHook =
+        "FBRDF_ATTRIBUTE vec4 fbrdfExtra0;\n"
+        "void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 tangent)\n"
+        "{ position += fbrdfExtra0.xyz; normal.x += 0.5; tangent.w = -tangent.w; }\n";
+    inputs.shadowHook =
+        "uniform float shade;\nfloat fbrdfShadow(int light, vec3 position, vec3 toLight)\n"
+        "{ return light == 1 ? shade : toLight.x; }\n";
+    const Form form = formPqp(8, 0.5);
+    for (const int glsl : {120, 140, 150, 330, 450, 100, 300})
+        for (const int lights : {1, 4})
+            for (const bool clustered : {false, true}) {
+                if (clustered && (glsl == 120 || glsl == 100 || glsl == 300)) continue;
+                ProgramSpec spec{{{0, {0, 1, 2}, true}}, lights, true, false};
+                spec.clustered = clustered;
+                const std::string fragment =
+                    fragmentSource(form, std::vector<TableEncoding>(2), spec, glsl, inputs);
+                EXPECT_EQ(validate(write("surface.vert", vertexSource(glsl, inputs)) + " " +
+                                   write("surface.frag", fragment)),
+                          0)
+                    << glsl << "\n"
+                    << fragment;
+            }
 }
 
 TEST_F(ShaderValidation, LinksTheStages)

@@ -41,6 +41,11 @@ struct fbrdf_mesh {
     std::shared_ptr<fbrdf::gl::GpuMesh> gpu;
 };
 
+struct fbrdf_hooks {
+    fbrdf::capi::SharedPtr shared;
+    std::shared_ptr<fbrdf::gl::GpuHooks> gpu;
+};
+
 struct fbrdf_library {
     fbrdf::capi::SharedPtr shared;
     std::shared_ptr<fbrdf::gl::GpuLibrary> gpu;

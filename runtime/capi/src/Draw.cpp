@@ -11,6 +11,8 @@ namespace {
 
 // What version 0.1 began with; fields after it are younger.
 constexpr size_t kFirstDraw = offsetof(fbrdf_draw_desc, max_lights);
+constexpr size_t kFirstItem = offsetof(fbrdf_item, hooks);
+constexpr size_t kFirstBatch = offsetof(fbrdf_batch_desc, hooks);
 
 /// Element `index` of a caller's array, whose elements may be of another version.
 template <class T>
@@ -22,25 +24,28 @@ T elementAt(const T* array, uint32_t size, size_t index)
     return element;
 }
 
+/// least: bytes of an element in the first version.
 template <class T>
-void checkArray(const T* array, uint32_t count, uint32_t size, const char* name)
+void checkArray(const T* array, uint32_t count, uint32_t size, const char* name,
+                size_t least = sizeof(T))
 {
     if (count == 0) return;
     required(array, name);
-    if (size < sizeof(T))
+    if (size < least)
         throw Failure(FBRDF_ERROR_VERSION, std::string(name) + ": found elements of " +
-                                               std::to_string(size) + " bytes, expected " +
-                                               std::to_string(sizeof(T)));
+                                               std::to_string(size) + " bytes, expected at least " +
+                                               std::to_string(least));
 }
 
 std::vector<fbrdf::gl::Item> itemsOf(const fbrdf_draw_desc& desc)
 {
-    checkArray(desc.items, desc.item_count, desc.item_size, "items");
+    checkArray(desc.items, desc.item_count, desc.item_size, "items", kFirstItem);
     std::vector<fbrdf::gl::Item> items;
     for (size_t i = 0; i < desc.item_count; ++i) {
         const fbrdf_item item = elementAt(desc.items, desc.item_size, i);
         items.push_back({item.material ? item.material->gpu.get() : nullptr,
-                         item.mesh ? item.mesh->gpu.get() : nullptr, glm::make_mat4(item.model)});
+                         item.mesh ? item.mesh->gpu.get() : nullptr, glm::make_mat4(item.model),
+                         item.hooks ? item.hooks->gpu.get() : nullptr, item.normal_map});
     }
     return items;
 }
@@ -50,7 +55,9 @@ fbrdf::gl::Batch batchOf(const fbrdf_batch_desc& desc)
     checkArray(desc.instances, desc.instance_count, desc.instance_size, "instances");
     fbrdf::gl::Batch batch{desc.library ? desc.library->gpu.get() : nullptr,
                            desc.mesh ? desc.mesh->gpu.get() : nullptr,
-                           {}};
+                           {},
+                           desc.hooks ? desc.hooks->gpu.get() : nullptr,
+                           desc.normal_map};
     for (size_t i = 0; i < desc.instance_count; ++i) {
         const fbrdf_instance instance = elementAt(desc.instances, desc.instance_size, i);
         // An index above what an int holds is out of range in any library: as -1 is.
@@ -158,7 +165,7 @@ fbrdf_result fbrdf_draw_batch(fbrdf_renderer* renderer, const fbrdf_draw_desc* d
                                                                  std::to_string(known.item_count) +
                                                                  ", expected none with a batch");
                      return gl.drawBatch(target, view,
-                                         batchOf(descriptor(batch, sizeof *batch, "batch")),
+                                         batchOf(descriptor(batch, kFirstBatch, "batch")),
                                          lightsOf(known), optionsOf(known));
                  });
 }

@@ -5,6 +5,9 @@ using namespace fbrdf::capi;
 
 namespace {
 
+// What version 0.1 began with; fields after it are younger.
+constexpr size_t kFirstMesh = offsetof(fbrdf_mesh_desc, handedness);
+
 fbrdf_severity severityOf(fbrdf::gl::Severity severity)
 {
     switch (severity) {
@@ -46,13 +49,12 @@ void checkVersion(const fbrdf_renderer_desc& desc)
                                                std::to_string(FBRDF_API_VERSION & 0xffffu));
 }
 
-/// count x 3 floats.
-std::vector<fbrdf::Vec3f> vectors(const float* numbers, uint32_t count)
+/// count vectors, one component after the other; none where there are no numbers.
+template <class Vector>
+std::vector<Vector> vectors(const float* numbers, uint32_t count)
 {
-    if (!numbers) return {};
-    std::vector<fbrdf::Vec3f> result(count);
-    for (size_t i = 0; i < result.size(); ++i)
-        result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+    std::vector<Vector> result(numbers ? count : 0);
+    if (!result.empty()) std::memcpy(result.data(), numbers, result.size() * sizeof result[0]);
     return result;
 }
 
@@ -61,10 +63,39 @@ fbrdf::gl::MeshData meshOf(const fbrdf_mesh_desc& desc)
     required(desc.positions, "positions");
     required(desc.normals, "normals");
     required(desc.indices, "indices");
-    return {vectors(desc.positions, desc.vertex_count),
-            vectors(desc.normals, desc.vertex_count),
-            vectors(desc.tangents, desc.vertex_count),
-            {desc.indices, desc.indices + desc.index_count}};
+    const uint32_t count = desc.vertex_count;
+    fbrdf::gl::MeshData mesh{vectors<fbrdf::Vec3f>(desc.positions, count),
+                             vectors<fbrdf::Vec3f>(desc.normals, count),
+                             vectors<fbrdf::Vec3f>(desc.tangents, count),
+                             {desc.indices, desc.indices + desc.index_count},
+                             vectors<glm::vec2>(desc.texture_coordinates, count),
+                             vectors<float>(desc.handedness, count)};
+    if (desc.extra_count > 0) required(desc.extra, "extra");
+    if (desc.extra_count > fbrdf::gl::kExtraArrays)
+        throw Failure(FBRDF_ERROR_ARGUMENT,
+                      "extra_count: found " + std::to_string(desc.extra_count) +
+                          ", expected at most " + std::to_string(fbrdf::gl::kExtraArrays));
+    for (uint32_t k = 0; k < desc.extra_count; ++k)
+        mesh.extra.push_back(vectors<glm::vec4>(&required(desc.extra[k], "extra"), count));
+    return mesh;
+}
+
+fbrdf::gl::Hooks hooksOf(const fbrdf_hooks_desc& desc)
+{
+    fbrdf::gl::Hooks hooks;
+    if (desc.vertex) hooks.vertex = desc.vertex;
+    if (desc.shadow) hooks.shadow = desc.shadow;
+    if (desc.reach != 0.0f) hooks.reach = desc.reach;
+    if (desc.shadow_uniforms > 0x7fffffffu)
+        throw Failure(FBRDF_ERROR_ARGUMENT, "shadow_uniforms: found " +
+                                                std::to_string(desc.shadow_uniforms) +
+                                                ", expected a number of uniforms");
+    hooks.shadowUniforms = static_cast<int>(desc.shadow_uniforms);
+    if (desc.set_uniforms)
+        hooks.setUniforms = [set = desc.set_uniforms, user = desc.user](uint32_t program) {
+            set(user, program);
+        };
+    return hooks;
 }
 
 void replace(fbrdf_material& material, const fbrdf::Material& by)
@@ -153,11 +184,26 @@ fbrdf_result fbrdf_mesh_create(fbrdf_renderer* renderer, const fbrdf_mesh_desc* 
     return created(renderer ? &renderer->shared->log : nullptr, out, [&] {
         const SharedPtr& shared = required(renderer, "renderer").shared;
         return new fbrdf_mesh{
-            shared, shared->renderer.createMesh(meshOf(descriptor(desc, sizeof *desc, "mesh")))};
+            shared, shared->renderer.createMesh(meshOf(descriptor(desc, kFirstMesh, "mesh")))};
     });
 }
 
 void fbrdf_mesh_release(fbrdf_mesh* mesh)
 {
     delete mesh;
+}
+
+fbrdf_result fbrdf_hooks_create(fbrdf_renderer* renderer, const fbrdf_hooks_desc* desc,
+                                fbrdf_hooks** out)
+{
+    return created(renderer ? &renderer->shared->log : nullptr, out, [&] {
+        const SharedPtr& shared = required(renderer, "renderer").shared;
+        return new fbrdf_hooks{
+            shared, shared->renderer.createHooks(hooksOf(descriptor(desc, sizeof *desc, "hooks")))};
+    });
+}
+
+void fbrdf_hooks_release(fbrdf_hooks* hooks)
+{
+    delete hooks;
 }

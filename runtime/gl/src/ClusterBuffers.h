@@ -10,13 +10,19 @@ struct ClusterBuffers {
     explicit ClusterBuffers(const DevicePtr& device)
         : lights(device, GL_RGBA32F, "lights"),
           indices(device, GL_R32I, "light indices"),
-          lists(device, GL_RG32I, "light lists")
+          lists(device, GL_RG32I, "light lists"),
+          numbers(device, GL_R32I, "light numbers")
     {
     }
 
-    /// Leaves the array buffer bound. Throws Error(gl) where GL cannot hold the lists.
-    void update(const LightClusters& clusters)
+    /// lightNumbers: of the lights that the lists were made from. Leaves the array buffer bound.
+    /// Throws Error(gl) where GL cannot hold the lists.
+    void update(const LightClusters& clusters, const std::vector<int32_t>& lightNumbers)
     {
+        std::vector<int32_t> inOrder;
+        for (const int32_t place : clusters.places)
+            inOrder.push_back(lightNumbers[static_cast<size_t>(place)]);
+        numbers.update(inOrder.size(), inOrder.size() * sizeof(int32_t), inOrder.data());
         lights.update(clusters.lights.size() * kVectorsPerLight,
                       clusters.lights.size() * sizeof(LightVectors), clusters.lights.data());
         indices.update(clusters.indices.size(), clusters.indices.size() * sizeof(int32_t),
@@ -25,7 +31,7 @@ struct ClusterBuffers {
                      clusters.lists.data());
     }
 
-    BufferTexture lights, indices, lists;
+    BufferTexture lights, indices, lists, numbers;
 };
 
 }  // namespace fbrdf::gl

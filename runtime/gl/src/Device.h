@@ -19,7 +19,7 @@ struct Device {
     int drawBuffers = 1;
     int maxBufferTexels = 0;  ///< of a buffer texture
     StateMode state = StateMode::restore;
-    uint64_t nextMaterial = 0;
+    uint64_t nextMaterial = 0, nextHooks = 0;
     bool alive = true;  ///< false: the context is gone, no GL call may be made
 
     void log(Severity severity, const std::string& text) const

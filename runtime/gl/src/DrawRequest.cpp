@@ -57,20 +57,39 @@ bool isInvertible(const glm::mat4& model)
     return isFinite(model) && glm::determinant(glm::dmat3(model)) != 0.0;
 }
 
-std::vector<Light> usableLights(const std::vector<Light>& lights, const Target& target)
+void setLights(DrawRequest& request, const std::vector<Light>& lights)
 {
-    std::vector<Light> used;
-    std::copy_if(lights.begin(), lights.end(), std::back_inserter(used),
-                 [](const Light& light) { return isValid(light); });
-    if (target.transfer != Transfer::linear)
-        for (Light& light : used) light.intensity *= target.exposure;
-    return used;
+    const glm::dmat4 toEye(request.view.view);
+    const bool exposed = request.target.transfer != Transfer::linear;
+    for (size_t i = 0; i < lights.size(); ++i) {
+        if (!isValid(lights[i])) continue;
+        Light light = lights[i];
+        if (exposed) light.intensity *= request.target.exposure;
+        request.lights.push_back(light);
+        request.eye.vectors.push_back(lightVectors(light, toEye));
+        request.eye.numbers.push_back(static_cast<int32_t>(i));
+    }
+}
+
+EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats)
+{
+    const LightSelection selection =
+        selectLights(request.lights, bounds, request.options.maxLights);
+    stats.lightsCulled += selection.culled;
+    stats.lightsDropped =
+        std::max(stats.lightsDropped,
+                 stats.lightsGiven - static_cast<int>(request.lights.size()) + selection.dropped);
+    EyeLights result;
+    for (const int i : selection.lights) {
+        result.vectors.push_back(request.eye.vectors[static_cast<size_t>(i)]);
+        result.numbers.push_back(request.eye.numbers[static_cast<size_t>(i)]);
+    }
+    return result;
 }
 
 /// A matrix stretches nothing by more than its Frobenius norm.
-Sphere worldBounds(const GpuMesh& mesh, const glm::mat4& model)
+Sphere worldBounds(const Sphere& bounds, const glm::mat4& model)
 {
-    const Sphere& bounds = mesh.bounds();
     const glm::dmat3 linear(model);
     const double norm = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
                                   glm::dot(linear[2], linear[2]));

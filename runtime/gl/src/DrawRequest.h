@@ -1,9 +1,9 @@
 // DrawRequest.h - what one call of Renderer::draw or drawBatch is about, checked.
 #pragma once
+#include "Executor.h"
 #include "TargetInfo.h"
 
 #include <fbrdf/plan/LightSelection.h>
-#include <fbrdf/plan/LightVectors.h>
 
 namespace fbrdf::gl {
 
@@ -13,18 +13,22 @@ struct DrawRequest {
     const View& view;
     const DrawOptions& options;
     TargetInfo info;
-    std::vector<Light> lights;          ///< the valid ones, exposed
-    std::vector<LightVectors> vectors;  ///< of each, in eye space
+    std::vector<Light> lights;  ///< the valid ones, exposed: light is linear, so that is where
+                                ///< exposure costs nothing
+    EyeLights eye;              ///< of each
     bool clustered = false;
 };
 
 /// Throws Error(gl) for a target that cannot be drawn to, Error(usage) for such a view.
 void checkRequest(const Device& device, const Target& target, const View& view);
 bool isInvertible(const glm::mat4& model);
-/// The valid ones, exposed: light is linear, so that is where exposure costs nothing.
-std::vector<Light> usableLights(const std::vector<Light>& lights, const Target& target);
+/// Fills in lights and eye from those that are valid.
+void setLights(DrawRequest& request, const std::vector<Light>& lights);
+/// All lights that reach the bounds, or the strongest of them; counts the others.
+EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats);
 
-Sphere worldBounds(const GpuMesh& mesh, const glm::mat4& model);
+/// bounds: object space.
+Sphere worldBounds(const Sphere& bounds, const glm::mat4& model);
 Sphere enclosing(const std::vector<Sphere>& spheres);
 
 }  // namespace fbrdf::gl

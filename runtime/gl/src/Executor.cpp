@@ -1,5 +1,7 @@
 #include "Executor.h"
 
+#include <fbrdf/brdf/Error.h>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -8,19 +10,23 @@
 
 namespace fbrdf::gl {
 
-std::vector<LightVectors> lightVectors(const std::vector<Light>& lights, const View& view)
+namespace {
+
+void checkArrays(const GpuMesh& mesh, const Program& program)
 {
-    const glm::dmat4 toEye(view.view);
-    std::vector<LightVectors> vectors;
-    vectors.reserve(lights.size());
-    for (const Light& light : lights) vectors.push_back(fbrdf::lightVectors(light, toEye));
-    return vectors;
+    for (size_t k = 0; k < program.extraArrays; ++k)
+        if (!mesh.has(static_cast<GLuint>(kExtra + k)))
+            throw Error(ErrorKind::usage, "item",
+                        "found a mesh without extra array " + std::to_string(k) +
+                            ", expected what its vertex hook reads");
 }
 
+}  // namespace
+
 int Executor::draw(const Drawable& item, const Plan& plan,
-                   const std::vector<const Program*>& programs,
-                   const std::vector<LightVectors>& lights)
+                   const std::vector<const Program*>& programs, const EyeLights& lights)
 {
+    for (const Program* program : programs) checkArrays(item.mesh, *program);
     lights_ = &lights;
     program_ = nullptr;
     int maxLookups = 0;
@@ -95,6 +101,10 @@ void Executor::useProgram(const Drawable& item, const Program& program)
         state_.bindTexture(program.instancesUnit, GL_TEXTURE_BUFFER, item.instances.texture);
     if (program.parametersUnit >= 0)
         state_.bindTexture(program.parametersUnit, GL_TEXTURE_BUFFER, item.material.parameters());
+    if (program.normalMapUnit >= 0)
+        state_.bindTexture(program.normalMapUnit, GL_TEXTURE_2D, item.surface.normalMap);
+    if (item.surface.hooks && item.surface.hooks->get().setUniforms)
+        item.surface.hooks->get().setUniforms(program.object.name());
     if (program.readScale >= 0)
         gl_.Uniform2f(program.readScale, 1.0f / static_cast<float>(frame_.target.width),
                       1.0f / static_cast<float>(frame_.target.height));
@@ -120,13 +130,14 @@ void Executor::bindTables(const GpuMaterial& material, const Program& program)
 
 void Executor::setLights(const Pass& pass, const Program& program)
 {
+    const auto first = static_cast<size_t>(pass.firstLight);
     if (program.lights >= 0 && pass.lightCount > 0)
         gl_.Uniform4fv(program.lights, kVectorsPerLight * pass.lightCount,
-                       glm::value_ptr((*lights_)[static_cast<size_t>(pass.firstLight)].front()));
-    if (program.clusters.listsUnit >= 0)
-        setClusters(program);
-    else if (program.lightCount >= 0)
-        gl_.Uniform1i(program.lightCount, pass.lightCount);
+                       glm::value_ptr(lights_->vectors[first].front()));
+    if (program.clusters.listsUnit >= 0) return setClusters(program);
+    if (program.lightNumbers >= 0 && pass.lightCount > 0)
+        gl_.Uniform1iv(program.lightNumbers, pass.lightCount, &lights_->numbers[first]);
+    if (program.lightCount >= 0) gl_.Uniform1i(program.lightCount, pass.lightCount);
 }
 
 void Executor::setClusters(const Program& program)
@@ -137,6 +148,9 @@ void Executor::setClusters(const Program& program)
     state_.bindTexture(program.clusters.lightsUnit, GL_TEXTURE_BUFFER, buffers.lights.texture());
     state_.bindTexture(program.clusters.indicesUnit, GL_TEXTURE_BUFFER, buffers.indices.texture());
     state_.bindTexture(program.clusters.listsUnit, GL_TEXTURE_BUFFER, buffers.lists.texture());
+    if (program.clusters.numbersUnit >= 0)
+        state_.bindTexture(program.clusters.numbersUnit, GL_TEXTURE_BUFFER,
+                           buffers.numbers.texture());
     gl_.Uniform3i(program.clusters.grid, grid.columns, grid.rows, grid.slices);
     gl_.Uniform4f(program.clusters.scale,
                   static_cast<float>(grid.columns) / static_cast<float>(frame_.target.width),
@@ -156,7 +170,7 @@ void Executor::setScissor(const Pass& pass)
     PixelRect rect{0, 0, frame_.target.width, frame_.target.height};
     const PixelRect whole = rect;
     if (pass.lit && pass.lightCount == 1 && pass.blend == Blend::add && !pass.reads)
-        rect = pixelBounds((*lights_)[static_cast<size_t>(pass.firstLight)],
+        rect = pixelBounds(lights_->vectors[static_cast<size_t>(pass.firstLight)],
                            glm::dmat4(frame_.view.projection), whole.width, whole.height);
     const bool isWhole = rect.width == whole.width && rect.height == whole.height;
     state_.setScissor(isWhole ? nullptr : &rect);

@@ -15,7 +15,10 @@
 namespace fbrdf::gl {
 
 /// Lights in eye space as the shader takes them.
-std::vector<LightVectors> lightVectors(const std::vector<Light>& lights, const View& view);
+struct EyeLights {
+    std::vector<LightVectors> vectors;
+    std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
+};
 
 /// What all items of one draw share.
 struct Frame {
@@ -30,6 +33,7 @@ struct Frame {
 struct Drawable {
     const GpuMaterial& material;
     const GpuMesh& mesh;
+    SurfaceOptions surface;
     glm::mat4 model{1.0f};  ///< where there are no instances
     struct {
         GLuint texture = 0;  ///< fbrdfInstances
@@ -47,7 +51,7 @@ public:
     /// programs: one for each pass. lights: of this item, as the plan counts them; unused where
     /// they are in lists. Returns the look-ups of the most expensive pass.
     int draw(const Drawable& item, const Plan& plan, const std::vector<const Program*>& programs,
-             const std::vector<LightVectors>& lights);
+             const EyeLights& lights);
 
 private:
     void bindSurface(const Pass& pass);
@@ -66,8 +70,8 @@ private:
     const Frame& frame_;
     const Surfaces& surfaces_;
     StateGuard& state_;
-    const std::vector<LightVectors>* lights_ = nullptr;  ///< of the item
-    const Program* program_ = nullptr;                   ///< in use, with the item's uniforms set
+    const EyeLights* lights_ = nullptr;  ///< of the item
+    const Program* program_ = nullptr;   ///< in use, with the item's uniforms set
 };
 
 }  // namespace fbrdf::gl

@@ -9,11 +9,30 @@
 namespace fbrdf::gl {
 namespace {
 
-constexpr GLint kComponents = 3;
-
 [[noreturn]] void fail(const std::string& what)
 {
     throw Error(ErrorKind::input, "mesh", what);
+}
+
+/// size: of an array that may be left out.
+void checkOptional(size_t size, size_t count, const char* name)
+{
+    if (size != 0 && size != count)
+        fail("found " + std::to_string(size) + " " + name + ", expected none or " +
+             std::to_string(count));
+}
+
+void checkIndices(const MeshData& mesh)
+{
+    if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
+        fail("found " + std::to_string(mesh.indices.size()) +
+             " indices, expected three a triangle");
+    if (mesh.indices.size() > static_cast<size_t>(std::numeric_limits<GLsizei>::max()))
+        fail("found " + std::to_string(mesh.indices.size()) + " indices, expected below 2^31");
+    for (const uint32_t index : mesh.indices)
+        if (index >= mesh.positions.size())
+            fail("found index " + std::to_string(index) + ", expected below " +
+                 std::to_string(mesh.positions.size()));
 }
 
 void check(const MeshData& mesh)
@@ -22,18 +41,26 @@ void check(const MeshData& mesh)
     if (mesh.normals.size() != count)
         fail("found " + std::to_string(mesh.normals.size()) + " normals, expected " +
              std::to_string(count));
-    if (!mesh.tangents.empty() && mesh.tangents.size() != count)
-        fail("found " + std::to_string(mesh.tangents.size()) + " tangents, expected none or " +
-             std::to_string(count));
-    if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
-        fail("found " + std::to_string(mesh.indices.size()) +
-             " indices, expected three a triangle");
-    if (mesh.indices.size() > static_cast<size_t>(std::numeric_limits<GLsizei>::max()))
-        fail("found " + std::to_string(mesh.indices.size()) + " indices, expected below 2^31");
-    for (const uint32_t index : mesh.indices)
-        if (index >= count)
-            fail("found index " + std::to_string(index) + ", expected below " +
+    checkOptional(mesh.tangents.size(), count, "tangents");
+    checkOptional(mesh.handedness.size(), mesh.tangents.size(), "signs of tangents");
+    checkOptional(mesh.textureCoordinates.size(), count, "texture coordinates");
+    if (mesh.extra.size() > kExtraArrays)
+        fail("found " + std::to_string(mesh.extra.size()) + " extra arrays, expected at most " +
+             std::to_string(kExtraArrays));
+    for (const auto& array : mesh.extra)
+        if (array.size() != count)
+            fail("found an extra array of " + std::to_string(array.size()) + ", expected " +
                  std::to_string(count));
+    checkIndices(mesh);
+}
+
+/// And handedness. Missing tangents are zeros, which the shader replaces by an arbitrary frame.
+std::vector<glm::vec4> tangentsOf(const MeshData& mesh)
+{
+    std::vector<glm::vec4> tangents(mesh.positions.size(), {0.0f, 0.0f, 0.0f, 1.0f});
+    for (size_t i = 0; i < mesh.tangents.size(); ++i)
+        tangents[i] = {mesh.tangents[i], mesh.handedness.empty() ? 1.0f : mesh.handedness[i]};
+    return tangents;
 }
 
 /// About the middle of the box around the positions.
@@ -74,19 +101,7 @@ void GpuMesh::upload(const MeshData& mesh)
         gl.BindVertexArray(vertexArray_.name());
         label(*device_, ObjectKind::vertexArray, vertexArray_, "mesh");
     }
-    vertices_ = createObject(device_, ObjectKind::buffer);
-    gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    const size_t bytes = vertexCount_ * sizeof(Vec3f);
-    // Missing tangents are zeros, which the shader replaces by an arbitrary frame.
-    const std::vector<Vec3f> none(hasTangents_ ? 0 : vertexCount_, Vec3f(0.0f));
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kAttributeCount * bytes), nullptr,
-                  GL_STATIC_DRAW);
-    const Vec3f* const parts[] = {mesh.positions.data(), mesh.normals.data(),
-                                  hasTangents_ ? mesh.tangents.data() : none.data()};
-    for (size_t i = 0; i < kAttributeCount; ++i)
-        gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(i * bytes),
-                         static_cast<GLsizeiptr>(bytes), parts[i]);
-    label(*device_, ObjectKind::buffer, vertices_, "mesh vertices");
+    uploadVertices(mesh);
     indices_ = createObject(device_, ObjectKind::buffer);
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
@@ -97,14 +112,42 @@ void GpuMesh::upload(const MeshData& mesh)
     checkErrors(*device_, "mesh");
 }
 
+/// One array after the other, those that the mesh has.
+void GpuMesh::uploadVertices(const MeshData& mesh)
+{
+    const Functions& gl = device_->gl;
+    std::vector<unsigned char> bytes;
+    const auto append = [&](GLuint attribute, GLint components, const auto& array) {
+        if (array.empty()) return;
+        arrays_[attribute] = {components, bytes.size()};
+        const auto* first = reinterpret_cast<const unsigned char*>(array.data());
+        bytes.insert(bytes.end(), first, first + array.size() * sizeof array[0]);
+    };
+    append(kPosition, 3, mesh.positions);
+    append(kNormal, 3, mesh.normals);
+    append(kTangent, 4, tangentsOf(mesh));
+    append(kTextureCoordinate, 2, mesh.textureCoordinates);
+    for (size_t k = 0; k < mesh.extra.size(); ++k)
+        append(static_cast<GLuint>(kExtra + k), 4, mesh.extra[k]);
+    vertices_ = createObject(device_, ObjectKind::buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                  GL_STATIC_DRAW);
+    label(*device_, ObjectKind::buffer, vertices_, "mesh vertices");
+}
+
 void GpuMesh::setAttributes() const
 {
     const Functions& gl = device_->gl;
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     for (GLuint i = 0; i < kAttributeCount; ++i) {
+        if (!has(i)) {
+            gl.DisableVertexAttribArray(i);
+            continue;
+        }
         gl.EnableVertexAttribArray(i);
-        gl.VertexAttribPointer(i, kComponents, GL_FLOAT, GL_FALSE, 0,
-                               offset(i * vertexCount_ * sizeof(Vec3f)));
+        gl.VertexAttribPointer(i, arrays_[i].components, GL_FLOAT, GL_FALSE, 0,
+                               offset(arrays_[i].offset));
     }
 }
 
@@ -155,7 +198,7 @@ MeshBinding::~MeshBinding()
         gl.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(a.buffer));
         gl.VertexAttribPointer(i, a.size, static_cast<GLenum>(a.type),
                                a.normalized ? GL_TRUE : GL_FALSE, a.stride, a.pointer);
-        if (!a.enabled) gl.DisableVertexAttribArray(i);
+        a.enabled ? gl.EnableVertexAttribArray(i) : gl.DisableVertexAttribArray(i);
     }
 }
 

@@ -4,12 +4,20 @@
 
 #include <fbrdf/plan/LightSelection.h>
 
+#include <array>
 #include <vector>
 
 namespace fbrdf::gl {
 
-/// Locations that every program binds its attributes to.
-enum Attribute : GLuint { kPosition, kNormal, kTangent, kAttributeCount };
+/// Locations that every program binds its attributes to; extra array k is at kExtra + k.
+enum Attribute : GLuint {
+    kPosition,
+    kNormal,
+    kTangent,
+    kTextureCoordinate,
+    kExtra,
+    kAttributeCount = kExtra + kExtraArrays
+};
 
 class GpuMesh {
 public:
@@ -17,6 +25,7 @@ public:
 
     const Device* device() const { return device_.get(); }
     bool hasTangents() const { return hasTangents_; }
+    bool has(GLuint attribute) const { return arrays_[attribute].components > 0; }
     const Sphere& bounds() const { return bounds_; }  ///< object space
     /// Draws between bind and unbind of a MeshBinding.
     /// instances: 0 draws without instancing.
@@ -24,13 +33,19 @@ public:
 
 private:
     friend class MeshBinding;
+    struct Array {
+        GLint components = 0;  ///< 0: the mesh has no such array
+        size_t offset = 0;     ///< bytes
+    };
     void upload(const MeshData& mesh);
+    void uploadVertices(const MeshData& mesh);
     void setAttributes() const;
 
     DevicePtr device_;
     Object vertices_, indices_, vertexArray_;
     GLsizei indexCount_ = 0;
     size_t vertexCount_ = 0;
+    std::array<Array, kAttributeCount> arrays_{};
     bool hasTangents_ = false;
     Sphere bounds_;
 };

@@ -9,7 +9,7 @@
 namespace fbrdf::gl {
 namespace {
 
-// The longest name of ours is fbrdfVertexTangent; anything longer is cut and no name of ours.
+// The longest name of ours is fbrdfVertexTextureCoordinate; anything longer is none of ours.
 constexpr GLsizei kNameLength = 64;
 
 [[noreturn]] void fail(const std::string& what)
@@ -53,6 +53,12 @@ bool isSampler(GLenum type)
            type == GL_INT_SAMPLER_BUFFER;
 }
 
+/// Those of a vertex or shadow hook are the host's to bind.
+bool isOurs(const std::string& name)
+{
+    return name.compare(0, 5, "fbrdf") == 0;
+}
+
 std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
 {
     GLint count = 0;
@@ -65,16 +71,33 @@ std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
         GLenum type = GL_NONE;
         gl.GetActiveUniform(program, static_cast<GLuint>(i), kNameLength, &length, &size, &type,
                             name);
-        if (isSampler(type)) names.emplace_back(name);
+        if (isSampler(type) && isOurs(name)) names.emplace_back(name);
     }
     return names;
 }
 
-SurfaceInputs inputsOf(bool instanced)
+/// Arrays of a mesh that the vertex shader reads.
+size_t extraArraysOf(const Functions& gl, GLuint program)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < kExtraArrays; ++k)
+        if (gl.GetAttribLocation(program, ("fbrdfExtra" + std::to_string(k)).c_str()) >= 0)
+            count = k + 1;
+    return count;
+}
+
+/// A program that calls what a shadow hook must define.
+std::string shadowProbe(const std::string& hook, int glsl)
 {
     SurfaceInputs inputs;
-    inputs.instanced = instanced;
-    return inputs;
+    inputs.shadowHook = hook;
+    Form form;
+    form.terms.emplace_back();
+    ProgramSpec spec;
+    spec.parts = {{0, {}, false}};
+    spec.lit = true;
+    spec.lightSlots = 1;
+    return fragmentSource(form, {}, spec, glsl, inputs);
 }
 
 std::string keyOf(const ProgramSpec& spec)
@@ -92,22 +115,26 @@ std::string keyOf(const ProgramSpec& spec)
 
 }  // namespace
 
-const Program& ProgramCache::find(const GpuMaterial& material, const ProgramSpec& spec)
+const Program& ProgramCache::find(const GpuMaterial& material, const ProgramSpec& spec,
+                                  const SurfaceOptions& surface)
 {
-    Entry& entry = entryOf(material, spec);
+    Entry& entry = entryOf(material, spec, surface);
     if (!entry.program)
         throw Error(ErrorKind::gl, "material '" + material.name() + "'", entry.failure);
     return *entry.program;
 }
 
-ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const ProgramSpec& spec)
+ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const ProgramSpec& spec,
+                                           const SurfaceOptions& surface)
 {
     const auto [known, isUnknown] =
-        shortcut_.try_emplace(std::to_string(material.id()) + keyOf(spec), nullptr);
+        shortcut_.try_emplace(std::to_string(material.id()) + surface.key() + keyOf(spec), nullptr);
     if (!isUnknown) return *known->second;
+    const int glsl = device_->capabilities.glsl;
+    const SurfaceInputs inputs = surface.inputs(material.isPacked());
     const auto [position, isNew] = entries_.try_emplace(
-        fragmentSource(material.form(), material.encodings(), spec, device_->capabilities.glsl,
-                       inputsOf(material.isPacked())));
+        {vertexSource(glsl, inputs),
+         fragmentSource(material.form(), material.encodings(), spec, glsl, inputs)});
     Entry& entry = position->second;
     known->second = &entry;
     if (!isNew) return entry;
@@ -119,26 +146,42 @@ ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const Pr
     return entry;
 }
 
-const Object& ProgramCache::vertexShader(bool instanced)
+void ProgramCache::check(const Hooks& hooks)
 {
-    Object& shader = vertexShaders_[instanced ? 1 : 0];
-    if (!shader)
-        shader = compiled(device_, GL_VERTEX_SHADER,
-                          vertexSource(device_->capabilities.glsl, inputsOf(instanced)));
+    SurfaceInputs inputs;
+    inputs.vertexHook = hooks.vertex;
+    const int glsl = device_->capabilities.glsl;
+    try {
+        compiled(device_, GL_VERTEX_SHADER, vertexSource(glsl, inputs));
+        if (!hooks.shadow.empty())
+            compiled(device_, GL_FRAGMENT_SHADER, shadowProbe(hooks.shadow, glsl));
+    } catch (const Error& error) {
+        throw Error(ErrorKind::input, "hooks", error.what());
+    }
+}
+
+const Object& ProgramCache::vertexShader(const std::string& text)
+{
+    Object& shader = vertexShaders_[text];
+    if (!shader) shader = compiled(device_, GL_VERTEX_SHADER, text);
     return shader;
 }
 
-Object ProgramCache::linked(const std::string& fragment, const GpuMaterial& material)
+Object ProgramCache::linked(const Text& text, const GpuMaterial& material)
 {
     const Functions& gl = device_->gl;
-    const Object& vertexShader = this->vertexShader(material.isPacked());
-    const Object fragmentShader = compiled(device_, GL_FRAGMENT_SHADER, fragment);
+    const Object& vertexShader = this->vertexShader(text.vertex);
+    const Object fragmentShader = compiled(device_, GL_FRAGMENT_SHADER, text.fragment);
     Object program = createObject(device_, ObjectKind::program);
     gl.AttachShader(program.name(), vertexShader.name());
     gl.AttachShader(program.name(), fragmentShader.name());
     gl.BindAttribLocation(program.name(), kPosition, "fbrdfVertex");
     gl.BindAttribLocation(program.name(), kNormal, "fbrdfVertexNormal");
     gl.BindAttribLocation(program.name(), kTangent, "fbrdfVertexTangent");
+    gl.BindAttribLocation(program.name(), kTextureCoordinate, "fbrdfVertexTextureCoordinate");
+    for (GLuint k = 0; k < kExtraArrays; ++k)
+        gl.BindAttribLocation(program.name(), kExtra + k,
+                              ("fbrdfExtra" + std::to_string(k)).c_str());
     gl.LinkProgram(program.name());
     label(*device_, ObjectKind::program, program, material.form().name);
     GLint ok = GL_FALSE, length = 0;
@@ -151,12 +194,11 @@ Object ProgramCache::linked(const std::string& fragment, const GpuMaterial& mate
          }));
 }
 
-std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
-                                             const std::string& fragment)
+std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material, const Text& text)
 {
     const Functions& gl = device_->gl;
     auto result = std::make_unique<Program>();
-    result->object = linked(fragment, material);
+    result->object = linked(text, material);
     const GLuint program = result->object.name();
     const auto samplers = activeSamplers(gl, program);
     const int room = device_->capabilities.maxTextureUnits - device_->firstTextureUnit;
@@ -179,17 +221,20 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material,
     result->eye = location("fbrdfEye");
     result->lights = location("fbrdfLights");
     result->lightCount = location("fbrdfLightCount");
+    result->lightNumbers = location("fbrdfLightNumbers");
     result->readScale = location("fbrdfReadScale");
+    result->normalMapUnit = unitOf("fbrdfNormalMap");
+    result->extraArrays = extraArraysOf(gl, program);
     result->readUnit = unitOf("fbrdfRead");
-    result->clusters = {unitOf("fbrdfLightBuffer"), unitOf("fbrdfLightIndices"),
-                        unitOf("fbrdfLightLists"), location("fbrdfClusterGrid"),
-                        location("fbrdfClusterScale")};
+    result->clusters = {unitOf("fbrdfLightBuffer"),   unitOf("fbrdfLightIndices"),
+                        unitOf("fbrdfLightLists"),    unitOf("fbrdfLightNumbers"),
+                        location("fbrdfClusterGrid"), location("fbrdfClusterScale")};
     result->instancesUnit = unitOf("fbrdfInstances");
     result->parametersUnit = unitOf("fbrdfParameters");
     result->material = findUniforms(material, program);
     for (size_t i = 0; i < material.tables().size(); ++i)
         result->tableUnits.push_back(unitOf("fbrdfTable" + std::to_string(i)));
-    result->lookups = countLookups(fragment, samplers);
+    result->lookups = countLookups(text.fragment, samplers);
     return result;
 }
 

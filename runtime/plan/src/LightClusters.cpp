@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace fbrdf {
 namespace {
@@ -130,10 +132,16 @@ LightClusters lightClusters(const std::vector<LightVectors>& lights, const glm::
 {
     LightClusters clusters;
     clusters.grid = grid;
-    clusters.lights = lights;
-    const auto limited =
-        std::stable_partition(clusters.lights.begin(), clusters.lights.end(), isUnlimited);
-    clusters.everywhere = static_cast<int>(limited - clusters.lights.begin());
+    const auto at = [&lights](int32_t place) -> const LightVectors& {
+        return lights[static_cast<size_t>(place)];
+    };
+    auto& places = clusters.places;
+    places.resize(lights.size());
+    std::iota(places.begin(), places.end(), 0);
+    const auto limited = std::stable_partition(
+        places.begin(), places.end(), [&at](int32_t place) { return isUnlimited(at(place)); });
+    clusters.everywhere = static_cast<int>(limited - places.begin());
+    std::transform(places.begin(), places.end(), std::back_inserter(clusters.lights), at);
     setSlices(clusters);
     std::vector<std::vector<int32_t>> lists(static_cast<size_t>(grid.count()));
     for (int i = clusters.everywhere; i < static_cast<int>(lights.size()); ++i)

@@ -3,16 +3,30 @@ struct FbrdfFrame {
     vec3 t, s, n;
 };
 
-FbrdfFrame fbrdfFrame(vec3 normal, vec3 tangent)
+// tangent: and its handedness, negative where s = -n x t.
+FbrdfFrame fbrdfFrame(vec3 normal, vec4 tangent)
 {
     vec3 n = normalize(normal);
-    vec3 t = tangent - n * dot(n, tangent);
-    if (!(dot(t, t) > 1e-10 * dot(tangent, tangent))) {
+    vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
+    if (!(dot(t, t) > 1e-10 * dot(tangent.xyz, tangent.xyz))) {
         vec3 axis = abs(n.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
         t = axis - n * dot(n, axis);
     }
     t = normalize(t);
-    return FbrdfFrame(t, cross(n, t), n);
+    return FbrdfFrame(t, tangent.w < 0.0 ? cross(t, n) : cross(n, t), n);
+}
+
+FbrdfFrame fbrdfFrame(vec3 normal, vec3 tangent)
+{
+    return fbrdfFrame(normal, vec4(tangent, 1.0));
+}
+
+// The frame about a normal that is given in another, as a normal map holds it; 0 changes nothing. Twin: perturbed.
+FbrdfFrame fbrdfPerturbed(FbrdfFrame frame, vec3 normal)
+{
+    if (!(dot(normal, normal) > 0.0)) return frame;
+    float handedness = dot(cross(frame.n, frame.t), frame.s);
+    return fbrdfFrame(frame.t * normal.x + frame.s * normal.y + frame.n * normal.z, vec4(frame.t, handedness));
 }
 
 vec3 fbrdfLocal(FbrdfFrame frame, vec3 w)

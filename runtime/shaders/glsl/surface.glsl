@@ -5,7 +5,13 @@ FBRDF_FROM_VERTEX vec3 fbrdfNormal;
 flat FBRDF_FROM_VERTEX int fbrdfMaterial;
 #endif
 #ifndef FBRDF_DERIVED_TANGENT
-FBRDF_FROM_VERTEX vec3 fbrdfTangent;
+FBRDF_FROM_VERTEX vec4 fbrdfTangent;
+#endif
+#if defined(FBRDF_DERIVED_TANGENT) || defined(FBRDF_NORMAL_MAP)
+FBRDF_FROM_VERTEX vec2 fbrdfTextureCoordinate;
+#endif
+#ifdef FBRDF_NORMAL_MAP
+uniform sampler2D fbrdfNormalMap;  // 2 texel - 1: the normal in the tangent frame
 #endif
 FBRDF_COLOUR_OUTPUT
 
@@ -18,13 +24,15 @@ vec3 fbrdfToViewer()
 }
 
 #ifdef FBRDF_DERIVED_TANGENT
-FBRDF_FROM_VERTEX vec2 fbrdfTextureCoordinate;
-
 // Towards increasing s, by Cramer's rule from the differences to the neighbouring pixels; 0 where (s, t) is constant.
-vec3 fbrdfDerivedTangent()
+// Its handedness is that of (s, t).
+vec4 fbrdfDerivedTangent()
 {
     vec2 dx = dFdx(fbrdfTextureCoordinate), dy = dFdy(fbrdfTextureCoordinate);
-    return sign(dx.s * dy.t - dx.t * dy.s) * (dFdx(fbrdfPosition) * dy.t - dFdy(fbrdfPosition) * dx.t);
+    vec3 px = dFdx(fbrdfPosition), py = dFdy(fbrdfPosition);
+    float facing = sign(dx.s * dy.t - dx.t * dy.s);
+    vec3 alongS = facing * (px * dy.t - py * dx.t), alongT = facing * (py * dx.s - px * dy.s);
+    return vec4(alongS, dot(cross(fbrdfNormal, alongS), alongT));
 }
 #define fbrdfTangent fbrdfDerivedTangent()
 #endif

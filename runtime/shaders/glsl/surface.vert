@@ -19,17 +19,22 @@ FBRDF_ATTRIBUTE vec3 fbrdfVertex;
 FBRDF_ATTRIBUTE vec3 fbrdfVertexNormal;
 #define FBRDF_VERTEX vec4(fbrdfVertex, 1.0)
 #endif
-FBRDF_ATTRIBUTE vec3 fbrdfVertexTangent;
+FBRDF_ATTRIBUTE vec4 fbrdfVertexTangent;  // and handedness; 1 where the array has three components
+#if defined(FBRDF_DERIVED_TANGENT) || defined(FBRDF_NORMAL_MAP)
+#ifdef FBRDF_BUILT_INS
+#define fbrdfVertexTextureCoordinate gl_MultiTexCoord0.st
+#else
+FBRDF_ATTRIBUTE vec2 fbrdfVertexTextureCoordinate;
+#endif
+FBRDF_TO_FRAGMENT vec2 fbrdfTextureCoordinate;
+#endif
 
 // Eye space: float is finest near the eye, where it matters.
 FBRDF_TO_FRAGMENT vec3 fbrdfPosition;
 FBRDF_TO_FRAGMENT vec3 fbrdfNormal;
-FBRDF_TO_FRAGMENT vec3 fbrdfTangent;
+FBRDF_TO_FRAGMENT vec4 fbrdfTangent;
 #ifdef FBRDF_INSTANCED
 flat FBRDF_TO_FRAGMENT int fbrdfMaterial;
-#endif
-#ifdef FBRDF_DERIVED_TANGENT
-FBRDF_TO_FRAGMENT vec2 fbrdfTextureCoordinate;
 #endif
 
 // A normal under the inverse transpose of m, by its cofactors. Not a matrix from the host: engines round theirs each in
@@ -50,13 +55,19 @@ void main()
         mat4(vec4(column.xyz, 0.0), vec4(texelFetch(fbrdfInstances, first + 1).xyz, 0.0),
              vec4(texelFetch(fbrdfInstances, first + 2).xyz, 0.0), vec4(texelFetch(fbrdfInstances, first + 3).xyz, 1.0));
 #endif
-    vec4 position = fbrdfModelView * FBRDF_VERTEX;
+    vec4 vertex = FBRDF_VERTEX, tangent = fbrdfVertexTangent;
+    vec3 normal = fbrdfVertexNormal;
+#ifdef FBRDF_VERTEX_HOOK
+    fbrdfVertexHook(vertex.xyz, normal, tangent);
+#endif
+    vec4 position = fbrdfModelView * vertex;
     mat3 turn = mat3(fbrdfModelView[0].xyz, fbrdfModelView[1].xyz, fbrdfModelView[2].xyz);
     fbrdfPosition = position.xyz;
-    fbrdfNormal = fbrdfMovedNormal(turn, fbrdfVertexNormal);
-    fbrdfTangent = turn * fbrdfVertexTangent;
-#ifdef FBRDF_DERIVED_TANGENT
-    fbrdfTextureCoordinate = gl_MultiTexCoord0.st;
+    fbrdfNormal = fbrdfMovedNormal(turn, normal);
+    // A mirror turns the frame's hand.
+    fbrdfTangent = vec4(turn * tangent.xyz, tangent.w * sign(dot(turn[0], cross(turn[1], turn[2]))));
+#if defined(FBRDF_DERIVED_TANGENT) || defined(FBRDF_NORMAL_MAP)
+    fbrdfTextureCoordinate = fbrdfVertexTextureCoordinate;
 #endif
 #ifdef FBRDF_BUILT_INS
     gl_ClipVertex = position;

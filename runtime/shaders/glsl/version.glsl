@@ -1,6 +1,9 @@
 // What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit one of textureLod changes
 // nothing but spares the derivatives.
 #ifdef GL_ES
+#if defined(FBRDF_DERIVED_TANGENT) && __VERSION__ == 100
+#extension GL_OES_standard_derivatives : require
+#endif
 #ifndef GL_FRAGMENT_PRECISION_HIGH
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -18,6 +21,7 @@ precision highp sampler3D;
 #define FBRDF_COLOUR_OUTPUT out vec4 fbrdfColour;
 #define FBRDF_TEXTURE2(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
+#define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -26,4 +30,5 @@ precision highp sampler3D;
 #define fbrdfColour gl_FragColor
 #define FBRDF_TEXTURE2(map, coordinate) texture2D(map, coordinate)
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
+#define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
 #endif

@@ -20,12 +20,17 @@ namespace {
 
 std::string surfaceLines(const FragmentContext& c)
 {
-    return needsLocalFrame(c) ? "    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);\n"
-                                "    vec3 wo = fbrdfLocal(frame, viewer);\n"
-                                "    float NoV = wo.z;\n"
-                              : "    vec3 n = normalize(fbrdfNormal);\n"
-                                "    vec3 wo = viewer;\n"
-                                "    float NoV = dot(n, wo);\n";
+    const bool local = needsLocalFrame(c);
+    std::string text;
+    if (local || c.normalMap)
+        text += "    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);\n";
+    if (c.normalMap)
+        text +=
+            "    frame = fbrdfPerturbed(frame, 2.0 * FBRDF_TEXTURE_MIPMAPPED(fbrdfNormalMap, "
+            "fbrdfTextureCoordinate).xyz - 1.0);\n";
+    if (local) return text + "    vec3 wo = fbrdfLocal(frame, viewer);\n    float NoV = wo.z;\n";
+    return text + "    vec3 n = " + (c.normalMap ? "frame.n" : "normalize(fbrdfNormal)") +
+           ";\n    vec3 wo = viewer;\n    float NoV = dot(n, wo);\n";
 }
 
 /// What does not depend on the light, from wo.
@@ -64,26 +69,39 @@ std::string pairLines(const FragmentContext& c, const std::string& indent)
     return text;
 }
 
-/// Direction and angles of the light whose first vector is `index`.
-std::string lightLines(const FragmentContext& c, const std::string& index,
+/// Direction and angles of a light, given as an expression of its place.
+std::string lightLines(const FragmentContext& c, const std::string& light,
                        const std::string& indent)
 {
     const bool local = needsLocalFrame(c);
+    const std::string index =
+        light == "0" ? light : std::to_string(kVectorsPerLight) + " * " + light;
     std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(";
     for (const char* const k : {"", " + 1", " + 2"})
         text += (c.spec.clustered ? "texelFetch(fbrdfLightBuffer, " + index + k + "), "
                                   : "fbrdfLights[" + index + k + "], ");
     text += "fbrdfPosition, wi);\n";
+    if (c.shadow) text += indent + "vec3 toLight = wi;\n";
     if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
     return text + indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n") +
            pairLines(c, indent);
 }
 
+/// What the host's shadow hook lets through of a light.
+std::string shadowFactor(const FragmentContext& c, const std::string& light)
+{
+    if (!c.shadow) return "";
+    const std::string number = c.spec.clustered ? "texelFetch(fbrdfLightNumbers, " + light + ").r"
+                                                : "fbrdfLightNumbers[" + light + "]";
+    return " * fbrdfShadow(" + number + ", fbrdfPosition, toLight)";
+}
+
 /// sum<p> of one light, above the horizon only.
-std::string litLines(const FragmentContext& c, const std::string& indent)
+std::string litLines(const FragmentContext& c, const std::string& light, const std::string& indent)
 {
     const std::string inner = indent + "    ";
-    std::string text = indent + "if (NoL > 0.0) {\n" + inner + "vec3 weight = irradiance * NoL;\n";
+    std::string text = indent + "if (NoL > 0.0) {\n" + inner + "vec3 weight = irradiance * NoL" +
+                       shadowFactor(c, light) + ";\n";
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
         const std::string k = std::to_string(p);
         text += inner + "{\n" + inner + "    vec3 exponent = exponent" + k + ";\n" + inner +
@@ -99,11 +117,9 @@ std::string clusteredLoop(const FragmentContext& c)
 {
     return "    ivec2 list = fbrdfLightList(gl_FragCoord.xy, -fbrdfPosition.z);\n"
            "    for (int i = 0; i < fbrdfLightCount + list.y; ++i) {\n"
-           "        int light = " +
-           std::to_string(kVectorsPerLight) +
-           " * (i < fbrdfLightCount ? i\n"
-           "            : texelFetch(fbrdfLightIndices, list.x + i - fbrdfLightCount).r);\n" +
-           lightLines(c, "light", "        ") + litLines(c, "        ") + "    }\n";
+           "        int light = i < fbrdfLightCount ? i\n"
+           "            : texelFetch(fbrdfLightIndices, list.x + i - fbrdfLightCount).r;\n" +
+           lightLines(c, "light", "        ") + litLines(c, "light", "        ") + "    }\n";
 }
 
 /// GLSL ES 1.00 wants to know how often a loop runs (Appendix A).
@@ -125,11 +141,10 @@ std::string litBody(const FragmentContext& c)
     if (c.spec.clustered)
         text += clusteredLoop(c);
     else if (c.spec.lightSlots == 1)
-        text += lightLines(c, "0", "    ") + litLines(c, "    ");
+        text += lightLines(c, "0", "    ") + litLines(c, "0", "    ");
     else
-        text += lightLoop(c) +
-                lightLines(c, std::to_string(kVectorsPerLight) + " * i", "        ") +
-                litLines(c, "        ") + "    }\n";
+        text += lightLoop(c) + lightLines(c, "i", "        ") + litLines(c, "i", "        ") +
+                "    }\n";
     return text + "    vec3 total = NoV > 0.0 ? " + total + " : vec3(0.0);\n";
 }
 
@@ -209,6 +224,10 @@ std::string uniformDeclarations(const FragmentContext& c)
     if (dependsOnLight(c) && !c.spec.clustered)
         lines.insert("uniform vec4 fbrdfLights[" +
                      std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
+    if (c.shadow && c.spec.lit && !c.spec.parts.empty())
+        lines.insert(c.spec.clustered ? "uniform isamplerBuffer fbrdfLightNumbers;\n"
+                                      : "uniform int fbrdfLightNumbers[" +
+                                            std::to_string(c.spec.lightSlots) + "];\n");
     if (c.spec.lit && (c.spec.clustered || c.spec.lightSlots > 1))
         lines.insert("uniform int fbrdfLightCount;\n");
     std::string text;
@@ -241,9 +260,12 @@ std::string evaluateFunction(const FragmentContext& c)
 
 std::string radianceFunction(const FragmentContext& c)
 {
-    return "vec3 fbrdfRadiance(vec3 fbrdfPosition, vec3 fbrdfNormal, vec3 fbrdfTangent, vec3 "
+    return "vec3 fbrdfRadiance(vec3 fbrdfPosition, vec3 fbrdfNormal, vec4 fbrdfTangent, vec3 "
            "viewer)\n{\n" +
-           surfaceLines(c) + viewLines(c) + litBody(c) + "    return total;\n}\n";
+           surfaceLines(c) + viewLines(c) + litBody(c) +
+           "    return total;\n}\n"
+           "vec3 fbrdfRadiance(vec3 position, vec3 normal, vec3 tangent, vec3 viewer)\n{\n"
+           "    return fbrdfRadiance(position, normal, vec4(tangent, 1.0), viewer);\n}\n";
 }
 
 }  // namespace fbrdf

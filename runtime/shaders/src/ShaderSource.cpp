@@ -44,8 +44,10 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     if (inputs.instanced) checkBuffers(glsl, "instances");
     std::string text = "#version " + std::to_string(glsl) + (glsl == kGlslEs300 ? " es\n" : "\n");
     if (inputs.builtIns) text += "#define FBRDF_BUILT_INS\n";
-    if (inputs.builtIns && inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
+    if (inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
     if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";
+    if (inputs.normalMap) text += "#define FBRDF_NORMAL_MAP\n";
+    if (!inputs.vertexHook.empty()) text += "#define FBRDF_VERTEX_HOOK\n";
     return text + joined(files);
 }
 
@@ -79,20 +81,29 @@ ProgramSpec programSpec(const Pass& pass, int maxLights)
 
 std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 {
-    return assembled(glsl, inputs, {"version.glsl", "surface.vert"});
+    return assembled(glsl, inputs, {"version.glsl"}) + inputs.vertexHook + "\n" +
+           joined({"surface.vert"});
 }
 
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
 {
     if (spec.clustered) checkBuffers(glsl, "lists of lights");
-    const FragmentContext context{form, encodings, spec, glsl, inputs.instanced};
+    const FragmentContext context{form,
+                                  encodings,
+                                  spec,
+                                  glsl,
+                                  inputs.instanced,
+                                  false,
+                                  inputs.normalMap,
+                                  !inputs.shadowHook.empty()};
     // Declared first: that is where what does not agree is refused.
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
                       "projection.glsl", "lights.glsl", "transfer.glsl"}) +
-           (spec.clustered ? joined({"clusters.glsl"}) : "") + uniforms + mainFunction(context);
+           (spec.clustered ? joined({"clusters.glsl"}) : "") + inputs.shadowHook + "\n" + uniforms +
+           mainFunction(context);
 }
 
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,

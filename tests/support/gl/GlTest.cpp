@@ -86,6 +86,18 @@ gl::RendererOptions GlTest::rendererOptions()
     return options;
 }
 
+Drawn GlTest::drawItems(gl::Renderer& renderer, int size, const gl::View& view,
+                        const std::vector<gl::Item>& items, const std::vector<Light>& lights,
+                        const gl::DrawOptions& options)
+{
+    Offscreen offscreen = makeOffscreen(size);
+    Drawn drawn;
+    drawn.stats =
+        renderer.draw({offscreen.framebuffer(), size, size}, view, items, lights, options);
+    drawn.pixels = offscreen.readPixels();
+    return drawn;
+}
+
 Offscreen GlTest::makeOffscreen(int size, OffscreenFormat format)
 {
     Offscreen result(context_->loader(), {size, size, format, true});

@@ -27,6 +27,12 @@ std::vector<GlVariant> modernVariants();
 /// Reports every GL error message of the current context as a test failure.
 void failOnGlMessages(const GladGLContext& gl);
 
+/// A picture, RGBA, bottom row first, and what was said of it.
+struct Drawn {
+    std::vector<float> pixels;
+    gl::DrawStats stats;
+};
+
 class GlTest : public ::testing::TestWithParam<GlVariant> {
 protected:
     /// Skips where the backend is missing; with CI=true in the environment that fails.
@@ -39,6 +45,11 @@ protected:
     gl::RendererOptions rendererOptions();
     gl::Renderer makeRenderer() { return gl::Renderer(rendererOptions()); }
     Offscreen makeOffscreen(int size = 64, OffscreenFormat format = OffscreenFormat::rgba32f);
+
+    /// Draws the items to an RGBA32F target of size x size.
+    Drawn drawItems(gl::Renderer& renderer, int size, const gl::View& view,
+                    const std::vector<gl::Item>& items, const std::vector<Light>& lights,
+                    const gl::DrawOptions& options = {});
 
     /// The driver itself tells what the test provokes, as of a shader that does not compile.
     void expectMessages() const { gl_.Disable(GL_DEBUG_OUTPUT); }

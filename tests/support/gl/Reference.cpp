@@ -13,9 +13,9 @@ std::string geometryFragment(int glsl, const std::string& value)
 {
     const bool old = glsl == 120;
     return "#version " + std::to_string(glsl) + "\n" + (old ? "varying" : "in") +
-           " vec3 fbrdfPosition, fbrdfNormal, fbrdfTangent;\n" + (old ? "" : "out vec4 colour;\n") +
-           "void main() { " + (old ? "gl_FragColor" : "colour") + " = vec4(" + value +
-           ", 1.0); }\n";
+           " vec3 fbrdfPosition, fbrdfNormal;\n" + (old ? "varying" : "in") +
+           " vec4 fbrdfTangent;\n" + (old ? "" : "out vec4 colour;\n") + "void main() { " +
+           (old ? "gl_FragColor" : "colour") + " = vec4(" + value + ", 1.0); }\n";
 }
 
 struct Buffers {
@@ -89,7 +89,7 @@ GeometryBuffer geometryBuffer(const GladGLContext& gl, Offscreen& offscreen,
     gl.DepthFunc(GL_LESS);
     GeometryBuffer result;
     std::vector<float>* const images[] = {&result.position, &result.normal, &result.tangent};
-    const char* const values[] = {"fbrdfPosition", "fbrdfNormal", "fbrdfTangent"};
+    const char* const values[] = {"fbrdfPosition", "fbrdfNormal", "fbrdfTangent.xyz"};
     for (int i = 0; i < 3; ++i) {
         const int glsl = gl.VERSION_3_1 ? 140 : 120;
         const GLuint program =
@@ -112,7 +112,8 @@ GeometryBuffer geometryBuffer(const GladGLContext& gl, Offscreen& offscreen,
 }
 
 std::vector<double> referenceImage(const Material& material, const GeometryBuffer& geometry,
-                                   const std::vector<Light>& lights, const gl::View& view)
+                                   const std::vector<Light>& lights, const gl::View& view,
+                                   const SurfaceReference& surface)
 {
     const glm::dmat4 toEye(view.view);
     const bool perspective = view.projection[3][3] == 0.0f;
@@ -120,14 +121,17 @@ std::vector<double> referenceImage(const Material& material, const GeometryBuffe
     for (size_t pixel = 0; pixel < image.size() / 4; ++pixel) {
         if (!geometry.covers(pixel)) continue;
         const Vec3d point = pixelOf(geometry.position, pixel);
-        const auto frame =
-            shadingFrame(pixelOf(geometry.normal, pixel), pixelOf(geometry.tangent, pixel));
+        auto frame = shadingFrame(pixelOf(geometry.normal, pixel), pixelOf(geometry.tangent, pixel),
+                                  surface.handedness);
+        if (surface.normal) frame = perturbed(frame, surface.normal(pixel));
         const Vec3d wo = frame.local(perspective ? glm::normalize(-point) : Vec3d(0.0, 0.0, 1.0));
         Vec3d sum(0.0);
-        for (const Light& light : lights) {
-            const Incident incident = incidentFrom(light, toEye, point);
+        for (size_t i = 0; i < lights.size(); ++i) {
+            if (!isValid(lights[i])) continue;
+            const Incident incident = incidentFrom(lights[i], toEye, point);
             const Vec3d wi = frame.local(incident.toLight);
-            if (wi.z > 0.0) sum += evaluate(material, wo, wi) * incident.irradiance * wi.z;
+            const double shadow = surface.shadow ? surface.shadow(i, point) : 1.0;
+            if (wi.z > 0.0) sum += shadow * evaluate(material, wo, wi) * incident.irradiance * wi.z;
         }
         for (int c = 0; c < 3; ++c) image[4 * pixel + static_cast<size_t>(c)] = sum[c];
         image[4 * pixel + 3] = 1.0;

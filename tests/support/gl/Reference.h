@@ -6,6 +6,7 @@
 
 #include <fbrdf/headless/Offscreen.h>
 
+#include <functional>
 #include <vector>
 
 namespace fbrdf::test {
@@ -21,8 +22,16 @@ GeometryBuffer geometryBuffer(const GladGLContext& gl, Offscreen& offscreen,
                               const gl::MeshData& mesh, const glm::mat4& model,
                               const gl::View& view);
 
+/// What shades a surface beside material and lights. Empty: nothing.
+struct SurfaceReference {
+    double handedness = 1.0;                    ///< of every tangent
+    std::function<Vec3d(size_t pixel)> normal;  ///< of a normal map, in the tangent frame
+    std::function<double(size_t light, const Vec3d& position)> shadow;
+};
+
 /// RGBA per pixel; 0 where the mesh is not.
 std::vector<double> referenceImage(const Material& material, const GeometryBuffer& geometry,
-                                   const std::vector<Light>& lights, const gl::View& view);
+                                   const std::vector<Light>& lights, const gl::View& view,
+                                   const SurfaceReference& surface = {});
 
 }  // namespace fbrdf::test

@@ -53,6 +53,7 @@ using Renderer = Handle<fbrdf_renderer, fbrdf_renderer_release>;
 using Material = Handle<fbrdf_material, fbrdf_material_release>;
 using Mesh = Handle<fbrdf_mesh, fbrdf_mesh_release>;
 using Library = Handle<fbrdf_library, fbrdf_library_release>;
+using Hooks = Handle<fbrdf_hooks, fbrdf_hooks_release>;
 using Binding = Handle<fbrdf_binding, fbrdf_binding_release>;
 
 /// A descriptor of zeros with its size set.

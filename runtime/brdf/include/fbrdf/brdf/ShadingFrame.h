@@ -7,7 +7,8 @@
 
 namespace fbrdf {
 
-/// Right-handed and orthonormal: s = n x t. Local coordinates of w are (t.w, s.w, n.w).
+/// Orthonormal and right-handed, s = n x t, but for mirrored tangents: s = -n x t. Local
+/// coordinates of w are (t.w, s.w, n.w).
 template <class T>
 struct ShadingFrame {
     Vec3<T> t, s, n;
@@ -20,9 +21,9 @@ struct ShadingFrame {
 
 /// The frame whose normal is `normal` and whose tangent is `tangent` made orthogonal to it; neither
 /// need be unit. A tangent that is zero or parallel to the normal gives a frame turned by some
-/// arbitrary but fixed angle.
+/// arbitrary but fixed angle. handedness: negative where s = -n x t (glTF 2.0, 3.7.2.1, TANGENT).
 template <class T>
-ShadingFrame<T> shadingFrame(const Vec3<T>& normal, const Vec3<T>& tangent)
+ShadingFrame<T> shadingFrame(const Vec3<T>& normal, const Vec3<T>& tangent, T handedness = T(1))
 {
     // Relative to |tangent|^2: what rounding leaves of a parallel tangent, squared, in float.
     constexpr T kParallel = T(1e-10);
@@ -35,8 +36,19 @@ ShadingFrame<T> shadingFrame(const Vec3<T>& normal, const Vec3<T>& tangent)
         t = axis - frame.n * glm::dot(frame.n, axis);
     }
     frame.t = glm::normalize(t);
-    frame.s = glm::cross(frame.n, frame.t);
+    frame.s = handedness < T(0) ? glm::cross(frame.t, frame.n) : glm::cross(frame.n, frame.t);
     return frame;
+}
+
+/// The frame about `normal`, given in `frame` and not unit, as normal maps hold them: its tangent
+/// stays as near as it can, its hand as it is. 0 changes nothing. Twin: fbrdfPerturbed.
+template <class T>
+ShadingFrame<T> perturbed(const ShadingFrame<T>& frame, const Vec3<T>& normal)
+{
+    if (!(glm::dot(normal, normal) > T(0))) return frame;
+    const T handedness = glm::dot(glm::cross(frame.n, frame.t), frame.s);
+    return shadingFrame(frame.t * normal.x + frame.s * normal.y + frame.n * normal.z, frame.t,
+                        handedness);
 }
 
 }  // namespace fbrdf

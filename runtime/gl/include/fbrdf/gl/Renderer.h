@@ -14,9 +14,12 @@
 #include <fbrdf/plan/Plan.h>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,20 +56,55 @@ struct RendererOptions {
 /// Triangles of one object. Arrays are as long as positions, or empty where said. Object space.
 struct MeshData {
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;     ///< need not be unit, must not be 0
-    std::vector<Vec3f> tangents;    ///< need not be unit or orthogonal; may be empty for isotropic
-                                    ///< materials (anisotropic ones then get an arbitrary frame)
+    std::vector<Vec3f> normals;  ///< need not be unit, must not be 0
+    /// Need not be unit or orthogonal. May be empty: where a frame is needed it is then derived
+    /// per pixel, towards increasing s of the texture coordinates; without those it is arbitrary.
+    std::vector<Vec3f> tangents;
     std::vector<uint32_t> indices;  ///< three a triangle, counter-clockwise seen from outside
+    std::vector<glm::vec2> textureCoordinates = {};  ///< for normal maps and derived tangents
+    std::vector<float> handedness = {};  ///< of given tangents: negative where s = -n x t, as under
+                                         ///< mirrored texture coordinates; empty: s = n x t
+    /// Up to kExtraArrays, for vertex hooks: fbrdfExtra0 is the first, ...
+    std::vector<std::vector<glm::vec4>> extra = {};
+};
+constexpr size_t kExtraArrays = 4;
+
+/// GLSL that the host puts into the programs of its objects, in the version of the context
+/// (Capabilities::glsl): functions and what they need, without #version. Names that begin with
+/// fbrdf are ours. In both, FBRDF_ATTRIBUTE and the other macros of version.glsl are defined.
+struct Hooks {
+    /// "": none. Defines  void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4
+    /// tangent)  which moves a vertex in object space: skinning, morphing, wind. It may declare
+    /// FBRDF_ATTRIBUTE vec4 fbrdfExtra0; (MeshData::extra).
+    std::string vertex;
+    /// Distance that it moves a vertex at most, object space: lights are culled by the bounds of
+    /// the mesh and that. Infinity culls none.
+    float reach = std::numeric_limits<float>::infinity();
+    /// "": none. Defines  float fbrdfShadow(int light, vec3 position, vec3 toLight) : what passes
+    /// of the light of that place in what draw() was given; eye space, toLight unit. Called above
+    /// the horizon only, so it must not take derivatives. Its look-ups are not counted.
+    std::string shadow;
+    int shadowUniforms = 0;  ///< vec4 uniforms that `shadow` declares: so many fewer lights fit
+    /// Sets the host's uniforms: called with the program current, once an item and program. May be
+    /// empty. Its textures are bound by the host before the draw, to units outside of those that
+    /// the renderer uses.
+    std::function<void(uint32_t program)> setUniforms;
 };
 
 class GpuMaterial;  ///< textures and programs of one Material
 class GpuMesh;      ///< buffers of one MeshData
 class GpuLibrary;   ///< many materials: those of one layout draw in one call
+class GpuHooks;     ///< Hooks that compile
 
 struct Item {
     const GpuMaterial* material = nullptr;
     const GpuMesh* mesh = nullptr;
-    glm::mat4 model{1.0f};  ///< invertible; may scale unevenly
+    glm::mat4 model{1.0f};  ///< invertible; may scale unevenly and mirror
+    const GpuHooks* hooks = nullptr;
+    /// Texture of the host (2D, sampled as its parameters say) or 0: 2 texel - 1 is the normal in
+    /// the tangent frame, y along s. One more look-up in every pass, beyond
+    /// DrawOptions::maxLookups.
+    uint32_t normalMap = 0;
 };
 
 /// One object of a batch.
@@ -80,6 +118,8 @@ struct Batch {
     const GpuLibrary* library = nullptr;
     const GpuMesh* mesh = nullptr;
     std::vector<Instance> instances;
+    const GpuHooks* hooks = nullptr;  ///< as of Item; the vertex hook may read gl_InstanceID
+    uint32_t normalMap = 0;           ///< as of Item
 };
 
 struct View {
@@ -145,6 +185,9 @@ public:
     std::shared_ptr<GpuMaterial> createMaterial(const Material& material);
     /// Throws Error(input) for arrays that do not agree, Error(gl) where GL cannot hold them.
     std::shared_ptr<GpuMesh> createMesh(const MeshData& mesh);
+
+    /// Throws Error(input) for hooks that do not compile, with the compiler's words.
+    std::shared_ptr<GpuHooks> createHooks(const Hooks& hooks);
 
     /// Packs the maps of materials that differ in numbers only (sameLayout, PackedParameters.h)
     /// into texture arrays, so that one program and one bind draw them all; needs OpenGL 3.1. Where

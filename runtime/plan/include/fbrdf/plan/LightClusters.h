@@ -23,7 +23,8 @@ struct LightClusters {
     float sliceScale = 0.0f, sliceBias = 0.0f;
     /// Lights, those without a radius first: they reach every cluster and are in no list.
     std::vector<LightVectors> lights;
-    int everywhere = 0;  ///< how many those are
+    int everywhere = 0;           ///< how many those are
+    std::vector<int32_t> places;  ///< of each of them among the lights that were given
     /// First index and number of indices of each cluster; columns fastest, then rows, then slices.
     std::vector<int32_t> lists;
     std::vector<int32_t> indices;  ///< into lights, ascending in each list

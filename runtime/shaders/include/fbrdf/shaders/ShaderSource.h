@@ -2,10 +2,12 @@
 // renderer, an engine plugin and a validator use the same text.
 //
 // Conventions of every program
-//   attributes  fbrdfVertex, fbrdfVertexNormal, fbrdfVertexTangent      vec3, object space
+//   attributes  fbrdfVertex, fbrdfVertexNormal (vec3), fbrdfVertexTangent (vec4, w: handedness),
+//               object space; fbrdfVertexTextureCoordinate (vec2) where SurfaceInputs wants it
 //   matrices    fbrdfModelView, fbrdfProjection (mat4)      or gl_*, see SurfaceInputs
 //   viewer      fbrdfEye (vec4)            see eyeFromProjection
 //   lights      fbrdfLights[3 slots] (vec4), fbrdfLightCount (int)      see LightVectors.h
+//               fbrdfLightNumbers[slots] (int) for a shadow hook
 //   table k     fbrdfTable<k> (sampler), where ranged: fbrdfLower<k>, fbrdfExtent<k> (vec3);
 //               a uniform table: fbrdfKnots<k>[knots] (vec3), decoded
 //   term t      fbrdfScale<t> (vec3)
@@ -49,11 +51,17 @@ struct SurfaceInputs {
     /// Matrices, positions and normals are the built-in gl_* of GLSL 1.20; only the tangent has a
     /// name of ours.
     bool builtIns = false;
-    /// With builtIns: the tangent is derived per pixel, towards increasing gl_MultiTexCoord0.s.
+    /// The tangent is derived per pixel, towards increasing s of the texture coordinates; GLSL ES
+    /// 1.00 then needs OES_standard_derivatives. With builtIns they are gl_MultiTexCoord0.
     bool derivedTangent = false;
     /// Model-view matrix and material come from fbrdfInstances, tables from texture arrays
     /// (PackedParameters.h); GLSL 1.40.
     bool instanced = false;
+    /// Normals come from fbrdfNormalMap (sampler2D) at the texture coordinates: 2 texel - 1, in the
+    /// tangent frame.
+    bool normalMap = false;
+    /// GLSL of the host (Hooks, Renderer.h), after version.glsl; "": none.
+    std::string vertexHook = {}, shadowHook = {};
 };
 
 /// glsl: 120, 140, 150, 330 or 450; of ES 300, or 100, which has neither volumes nor an index that
@@ -66,9 +74,9 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 /// What somebody else's fragment shader needs to shade with a material, to be put after its
 /// #version line; it declares the uniforms above of lights, tables and terms, and
 ///   vec3 fbrdfEvaluate(vec3 wo, vec3 wi)   f in 1/sr; unit, tangent frame; 0 below the horizon
-///   vec3 fbrdfRadiance(vec3 position, vec3 normal, vec3 tangent, vec3 viewer)
+///   vec3 fbrdfRadiance(vec3 position, vec3 normal, vec4 tangent, vec3 viewer)
 ///       sum over the first fbrdfLightCount lights of f cos E, in the space of the lights; viewer
-///       is unit, towards the eye
+///       is unit, towards the eye; tangent.w: handedness, 1 where tangent is a vec3
 /// maxLights >= 1: room of fbrdfLights. Throws as fragmentSource.
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);

@@ -1,0 +1,54 @@
+#include "GpuHooks.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/plan/LightVectors.h>
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+
+std::string SurfaceOptions::key() const
+{
+    return (hooks ? "h" + std::to_string(hooks->id()) : "") + (normalMap ? "n" : "") +
+           (derivedTangent ? "d" : "");
+}
+
+SurfaceInputs SurfaceOptions::inputs(bool instanced) const
+{
+    SurfaceInputs inputs;
+    inputs.instanced = instanced;
+    inputs.derivedTangent = derivedTangent;
+    inputs.normalMap = normalMap != 0;
+    if (hooks) {
+        inputs.vertexHook = hooks->get().vertex;
+        inputs.shadowHook = hooks->get().shadow;
+    }
+    return inputs;
+}
+
+SurfaceOptions surfaceOptions(const GpuMesh& mesh, const Form& form, const GpuHooks* hooks,
+                              GLuint normalMap)
+{
+    if (normalMap != 0 && !mesh.has(kTextureCoordinate))
+        throw Error(ErrorKind::usage, "item",
+                    "found a normal map on a mesh without texture coordinates, expected them");
+    const bool needsFrame = normalMap != 0 || !isIsotropic(form);
+    return {hooks, normalMap, needsFrame && !mesh.hasTangents() && mesh.has(kTextureCoordinate)};
+}
+
+// Each light has a number beside its vectors, which takes a uniform vector in the worst case.
+Capabilities remaining(Capabilities capabilities, const GpuHooks* hooks)
+{
+    if (!hooks || hooks->get().shadow.empty()) return capabilities;
+    const int room = std::max(0, capabilities.maxUniformVectors - hooks->get().shadowUniforms);
+    capabilities.maxUniformVectors = room * kVectorsPerLight / (kVectorsPerLight + 1);
+    return capabilities;
+}
+
+Sphere reached(const Sphere& bounds, const GpuHooks* hooks)
+{
+    if (!hooks || hooks->get().vertex.empty()) return bounds;
+    return {bounds.centre, bounds.radius + hooks->get().reach};
+}
+
+}  // namespace fbrdf::gl

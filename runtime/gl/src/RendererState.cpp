@@ -1,0 +1,179 @@
+#include "RendererState.h"
+
+#include <algorithm>
+
+namespace fbrdf::gl {
+namespace {
+
+constexpr const char* kNoLists =
+    "found lists of lights asked for, expected OpenGL 3.1, technique single and no limits";
+
+}  // namespace
+
+Renderer::State::State(const DevicePtr& d)
+    : device(d), programs(d), surfaces(d), clusterBuffers(d), instances(d, GL_RGBA32F, "instances")
+{
+}
+
+void Renderer::State::checkAlive() const
+{
+    if (!device->alive)
+        throw Error(ErrorKind::gl, "renderer", "found an abandoned context, expected a live one");
+}
+
+void checkModel(const glm::mat4& model)
+{
+    if (!isInvertible(model))
+        throw Error(ErrorKind::usage, "item",
+                    "found a singular model matrix, expected an invertible one");
+}
+
+PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
+                                     const TargetInfo& target) const
+{
+    return {options.technique,  lights,        options.lightsPerPass,
+            options.maxLookups, target.format, !target.multisampled,
+            target.transfer};
+}
+
+std::vector<const Program*> Renderer::State::programsOf(const GpuMaterial& material,
+                                                        const SurfaceOptions& surface,
+                                                        const Plan& plan, bool clustered)
+{
+    const int maxLights =
+        maxLightsInUniforms(material.form(), remaining(device->capabilities, surface.hooks));
+    std::vector<const Program*> result;
+    for (const Pass& pass : plan.passes) {
+        ProgramSpec spec = programSpec(pass, maxLights);
+        spec.clustered = clustered && pass.lit;
+        result.push_back(&programs.find(material, spec, surface));
+    }
+    return result;
+}
+
+Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks,
+                              PlanRequest wanted, const Target* target, std::string& whyReplaced)
+{
+    const Capabilities capabilities = remaining(device->capabilities, hooks);
+    wanted.signs = material.hasSigns();
+    Plan plan = planPasses(material.form(), wanted, capabilities);
+    const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
+    if (target && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&
+        !surfaces.prepare(target->width, target->height)) {
+        wanted.offscreen = false;
+        plan = planPasses(material.form(), wanted, capabilities);
+    }
+    if (plan.feasible()) return plan;
+    device->logOnce(Severity::warning, "material '" + material.name() +
+                                           "': " + techniqueName(wanted.technique) +
+                                           " replaced by single: " + plan.reason);
+    whyReplaced = plan.reason;
+    wanted.technique = Technique::single;
+    wanted.maxLookups = 0;
+    plan = planPasses(material.form(), wanted, capabilities);
+    if (!plan.feasible())
+        device->logOnce(Severity::error,
+                        "material '" + material.name() + "' not drawn: " + plan.reason);
+    return plan;
+}
+
+void Renderer::State::draw(Executor& executor, const Drawable& item, const Sphere& bounds,
+                           const DrawRequest& draw, DrawStats& stats)
+{
+    const GpuMaterial& material = item.material;
+    const DebugGroup group(*device, "fbrdf item " + material.name());
+    if (!isIsotropic(material.form()) && !item.mesh.hasTangents() && !item.surface.derivedTangent)
+        device->logOnce(Severity::warning,
+                        "material '" + material.name() +
+                            "' is anisotropic, the mesh has neither tangents nor texture "
+                            "coordinates");
+    // With lists one light stands for all.
+    const EyeLights lights = draw.clustered
+                                 ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}}
+                                 : lightsOf(bounds, draw, stats);
+    const Plan plan =
+        planFor(material, item.surface.hooks,
+                request(draw.options, static_cast<int>(lights.vectors.size()), draw.info),
+                &draw.target, stats.whyReplaced);
+    const auto passPrograms = programsOf(material, item.surface, plan, draw.clustered);
+    stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
+    const int passes = static_cast<int>(plan.passes.size());
+    if (passes > stats.passes) {
+        stats.accumulation = colourFormatName(plan.accumulation);
+        stats.technique = plan.technique;
+    }
+    stats.error = {std::max(stats.error.relative, plan.error.relative),
+                   std::max(stats.error.absolute, plan.error.absolute)};
+    stats.passes = std::max(stats.passes, passes);
+    stats.drawCalls += passes;
+}
+
+void Renderer::State::drawItem(Executor& executor, const Item& item, const DrawRequest& request,
+                               DrawStats& stats)
+{
+    survive(stats, 1, [&] {
+        checkOwners(item.material, item.mesh, item.hooks);
+        checkModel(item.model);
+        draw(executor,
+             {*item.material,
+              *item.mesh,
+              surfaceOptions(*item.mesh, item.material->form(), item.hooks, item.normalMap),
+              item.model,
+              {}},
+             worldBounds(reached(item.mesh->bounds(), item.hooks), item.model), request, stats);
+    });
+}
+
+bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
+{
+    if (!options.clustered || lights == 0) return false;
+    const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
+                          options.maxLights == 0 && device->capabilities.bufferTextures;
+    if (!possible) device->logOnce(Severity::warning, std::string(kNoLists) + ": drawing without");
+    return possible;
+}
+
+void Renderer::State::cluster(DrawRequest& request, LightClusters& clusters, Frame& frame,
+                              DrawStats& stats)
+{
+    request.clustered = isClustered(request.options, request.lights.size());
+    if (request.options.clustered && !request.clustered && !request.lights.empty())
+        stats.whyReplaced = kNoLists;
+    if (!request.clustered) return;
+    clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection));
+    clusterBuffers.update(clusters, request.eye.numbers);
+    frame.clusters = &clusters;
+    frame.clusterBuffers = &clusterBuffers;
+}
+
+DrawStats Renderer::State::draw(const Target& target, const View& view,
+                                const std::vector<Light>& lights, const DrawOptions& options,
+                                const DrawAll& drawAll)
+{
+    checkAlive();
+    checkRequest(*device, target, view);
+    DrawRequest request{target, view, options, {}, {}, {}};
+    setLights(request, lights);
+    DrawStats stats;
+    stats.lightsGiven = static_cast<int>(lights.size());
+    stats.lightsUsed = static_cast<int>(request.lights.size());
+    stats.lightsDropped = stats.lightsGiven - stats.lightsUsed;
+
+    StateGuard guard(*device);
+    const DebugGroup group(*device, "fbrdf draw");
+    guard.setTarget(target);
+    request.info = targetInfo(*device, target);
+    validate(this->request(options, stats.lightsUsed, request.info));
+    if (options.maxLights < 0)
+        throw Error(ErrorKind::usage, "draw",
+                    "found a limit of " + std::to_string(options.maxLights) +
+                        " lights, expected 0 (none) or more");
+    Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
+    LightClusters clusters;
+    cluster(request, clusters, frame, stats);
+    Executor executor(*device, frame, surfaces, guard);
+    drawAll(executor, request, stats);
+    return stats;
+}
+
+}  // namespace fbrdf::gl
