@@ -1,13 +1,11 @@
 // fbrdf-viewer: shows factored materials, and what they are judged by. See README.md.
+#include "viewer/CommandLine.h"
 #include "viewer/Headless.h"
 #include "viewer/WindowLoop.h"
 
-#include <fbrdf/brdf/Error.h>
 #include <fbrdf/scene/TextFile.h>
 
 #include <fmt/core.h>
-
-#include <exception>
 
 namespace {
 
@@ -46,13 +44,5 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    try {
-        return run(argc, argv);
-    } catch (const Error& error) {
-        fmt::print(stderr, "fbrdf-viewer: {}\n", error.what());
-        return static_cast<int>(error.kind());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "fbrdf-viewer: unexpected: {}\n", error.what());
-        return 1;
-    }
+    return fbrdf::viewer::exitCodeOf("fbrdf-viewer", run, argc, argv);
 }

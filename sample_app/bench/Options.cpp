@@ -1,34 +1,19 @@
 #include "bench/Options.h"
 
+#include "viewer/CommandLine.h"
+
 #include <fbrdf/brdf/Error.h>
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
-
 namespace fbrdf::bench {
 namespace {
 
-constexpr int kLargestSide = 16384;  ///< what GL 3.3 implementations commonly render to
 constexpr int kMostLights = 65536;
 
 [[noreturn]] void fail(const std::string& where, const std::string& what)
 {
     throw Error(ErrorKind::usage, where, what);
-}
-
-/// "640x480".
-void setSize(Options& options, const std::string& text)
-{
-    const char* const end = text.data() + text.size();
-    const auto [cross, error] = std::from_chars(text.data(), end, options.width);
-    const bool hasCross = error == std::errc() && cross != end && *cross == 'x';
-    const auto [last, error2] = std::from_chars(hasCross ? cross + 1 : end, end, options.height);
-    const auto inRange = [](int side) { return side >= 1 && side <= kLargestSide; };
-    if (!hasCross || error2 != std::errc() || last != end || !inRange(options.width) ||
-        !inRange(options.height))
-        fail("--size",
-             "found '" + text + "', expected WxH of 1 to " + std::to_string(kLargestSide));
 }
 
 }  // namespace
@@ -59,6 +44,10 @@ Options optionsFromArguments(int argc, const char* const* argv)
                    "wall (default), or cpu: that of the process, steadier where a busy machine "
                    "draws in software")
         ->check(CLI::IsMember({"wall", "cpu"}));
+    app.add_flag(
+        "--reach", options.reach,
+        "4,096 lights with a radius in lists, --lights of which reach a pixel, against one "
+        "list of as many");
     app.add_flag("--json", options.json, "One object instead of tables");
     try {
         app.parse(argc, argv);
@@ -68,7 +57,11 @@ Options optionsFromArguments(int argc, const char* const* argv)
     } catch (const CLI::ParseError& error) {
         fail("command line", error.what());
     }
-    if (!size.empty()) setSize(options, size);
+    if (!size.empty()) {
+        const viewer::Size pixels = viewer::sizeFromText(size);
+        options.width = pixels.width;
+        options.height = pixels.height;
+    }
     if (!mesh.empty()) options.meshes = {mesh};
     if (clock == "cpu") options.clock = Options::Clock::cpu;
     return options;

@@ -10,11 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* clockName(const Measurement& measurement)
-{
-    return measurement.clock == Options::Clock::cpu ? "cpu" : "wall";
-}
-
 /// Names of all variants that any table of the mesh times, in order.
 std::vector<std::string> variantsOf(const std::vector<const Table*>& tables)
 {
@@ -56,11 +51,16 @@ std::string meshText(const std::vector<const Table*>& tables)
 
 }  // namespace
 
+const char* clockName(Options::Clock clock)
+{
+    return clock == Options::Clock::cpu ? "cpu" : "wall";
+}
+
 std::string asText(const Measurement& measurement)
 {
     std::string text = fmt::format("{}, OpenGL {}, {}x{} pixels, {} time\n", measurement.glRenderer,
                                    measurement.glVersion, measurement.width, measurement.height,
-                                   clockName(measurement));
+                                   clockName(measurement.clock));
     std::vector<const Table*> tables;
     for (size_t i = 0; i < measurement.tables.size(); ++i) {
         tables.push_back(&measurement.tables[i]);
@@ -93,7 +93,7 @@ std::string asJson(const Measurement& measurement)
     return Json{{"renderer", measurement.glRenderer},
                 {"version", measurement.glVersion},
                 {"size", {measurement.width, measurement.height}},
-                {"clock", clockName(measurement)},
+                {"clock", clockName(measurement.clock)},
                 {"results", results},
                 {"left_out", leftOut}}
                .dump(2) +

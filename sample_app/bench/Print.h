@@ -4,6 +4,8 @@
 
 namespace fbrdf::bench {
 
+const char* clockName(Options::Clock clock);  ///< "cpu", "wall"
+
 /// A table for each mesh: a row a variant, for each number of lights milliseconds and ratio.
 std::string asText(const Measurement& measurement);
 

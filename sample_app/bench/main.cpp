@@ -1,16 +1,21 @@
 // fbrdf-bench: the runtime against other ways to draw a material. See README.md.
+#include "bench/Measure.h"
 #include "bench/Options.h"
 #include "bench/Print.h"
-
-#include <fbrdf/brdf/Error.h>
+#include "bench/Reach.h"
+#include "viewer/CommandLine.h"
 
 #include <fmt/core.h>
-
-#include <exception>
 
 namespace {
 
 using namespace fbrdf;
+
+template <class Measurement>
+void print(const Measurement& measurement, bool json)
+{
+    fmt::print("{}", json ? asJson(measurement) : asText(measurement));
+}
 
 int run(int argc, char** argv)
 {
@@ -19,8 +24,10 @@ int run(int argc, char** argv)
         fmt::print("{}", options.help);
         return 0;
     }
-    const bench::Measurement measurement = bench::measure(options);
-    fmt::print("{}", options.json ? asJson(measurement) : asText(measurement));
+    if (options.reach)
+        print(bench::measureReach(options), options.json);
+    else
+        print(bench::measure(options), options.json);
     return 0;
 }
 
@@ -28,13 +35,5 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    try {
-        return run(argc, argv);
-    } catch (const Error& error) {
-        fmt::print(stderr, "fbrdf-bench: {}\n", error.what());
-        return static_cast<int>(error.kind());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "fbrdf-bench: unexpected: {}\n", error.what());
-        return 1;
-    }
+    return fbrdf::viewer::exitCodeOf("fbrdf-bench", run, argc, argv);
 }

@@ -1,36 +1,21 @@
 #include "Options.h"
 
+#include "CommandLine.h"
+
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/scene/Image.h>
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
-
 namespace fbrdf::viewer {
 namespace {
 
-constexpr int kLargestSide = 16384;  ///< what GL 3.3 implementations commonly render to
 constexpr int kMostLights = 65536;
 
 /// What CLI11 fills and what still has to be understood.
 struct Texts {
     std::string backend, technique, camera, size;
 };
-
-/// "640x480".
-void setSize(Options& options, const std::string& text)
-{
-    const char* const end = text.data() + text.size();
-    const auto [cross, error] = std::from_chars(text.data(), end, options.width);
-    const bool hasCross = error == std::errc() && cross != end && *cross == 'x';
-    const auto [last, error2] = std::from_chars(hasCross ? cross + 1 : end, end, options.height);
-    const auto inRange = [](int side) { return side >= 1 && side <= kLargestSide; };
-    if (!hasCross || error2 != std::errc() || last != end || !inRange(options.width) ||
-        !inRange(options.height))
-        throw Error(ErrorKind::usage, "--size",
-                    "found '" + text + "', expected WxH of 1 to " + std::to_string(kLargestSide));
-}
 
 void describeScene(CLI::App& app, Options& options, Texts& texts)
 {
@@ -79,7 +64,11 @@ void understand(const Texts& texts, Options& options)
     if (!texts.backend.empty()) options.backend = backendFromName(texts.backend);
     if (!texts.technique.empty()) options.technique = scene::viewTechniqueFromName(texts.technique);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
-    if (!texts.size.empty()) setSize(options, texts.size);
+    if (!texts.size.empty()) {
+        const Size size = sizeFromText(texts.size);
+        options.width = size.width;
+        options.height = size.height;
+    }
     if (!std::isfinite(options.exposure))
         throw Error(ErrorKind::usage, "--exposure", "found no finite number, expected one > 0");
     if (!options.out.empty()) scene::checkImagePath(options.out);

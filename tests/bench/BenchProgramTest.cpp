@@ -62,6 +62,23 @@ TEST(BenchProgram, TimesEveryVariantOnce)
     EXPECT_FALSE(json["renderer"].get<std::string>().empty());
 }
 
+TEST(BenchProgram, CountsTheLightsThatReachAPixel)
+{
+    const Result result = runBench("--reach --lights 16,64 --size 64x64 --json");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["lights"], 4096);
+    ASSERT_EQ(json["rows"].size(), 2u);
+    for (const auto& row : json["rows"]) {
+        const double wanted = row["wanted"], reaching = row["reaching"], listed = row["listed"];
+        EXPECT_NEAR(reaching, wanted, 0.2 * wanted);  // less at the border
+        EXPECT_GE(listed, reaching);
+        EXPECT_GT(row["clustered"].get<double>(), row["building"].get<double>());
+        EXPECT_GT(row["one_list"], 0.0);
+    }
+}
+
 TEST(BenchProgram, LeavesOutWhatWouldTakeTooLong)
 {
     const Result result = runBench(

@@ -8,6 +8,7 @@
 #include "support/gl/Hooks.h"
 #include "support/gl/Scenes.h"
 
+#include <numeric>
 #include <random>
 
 namespace fbrdf::test {
@@ -106,13 +107,58 @@ TEST_P(ManyLights, ScissoredPassesDrawWhatOnePassDraws)
 {
     gl::Renderer renderer = makeRenderer();
     const auto lights = smallLights(60);
+    for (const auto technique : {Technique::twoLookup, Technique::batched})
+        for (const gl::View& view : {perspectiveView(), orthographicView()})
+            EXPECT_LE(compareImages(draw(renderer, lights, {technique, 4}, view).pixels,
+                                    draw(renderer, lights, {}, view).pixels)
+                          .maxRelative,
+                      kOrder);
+}
+
+TEST_P(ManyLights, BatchesOfLightsThatAreNearShadeFewPixels)
+{
+    Hooks hooks(context().loader());
+    gl::RendererOptions options = rendererOptions();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    gl::Renderer renderer(options);
+    std::vector<Light> lights;
+    for (int i = 0; i < 64; ++i) {
+        Light light;
+        light.position = {0.25f * static_cast<float>((i * 37) % 8) - 0.9f,
+                          0.25f * static_cast<float>((i * 29) % 64 / 8) - 0.9f, 0.4f};
+        light.radius = 0.3f;
+        lights.push_back(light);
+    }
+    const auto samples = [&] {
+        hooks.samples.clear();
+        hooks.countSamples = true;
+        draw(renderer, lights, {Technique::batched, 8});
+        hooks.countSamples = false;
+        return std::pair{hooks.samples.front(),
+                         std::accumulate(hooks.samples.begin() + 1, hooks.samples.end(), 0u)};
+    };
+    const auto [first, added] = samples();
+    EXPECT_GT(added, 0u);
+    EXPECT_LT(added, 7 * first / 2);  // of seven passes, half is never reached
+}
+
+TEST_P(ManyLights, ListsMayBeCapped)
+{
+    gl::Renderer renderer = makeRenderer();
+    const auto lights = smallLights(200);
     gl::DrawOptions options;
-    options.technique = Technique::twoLookup;
-    for (const gl::View& view : {perspectiveView(), orthographicView()})
-        EXPECT_LE(compareImages(draw(renderer, lights, options, view).pixels,
-                                draw(renderer, lights, {}, view).pixels)
-                      .maxRelative,
-                  kOrder);
+    options.clustered = true;
+    const Drawn all = draw(renderer, lights, options);
+    options.maxLights = 200;
+    const Drawn roomy = draw(renderer, lights, options);
+    EXPECT_EQ(roomy.stats.lightsDropped, 0);
+    EXPECT_LE(compareImages(roomy.pixels, all.pixels).maxRelative, kOrder);
+    options.maxLights = 20;
+    const Drawn capped = draw(renderer, lights, options);
+    EXPECT_GT(capped.stats.lightsDropped, 0);
+    EXPECT_LE(capped.stats.maxLookups, 1 + 2 * 20);
+    EXPECT_GT(compareImages(capped.pixels, all.pixels).meanRelative, 1e-3);
 }
 
 TEST_P(ManyLights, WhatDoesNotReachAnItemIsCulledAndCounted)

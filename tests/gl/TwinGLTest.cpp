@@ -307,7 +307,7 @@ TEST_P(Twin, IrradianceOfAPointLight)
 {
     std::vector<Inputs> inputs;
     for (float z = 0.5f; z < 4.0f; z += 0.25f)
-        inputs.push_back({Vec4(1.0f, -2.0f, z, 1.0f), Vec4(0.5f, 1.0f, 2.0f, 0.04f)});
+        inputs.push_back({Vec4(1.0f, -2.0f, z, 0.04f), Vec4(0.5f, 1.0f, 2.0f, 1.0f)});
     compare(
         "vec3 wi; result = vec4(fbrdfIrradiance(a, b, vec4(0.0, 0.0, 0.0, 1.0), vec3(0.1, 0.2, "
         "0.0), wi), wi.y);",

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 namespace fbrdf {
@@ -31,6 +32,36 @@ TEST(LightSelection, CullsWhatDoesNotReach)
     EXPECT_EQ(selection.lights, (std::vector<int>{1, 2}));
     EXPECT_EQ(selection.culled, 1);
     EXPECT_EQ(selection.dropped, 0);
+}
+
+Light spotLight(const Vec3f& position, const Vec3f& axis, float outer, float radius)
+{
+    Light light = pointLight(position, radius);
+    light.type = Light::Type::spot;
+    light.axis = axis;
+    light.outerAngle = outer;
+    return light;
+}
+
+TEST(LightSelection, CullsConesThatMiss)
+{
+    std::mt19937 random(4);
+    std::normal_distribution<float> normal;
+    std::uniform_real_distribution<float> angle(0.05f, 1.5f);
+    const auto anywhere = [&] { return Vec3f(normal(random), normal(random), normal(random)); };
+    const Sphere bounds{{0.3f, -0.2f, 0.1f}, 0.5f};
+    int culled = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Light light = spotLight(3.0f * anywhere(), anywhere(), angle(random), 0.0f);
+        const bool isCulled = selectLights({light}, bounds, 0).culled == 1;
+        culled += isCulled ? 1 : 0;
+        for (int k = 0; isCulled && k < 50; ++k) {
+            const Vec3d point = Vec3d(bounds.centre) + 0.5 * glm::normalize(Vec3d(anywhere()));
+            const Vec3d toLight = glm::normalize(Vec3d(light.position) - point);
+            ASSERT_EQ(coneFactor(light, toLight), 0.0);
+        }
+    }
+    EXPECT_GT(culled, 100);
 }
 
 TEST(LightSelection, KeepsTheStrongestUnderACap)
@@ -65,27 +96,26 @@ std::vector<LightVectors> randomLights(int count, std::mt19937& random)
 bool reaches(const LightVectors& light, const Vec3d& point)
 {
     const Vec3d d = Vec3d(light[0]) - point;
-    return glm::dot(d, d) * double(light[1].w) < 1.0;
+    return glm::dot(d, d) * double(light[0].w) < 1.0;
 }
 
-/// As fbrdfLightList and the loop of a clustered program do.
-std::vector<int> listAt(const LightClusters& clusters, const glm::dvec2& unit, float distance)
+/// As the loop of a clustered program does. unit: place in the picture.
+std::vector<int> lightsAt(const LightClusters& clusters, const glm::dvec2& unit, double distance)
 {
-    const ClusterGrid& grid = clusters.grid;
-    const auto index = [](double x, int count) {
-        return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1);
-    };
-    const int slice = index(
-        double(std::log2(std::max(distance, 1e-6f)) * clusters.sliceScale + clusters.sliceBias),
-        grid.slices);
-    const size_t cluster = static_cast<size_t>(
-        (slice * grid.rows + index(unit.y * grid.rows, grid.rows)) * grid.columns +
-        index(unit.x * grid.columns, grid.columns));
-    std::vector<int> lights;
-    for (int i = 0; i < clusters.everywhere; ++i) lights.push_back(i);
-    for (int i = 0; i < clusters.lists[2 * cluster + 1]; ++i)
-        lights.push_back(clusters.indices[static_cast<size_t>(clusters.lists[2 * cluster] + i)]);
+    const LightList list = listAt(clusters, 2.0 * unit - 1.0, distance);
+    std::vector<int> lights(static_cast<size_t>(clusters.everywhere));
+    std::iota(lights.begin(), lights.end(), 0);
+    const auto first = clusters.indices.begin() + list.first;
+    lights.insert(lights.end(), first, first + list.count);
     return lights;
+}
+
+/// The point that is seen at a place in the picture, so far from the eye.
+Vec3d pointAt(const glm::dmat4& projection, const glm::dvec2& unit, double distance)
+{
+    const glm::dvec4 clip = projection * glm::dvec4(0.0, 0.0, -distance, 1.0);
+    return Vec3d(glm::inverse(projection) *
+                 glm::dvec4((2.0 * unit - 1.0) * clip.w, clip.z, clip.w));
 }
 
 glm::dmat4 perspective()
@@ -110,10 +140,8 @@ TEST(LightClusters, HoldEveryLightThatReachesAPoint)
         for (int i = 0; i < 4000; ++i) {
             const glm::dvec2 pixel(unit(random), unit(random));
             const double z = depth(random);
-            const glm::dvec4 clip = projection * glm::dvec4(0.0, 0.0, -z, 1.0);
-            Vec3d point(glm::inverse(projection) *
-                        glm::dvec4((2.0 * pixel - 1.0) * clip.w, clip.z, clip.w));
-            const auto list = listAt(clusters, pixel, static_cast<float>(-point.z));
+            const Vec3d point = pointAt(projection, pixel, z);
+            const auto list = lightsAt(clusters, pixel, -point.z);
             ASSERT_LE(static_cast<int>(list.size()), clusters.longest);
             held += list.size();
             for (int k = 0; k < static_cast<int>(lights.size()); ++k) {
@@ -139,6 +167,103 @@ TEST(LightClusters, OfNoLightsWithARadiusAreEmpty)
     }
 }
 
+TEST(LightClusters, KeepTheStrongestUnderACap)
+{
+    std::mt19937 random(13);
+    auto lights = randomLights(300, random);
+    for (size_t i = 0; i < lights.size(); i += 7) lights[i][1] *= glm::vec4(1e3f, 1e3f, 1e3f, 1.0f);
+    const LightClusters all = lightClusters(lights, perspective()),
+                        capped = lightClusters(lights, perspective(), {}, 6);
+    EXPECT_EQ(capped.everywhere, 0);
+    EXPECT_EQ(capped.longest, 6);
+    EXPECT_GT(capped.dropped, 0);
+    EXPECT_GE(all.longest, capped.longest + capped.dropped);
+    std::uniform_real_distribution<double> unit(0.0, 1.0), depth(1.0, 12.0);
+    double whole = 0.0, kept = 0.0, first = 0.0;
+    for (int i = 0; i < 500; ++i) {
+        const glm::dvec2 at(unit(random), unit(random));
+        const Vec3d point = pointAt(perspective(), at, depth(random));
+        const auto brought = [&](const LightClusters& c, size_t most) {
+            double sum = 0.0;
+            const auto list = lightsAt(c, at, -point.z);
+            EXPECT_TRUE(std::is_sorted(list.begin(), list.end()));
+            for (size_t k = 0; k < std::min(most, list.size()); ++k) {
+                const LightVectors& light = c.lights[static_cast<size_t>(list[k])];
+                const Vec3d d = Vec3d(light[0]) - point;
+                const double inverse2 = double(light[0].w);
+                sum += double(light[1].x) *
+                       falloff(glm::dot(d, d), inverse2 > 0.0 ? 1.0 / std::sqrt(inverse2) : 0.0);
+            }
+            return sum;
+        };
+        whole += brought(all, lights.size());
+        kept += brought(capped, lights.size());
+        first += brought(all, 6);
+    }
+    EXPECT_GT(kept, 0.8 * whole);
+    EXPECT_LT(first, 0.5 * whole);
+}
+
+TEST(PixelBounds, OfASpotHoldItsCone)
+{
+    constexpr int kSide = 100;
+    std::mt19937 random(8);
+    std::normal_distribution<float> normal;
+    std::uniform_real_distribution<float> angle(0.1f, 1.2f);
+    const auto anywhere = [&] { return Vec3f(normal(random), normal(random), normal(random)); };
+    size_t spotPixels = 0, ballPixels = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Light spot = spotLight(anywhere() + Vec3f(0.0f, 0.0f, -9.0f), anywhere(),
+                                     angle(random), 1.5f),
+                    ball = pointLight(spot.position, spot.radius);
+        const auto area = [&](const Light& light) {
+            const PixelRect rect =
+                pixelBounds(lightVectors(light, glm::dmat4(1.0)), perspective(), kSide, kSide);
+            return std::pair{rect, static_cast<size_t>(rect.width * rect.height)};
+        };
+        const auto [rect, pixels] = area(spot);
+        spotPixels += pixels;
+        ballPixels += area(ball).second;
+        for (int k = 0; k < 50; ++k) {
+            const Vec3d direction = glm::normalize(Vec3d(anywhere()));
+            if (coneFactor(spot, -direction) == 0.0) continue;
+            const Vec3d point = Vec3d(spot.position) + 1.5 * direction;
+            const glm::dvec4 clip = perspective() * glm::dvec4(point, 1.0);
+            const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * double(kSide);
+            if (at.x < 0.0 || at.y < 0.0 || at.x >= kSide || at.y >= kSide) continue;
+            ASSERT_TRUE(at.x >= rect.x && at.x < rect.x + rect.width && at.y >= rect.y &&
+                        at.y < rect.y + rect.height);
+        }
+    }
+    EXPECT_LT(spotPixels, ballPixels * 3 / 4);
+}
+
+TEST(PixelBounds, AreOrderedByPlace)
+{
+    std::vector<PixelRect> rects;
+    for (int i = 0; i < 64; ++i) rects.push_back({(i * 37) % 64 * 8, (i * 29) % 64 * 8, 8, 8});
+    const auto order = neighboursTogether(rects);
+    EXPECT_TRUE(std::is_permutation(order.begin(), order.end(),
+                                    [] {
+                                        std::vector<int> all(64);
+                                        std::iota(all.begin(), all.end(), 0);
+                                        return all;
+                                    }()
+                                        .begin()));
+    const auto area = [&](const auto& indexOf) {
+        int total = 0;
+        for (int first = 0; first < 64; first += 8) {
+            PixelRect rect;
+            for (int i = first; i < first + 8; ++i)
+                rect = enclosing(rect, rects[static_cast<size_t>(indexOf(i))]);
+            total += rect.width * rect.height;
+        }
+        return total;
+    };
+    EXPECT_LT(2 * area([&](int i) { return order[static_cast<size_t>(i)]; }),
+              area([](int i) { return i; }));
+}
+
 TEST(PixelBounds, ContainEveryPointOfTheLight)
 {
     constexpr int kWidth = 130, kHeight = 100;
@@ -147,14 +272,14 @@ TEST(PixelBounds, ContainEveryPointOfTheLight)
     for (const glm::dmat4& projection : {perspective(), parallel()})
         for (const LightVectors& light : randomLights(200, random)) {
             const PixelRect rect = pixelBounds(light, projection, kWidth, kHeight);
-            if (light[1].w == 0.0f) {
+            if (light[0].w == 0.0f) {
                 EXPECT_EQ(rect.width * rect.height, kWidth * kHeight);
                 continue;
             }
             for (int i = 0; i < 50; ++i) {
                 const Vec3d direction(normal(random), normal(random), normal(random));
                 const Vec3d point =
-                    Vec3d(light[0]) + glm::normalize(direction) / std::sqrt(double(light[1].w));
+                    Vec3d(light[0]) + glm::normalize(direction) / std::sqrt(double(light[0].w));
                 const glm::dvec4 clip = projection * glm::dvec4(point, 1.0);
                 if (clip.w <= 0.0) continue;
                 const glm::dvec2 at =

@@ -121,8 +121,8 @@ TEST(LightVectors, AreInEyeSpaceAndNormalised)
     light.position = {1.0f, 2.0f, 3.0f};
     light.radius = 2.0f;
     const LightVectors v = lightVectors(light, toEye);
-    EXPECT_EQ(v[0], glm::vec4(3.0f, 2.0f, -6.0f, 1.0f));
-    EXPECT_EQ(v[1], glm::vec4(1.0f, 1.0f, 1.0f, 0.25f));
+    EXPECT_EQ(v[0], glm::vec4(3.0f, 2.0f, -6.0f, 0.25f));
+    EXPECT_EQ(v[1], glm::vec4(1.0f, 1.0f, 1.0f, 1.0f));
     EXPECT_NEAR(glm::distance(v[2], glm::vec4(-1.0f, 0.0f, 0.0f, 0.0f)), 0.0f, 1e-6f);
     light.type = Light::Type::directional;
     light.position = {0.0f, 0.0f, 8.0f};

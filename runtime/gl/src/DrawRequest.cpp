@@ -87,6 +87,20 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
     return result;
 }
 
+void putNeighboursTogether(EyeLights& lights, const DrawRequest& request)
+{
+    std::vector<PixelRect> rects;
+    for (const LightVectors& light : lights.vectors)
+        rects.push_back(pixelBounds(light, glm::dmat4(request.view.projection),
+                                    request.target.width, request.target.height));
+    EyeLights ordered;
+    for (const int i : neighboursTogether(rects)) {
+        ordered.vectors.push_back(lights.vectors[static_cast<size_t>(i)]);
+        ordered.numbers.push_back(lights.numbers[static_cast<size_t>(i)]);
+    }
+    lights = std::move(ordered);
+}
+
 /// A matrix stretches nothing by more than its Frobenius norm.
 Sphere worldBounds(const Sphere& bounds, const glm::mat4& model)
 {

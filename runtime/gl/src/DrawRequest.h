@@ -27,6 +27,10 @@ void setLights(DrawRequest& request, const std::vector<Light>& lights);
 /// All lights that reach the bounds, or the strongest of them; counts the others.
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats);
 
+/// In an order in which lights that reach the same pixels follow each other: batches of them are
+/// scissored.
+void putNeighboursTogether(EyeLights& lights, const DrawRequest& request);
+
 /// bounds: object space.
 Sphere worldBounds(const Sphere& bounds, const glm::mat4& model);
 Sphere enclosing(const std::vector<Sphere>& spheres);

@@ -167,12 +167,16 @@ int Executor::lightsOf(const Pass& pass, const Program& program) const
 // Only a pass that adds may leave pixels out: another lays depth, replaces or multiplies.
 void Executor::setScissor(const Pass& pass)
 {
-    PixelRect rect{0, 0, frame_.target.width, frame_.target.height};
-    const PixelRect whole = rect;
-    if (pass.lit && pass.lightCount == 1 && pass.blend == Blend::add && !pass.reads)
-        rect = pixelBounds(lights_->vectors[static_cast<size_t>(pass.firstLight)],
-                           glm::dmat4(frame_.view.projection), whole.width, whole.height);
-    const bool isWhole = rect.width == whole.width && rect.height == whole.height;
+    const int width = frame_.target.width, height = frame_.target.height;
+    const bool mayLeaveOut = pass.lit && pass.lightCount > 0 && pass.blend == Blend::add &&
+                             !pass.reads && !frame_.clusters;
+    if (!mayLeaveOut) return state_.setScissor(nullptr);
+    PixelRect rect;
+    for (int i = 0; i < pass.lightCount; ++i)
+        rect =
+            enclosing(rect, pixelBounds(lights_->vectors[static_cast<size_t>(pass.firstLight + i)],
+                                        glm::dmat4(frame_.view.projection), width, height));
+    const bool isWhole = rect.width == width && rect.height == height;
     state_.setScissor(isWhole ? nullptr : &rect);
 }
 

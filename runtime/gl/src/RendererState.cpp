@@ -6,7 +6,8 @@ namespace fbrdf::gl {
 namespace {
 
 constexpr const char* kNoLists =
-    "found lists of lights asked for, expected OpenGL 3.1, technique single and no limits";
+    "found lists of lights asked for, expected OpenGL 3.1, technique single and no limit of "
+    "look-ups";
 
 }  // namespace
 
@@ -88,9 +89,10 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
                             "' is anisotropic, the mesh has neither tangents nor texture "
                             "coordinates");
     // With lists one light stands for all.
-    const EyeLights lights = draw.clustered
-                                 ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}}
-                                 : lightsOf(bounds, draw, stats);
+    EyeLights lights = draw.clustered
+                           ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}}
+                           : lightsOf(bounds, draw, stats);
+    if (draw.options.technique == Technique::batched) putNeighboursTogether(lights, draw);
     const Plan plan =
         planFor(material, item.surface.hooks,
                 request(draw.options, static_cast<int>(lights.vectors.size()), draw.info),
@@ -128,7 +130,7 @@ bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
 {
     if (!options.clustered || lights == 0) return false;
     const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
-                          options.maxLights == 0 && device->capabilities.bufferTextures;
+                          device->capabilities.bufferTextures;
     if (!possible) device->logOnce(Severity::warning, std::string(kNoLists) + ": drawing without");
     return possible;
 }
@@ -140,7 +142,9 @@ void Renderer::State::cluster(DrawRequest& request, LightClusters& clusters, Fra
     if (request.options.clustered && !request.clustered && !request.lights.empty())
         stats.whyReplaced = kNoLists;
     if (!request.clustered) return;
-    clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection));
+    clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection), {},
+                             request.options.maxLights);
+    stats.lightsDropped += clusters.dropped;
     clusterBuffers.update(clusters, request.eye.numbers);
     frame.clusters = &clusters;
     frame.clusterBuffers = &clusterBuffers;

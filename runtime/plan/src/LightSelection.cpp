@@ -5,10 +5,29 @@
 
 namespace fbrdf {
 
+namespace {
+
+/// Whether the cone of a spot meets the sphere, or nearly.
+bool isAimedAt(const Light& light, const Sphere& bounds)
+{
+    if (light.type != Light::Type::spot) return true;
+    const Vec3d toCentre = Vec3d(bounds.centre) - Vec3d(light.position);
+    const double distance = glm::length(toCentre), radius = static_cast<double>(bounds.radius);
+    if (!(distance > radius)) return true;
+    const double cosine = glm::dot(glm::normalize(Vec3d(light.axis)), toCentre) / distance,
+                 angle = std::acos(std::clamp(cosine, -1.0, 1.0)),
+                 margin =
+                     std::asin(radius / distance) + 1e-3;  // of the edge's least width, Light.h
+    return angle - margin <= static_cast<double>(light.outerAngle);
+}
+
+}  // namespace
+
 double strongestIrradiance(const Light& light, const Sphere& bounds)
 {
     const double mean = glm::dot(Vec3d(light.intensity), Vec3d(1.0)) / 3.0;
     if (light.type == Light::Type::directional) return mean;
+    if (!isAimedAt(light, bounds)) return 0.0;
     const double distance = std::max(
         0.0, glm::distance(Vec3d(light.position), Vec3d(bounds.centre)) - double(bounds.radius));
     return mean * falloff(distance * distance, double(light.radius));

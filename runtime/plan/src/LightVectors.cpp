@@ -32,8 +32,9 @@ LightVectors lightVectors(const Light& light, const glm::dmat4& toEye)
     const Cone cone = coneOf(light);
     glm::dvec4 axis(0.0);
     if (cone.scale != 0.0) axis = cone.scale * unitDirection(toEye, light.axis);
-    return {glm::vec4(positionVector(light, toEye)),
-            glm::vec4(light.intensity, static_cast<float>(inverseRadiusSquared(light))),
+    const glm::dvec4 position = positionVector(light, toEye);
+    return {glm::vec4(glm::dvec4(Vec3d(position), inverseRadiusSquared(light))),
+            glm::vec4(light.intensity, static_cast<float>(position.w)),
             glm::vec4(glm::dvec4(Vec3d(axis), cone.offset))};
 }
 

@@ -1,6 +1,6 @@
 // Light sources. A light is three vectors in eye space, see LightVectors.h:
-//   position  a point and 1, or for a directional light the unit direction towards it and 0
-//   intensity and 1 / radius^2 (0: unlimited)
+//   position  a point, or for a directional light the unit direction towards it; and 1 / radius^2 (0: unlimited)
+//   intensity and 1, or for a directional light 0
 //   cone      axis x scale, offset; (0, 0, 0, 1) where there is none
 // Directions are unit, so that one expression serves all kinds: branches cost more than the few products.
 
@@ -23,8 +23,8 @@ float fbrdfCone(vec4 cone, vec3 wi)
 // Irradiance on a surface that faces the light (seed Eq. 2), and the unit direction to the light.
 vec3 fbrdfIrradiance(vec4 position, vec4 intensity, vec4 cone, vec3 point, out vec3 wi)
 {
-    vec3 toLight = position.xyz - position.w * point;
+    vec3 toLight = position.xyz - intensity.w * point;
     float distanceSquared = dot(toLight, toLight);
     wi = toLight * inversesqrt(max(distanceSquared, 1e-30));
-    return intensity.rgb * (fbrdfFalloff(distanceSquared, intensity.w) * fbrdfCone(cone, wi));
+    return intensity.rgb * (fbrdfFalloff(distanceSquared, position.w) * fbrdfCone(cone, wi));
 }

@@ -112,13 +112,16 @@ std::string litLines(const FragmentContext& c, const std::string& light, const s
     return text + indent + "}\n";
 }
 
-/// Lights that reach everywhere, then those of the fragment's list.
+/// Lights that reach everywhere, then those of the fragment's list. Each fragment goes on to its
+/// own next light that reaches it, so that neighbours that run in step shade at the same time.
 std::string clusteredLoop(const FragmentContext& c)
 {
     return "    ivec2 list = fbrdfLightList(gl_FragCoord.xy, -fbrdfPosition.z);\n"
-           "    for (int i = 0; i < fbrdfLightCount + list.y; ++i) {\n"
-           "        int light = i < fbrdfLightCount ? i\n"
-           "            : texelFetch(fbrdfLightIndices, list.x + i - fbrdfLightCount).r;\n" +
+           "    int end = fbrdfLightCount + list.y;\n"
+           "    for (int i = 0; i < end; ++i) {\n"
+           "        int light = fbrdfListed(list, i);\n"
+           "        while (i + 1 < end && !fbrdfReaches(light, fbrdfPosition))\n"
+           "            light = fbrdfListed(list, ++i);\n" +
            lightLines(c, "light", "        ") + litLines(c, "light", "        ") + "    }\n";
 }
 
@@ -228,7 +231,7 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert(c.spec.clustered ? "uniform isamplerBuffer fbrdfLightNumbers;\n"
                                       : "uniform int fbrdfLightNumbers[" +
                                             std::to_string(c.spec.lightSlots) + "];\n");
-    if (c.spec.lit && (c.spec.clustered || c.spec.lightSlots > 1))
+    if (c.spec.lit && !c.spec.clustered && c.spec.lightSlots > 1)
         lines.insert("uniform int fbrdfLightCount;\n");
     std::string text;
     for (const std::string& line : lines) text += line;

@@ -142,8 +142,9 @@ struct DrawOptions {
     Technique technique = Technique::single;
     int lightsPerPass = 8;  ///< Technique::batched only, >= 1
     int maxLookups = 0;     ///< texture look-ups in any pass; 0: what the technique says
-    int maxLights =
-        0;  ///< of one item: the strongest at its bounds, others are dropped; 0: no limit
+    /// Of one item: the strongest at its bounds, others are dropped; with lists of lights, of one
+    /// part of the view. 0: no limit.
+    int maxLights = 0;
     /// Technique::single: lists of the lights that reach each part of the view, so that the cost
     /// follows the lights that reach a pixel, and uniforms set no limit. Built on the CPU for each
     /// draw; needs OpenGL 3.1, else it is as if false, with a warning.
@@ -155,8 +156,9 @@ struct DrawStats {
     int drawCalls = 0;    ///< of all items
     int itemsFailed = 0;  ///< not drawn; why was logged
     int lightsGiven = 0, lightsUsed = 0;
-    int lightsDropped = 0;  ///< not valid (Light.h), or above maxLights for the item that lost most
-    int lightsCulled = 0;   ///< lights that do not reach an item, summed over items
+    int lightsDropped = 0;  ///< not valid (Light.h), or above maxLights for the item that lost
+                            ///< most, or the part of the view
+    int lightsCulled = 0;  ///< lights that do not reach an item, summed over items
     int maxLookups = 0;  ///< texture look-ups executed by a fragment in any one pass, counted from
                          ///< the linked programs: fetches, those in the light loop times its lights
     Technique technique = Technique::single;  ///< of the item that needed most passes

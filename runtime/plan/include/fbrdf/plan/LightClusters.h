@@ -13,8 +13,10 @@
 
 namespace fbrdf {
 
+/// 0: as the lights need, tiles of a quarter of their mean radius and slices of two thirds, at most
+/// 32 x 32 x 24.
 struct ClusterGrid {
-    int columns = 16, rows = 16, slices = 24;  ///< >= 1
+    int columns = 0, rows = 0, slices = 0;
     int count() const { return columns * rows * slices; }
 };
 
@@ -29,11 +31,21 @@ struct LightClusters {
     std::vector<int32_t> lists;
     std::vector<int32_t> indices;  ///< into lights, ascending in each list
     int longest = 0;               ///< of the lists, with the lights that reach everywhere
+    int dropped = 0;               ///< from the list that lost most
 };
 
 /// lights: in eye space. projection: perspective or parallel, not sheared in x by y or back.
+/// mostPerList: a list holds so many, those that can be the strongest in its cluster; then lights
+/// without a radius stand in lists too. 0: no limit.
 LightClusters lightClusters(const std::vector<LightVectors>& lights, const glm::dmat4& projection,
-                            const ClusterGrid& grid = {});
+                            const ClusterGrid& grid = {}, int mostPerList = 0);
+
+/// The list of a point: place in the picture in [-1, 1], distance from the eye along z. Twin:
+/// fbrdfLightList in clusters.glsl.
+struct LightList {
+    int first = 0, count = 0;  ///< in `indices`; beside the lights that reach everywhere
+};
+LightList listAt(const LightClusters& clusters, const glm::dvec2& ndc, double distance);
 
 /// Pixels x, y, width, height; empty where width or height is 0.
 struct PixelRect {
@@ -44,5 +56,11 @@ struct PixelRect {
 /// one that may reach behind the eye.
 PixelRect pixelBounds(const LightVectors& light, const glm::dmat4& projection, int width,
                       int height);
+
+PixelRect enclosing(const PixelRect& a, const PixelRect& b);  ///< an empty one adds nothing
+
+/// An order in which rectangles near each other follow each other, so that batches of them stay
+/// small; sides below 2^16. Indices into rects.
+std::vector<int> neighboursTogether(const std::vector<PixelRect>& rects);
 
 }  // namespace fbrdf

@@ -19,7 +19,8 @@ struct LightSelection {
 };
 
 /// The largest irradiance (mean of the channels) that a valid light can cause in the sphere; an
-/// upper bound: the nearest point, inside its cone. 0 where its radius ends before.
+/// upper bound: the nearest point, inside its cone. 0 where its
+/// radius ends before, or its cone misses.
 double strongestIrradiance(const Light& light, const Sphere& bounds);
 
 /// lights: valid. most: 0 for no limit. Where there is no limit the order is that given.

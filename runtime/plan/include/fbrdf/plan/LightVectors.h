@@ -1,6 +1,7 @@
 // LightVectors.h - a light as every program takes it (lights.glsl): three vec4 in eye space,
-//   (position, 1), or for a directional light (unit direction towards it, 0)
-//   (intensity, 1 / radius^2), 0 for an unlimited light
+//   (position, or for a directional light the unit direction towards it; 1 / radius^2, 0 for an
+//   unlimited light): all that says which points it reaches
+//   (intensity; 1, or for a directional light 0)
 //   (unit axis x scale, offset) of its cone (Light.h), (0, 0, 0, 1) where there is none
 // Pure; renderers and engine plugins share it.
 #pragma once
