@@ -17,7 +17,8 @@ constexpr int kRobustSteps = 3;  // after the plain one: four solves
 constexpr int kMaxSteps = 24, kFineSteps = 4, kLastSteps = 2;
 constexpr int kRounds = 3;             // of choosing the smoothness of a sum
 constexpr size_t kCoarseRows = 32768;  // find the way for the halved form of a sum
-constexpr size_t kStartRows = 262144;  // find it for all rows; a last step is taken on all
+// Rows that find it for all rows, on which a last step is taken: so many, and so many a texel.
+constexpr size_t kStartRows = 65536, kStartRowsPerUnknown = 64;
 constexpr double kFirstDamping = 1e-3, kMaxDamping = 1e3;
 constexpr double kConverged = 1e-4;  // relative fall of the cost
 constexpr double kWorse = 0.1;       // rise of the cost that more smoothness may have, relative
@@ -52,10 +53,10 @@ State descend(const LeastSquares& problem, State x, StepOptions options, int max
         }
         const double fall = (cost - nextCost) / cost;
         x = std::move(*next);
+        if (fall < kConverged || i + 1 == maxSteps) break;
         cost = options.robust ? problem.cost(x, options, x) : nextCost;  // the scale is another
         // Robust weights may leave a texel of a weak term alone: it keeps some damping.
         damping = std::max(damping * 0.2, options.robust ? kFirstDamping : 0.0);
-        if (fall < kConverged) break;
     }
     return x;
 }
@@ -171,13 +172,18 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
     return {std::move(choice.x), choice.smoothness};
 }
 
-// The last step from a solution that is near.
-Solution refined(const LeastSquares& problem, const SolveOptions& options, Solution near)
+// The last steps from a solution that is near.
+Solution refined(const LeastSquares& problem, const SolveOptions& options, Solution near, int steps)
 {
     StepOptions last = lastStep(options, near.smoothness);
     const bool direct = isLinear(problem, options.metric);
-    near.x = direct ? problem.step(near.x, last) : descend(problem, near.x, last, kLastSteps);
+    near.x = direct ? problem.step(near.x, last) : descend(problem, near.x, last, steps);
     return near;
+}
+
+size_t startRows(const LeastSquares& problem)
+{
+    return std::max(kStartRows, kStartRowsPerUnknown * problem.unknowns());
 }
 
 // Robust weights and shares of terms are statistics of the data: a part of many samples tells them,
@@ -188,7 +194,7 @@ Solution solveMany(const LeastSquares& problem, const SolveOptions& options)
     part.excludedFold = kNoFold;  // the thinned samples have none of it
     part.folds = 1;
     return refined(problem, options,
-                   solve(problem.thinned(kStartRows, options.excludedFold), part));
+                   solve(problem.thinned(startRows(problem), options.excludedFold), part), 1);
 }
 
 // Many texels start from half as many along every axis, and keep their smoothness.
@@ -197,7 +203,7 @@ Solution solveLarge(const LeastSquares& problem, const LeastSquares& coarse,
 {
     Solution near = solve(coarse, options);
     near.x = prolonged(coarse, near.x, problem);
-    return refined(problem, options, std::move(near));
+    return refined(problem, options, std::move(near), kLastSteps);
 }
 
 }  // namespace
@@ -205,7 +211,7 @@ Solution solveLarge(const LeastSquares& problem, const LeastSquares& coarse,
 Solution solve(const LeastSquares& problem, const SolveOptions& options)
 {
     const bool needsStart = problem.isLarge() || problem.dependsOnState(lastStep(options, 0.0));
-    if (needsStart && problem.rows() >= 2 * kStartRows) return solveMany(problem, options);
+    if (needsStart && problem.rows() >= 2 * startRows(problem)) return solveMany(problem, options);
     if (!problem.isLarge()) return solveWhole(problem, options);
     return solveLarge(problem, problem.withForm(halved(problem.form())), options);
 }
