@@ -44,6 +44,9 @@ Options optionsFromArguments(int argc, const char* const* argv)
                    "wall (default), or cpu: that of the process, steadier where a busy machine "
                    "draws in software")
         ->check(CLI::IsMember({"wall", "cpu"}));
+    app.add_flag("--accuracy", options.accuracy,
+                 "How right the pictures are: every technique, form, format and version against "
+                 "double and the bound that is stated; exit code 1 where that does not hold");
     app.add_flag(
         "--reach", options.reach,
         "4,096 lights with a radius in lists, --lights of which reach a pixel, against one "

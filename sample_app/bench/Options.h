@@ -14,7 +14,8 @@ struct Options {
     /// What is timed: wall time, or CPU time of the process, which on a software renderer is nearly
     /// the same and does not change with what else the machine does.
     enum class Clock { wall, cpu } clock = Clock::wall;
-    bool reach = false;  ///< measure Reach.h instead; lights: how many reach a pixel
+    bool accuracy = false;  ///< measure Accuracy.h instead
+    bool reach = false;     ///< measure Reach.h instead; lights: how many reach a pixel
     bool json = false;
     std::string help;  ///< not empty: --help was asked for, and this is the answer
 };

@@ -1,4 +1,5 @@
 // fbrdf-bench: the runtime against other ways to draw a material. See README.md.
+#include "bench/Accuracy.h"
 #include "bench/Measure.h"
 #include "bench/Options.h"
 #include "bench/Print.h"
@@ -23,6 +24,11 @@ int run(int argc, char** argv)
     if (!options.help.empty()) {
         fmt::print("{}", options.help);
         return 0;
+    }
+    if (options.accuracy) {
+        const bench::Accuracy accuracy = bench::measureAccuracy(options.lights);
+        print(accuracy, options.json);
+        return accuracy.holds() ? 0 : 1;
     }
     if (options.reach)
         print(bench::measureReach(options), options.json);

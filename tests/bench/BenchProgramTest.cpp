@@ -7,6 +7,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -77,6 +78,25 @@ TEST(BenchProgram, CountsTheLightsThatReachAPixel)
         EXPECT_GT(row["clustered"].get<double>(), row["building"].get<double>());
         EXPECT_GT(row["one_list"], 0.0);
     }
+}
+
+TEST(BenchProgram, HoldsItsBounds)
+{
+    const Result result = runBench("--accuracy --lights 9 --json");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err << result.out;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["holds"], true);
+    std::set<std::string> versions;
+    double worst = 0.0;
+    for (const auto& row : json["rows"]) {
+        versions.insert(row["version"]);
+        EXPECT_LE(row["share"], 1.0) << row;
+        worst = std::max(worst, row["share"].get<double>());
+    }
+    EXPECT_GT(worst, 0.2);
+    EXPECT_EQ(json["rows"].size(), versions.size() * 4 * 3 * 3);
+    EXPECT_GE(versions.size(), 3u);
 }
 
 TEST(BenchProgram, LeavesOutWhatWouldTakeTooLong)

@@ -16,10 +16,11 @@ struct ImageDifference {
     bool comparable = true;  ///< equal sizes, nothing that is not a number
 };
 
-/// |found - expected| / max(|expected|, floor), where the floor is 1/1000 of the mean of what is
+/// |found - expected| / max(|expected|, floor), where the floor is a share of the mean of what is
 /// not 0: near the terminator only rounding is left to compare.
 template <class A, class B>
-ImageDifference compareImages(const std::vector<A>& found, const std::vector<B>& expected)
+ImageDifference compareImages(const std::vector<A>& found, const std::vector<B>& expected,
+                              double share = 1e-3)
 {
     ImageDifference d;
     d.comparable = found.size() == expected.size() && !found.empty();
@@ -29,7 +30,7 @@ ImageDifference compareImages(const std::vector<A>& found, const std::vector<B>&
         total += std::abs(static_cast<double>(value));
         lit += value != B(0) ? 1 : 0;
     }
-    const double floor = lit > 0 ? 1e-3 * total / static_cast<double>(lit) : 1e-30;
+    const double floor = lit > 0 ? share * total / static_cast<double>(lit) : 1e-30;
     for (size_t i = 0; d.comparable && i < found.size(); ++i) {
         const double a = static_cast<double>(found[i]), b = static_cast<double>(expected[i]);
         const double relative = std::abs(a - b) / std::max(std::abs(b), floor);

@@ -1,37 +1,18 @@
-// Reference.h - the image that the definition gives, in double: geometry read back from GL, the sum
-// over lights of f cos E evaluated on the CPU for each pixel.
+// Reference.h - the pictures of fbrdf::truth under the names of the tests.
 #pragma once
+#include <fbrdf/truth/Deviation.h>
+#include <fbrdf/truth/Reference.h>
+
 #include "Gl.h"
 #include "Scenes.h"
 
-#include <fbrdf/headless/Offscreen.h>
-
-#include <functional>
-#include <vector>
-
 namespace fbrdf::test {
 
-/// Per pixel, bottom row first, in eye space as the lighting programs receive it.
-struct GeometryBuffer {
-    std::vector<float> position, normal, tangent;  ///< RGBA; alpha 1 where the mesh is
-    bool covers(size_t pixel) const { return position[4 * pixel + 3] == 1.0f; }
-};
-
-/// Draws the mesh with the runtime's own vertex shader.
-GeometryBuffer geometryBuffer(const GladGLContext& gl, Offscreen& offscreen,
-                              const gl::MeshData& mesh, const glm::mat4& model,
-                              const gl::View& view);
-
-/// What shades a surface beside material and lights. Empty: nothing.
-struct SurfaceReference {
-    double handedness = 1.0;                    ///< of every tangent
-    std::function<Vec3d(size_t pixel)> normal;  ///< of a normal map, in the tangent frame
-    std::function<double(size_t light, const Vec3d& position)> shadow;
-};
-
-/// RGBA per pixel; 0 where the mesh is not.
-std::vector<double> referenceImage(const Material& material, const GeometryBuffer& geometry,
-                                   const std::vector<Light>& lights, const gl::View& view,
-                                   const SurfaceReference& surface = {});
+using truth::deviationOf;
+using truth::GeometryBuffer;
+using truth::geometryBuffer;
+using truth::referenceImage;
+using truth::storedImage;
+using truth::SurfaceReference;
 
 }  // namespace fbrdf::test

@@ -143,7 +143,7 @@ typedef struct fbrdf_draw_stats {
     char accumulation[16];  /* "RGBA32F", ... */
     uint32_t lights_culled; /* do not reach an item, summed over items */
     uint32_t technique;     /* fbrdf_technique of the item that needed most passes */
-    /* |stored - exact| <= error_relative max(|exact|, mean / 1000) + error_absolute, Plan.h */
+    /* |stored - exact| <= error_relative max(|exact|, mean / 100) + error_absolute, Plan.h */
     float error_relative, error_absolute;
     char why_replaced[160]; /* why another technique than asked for was taken; "": it was not */
 } fbrdf_draw_stats;

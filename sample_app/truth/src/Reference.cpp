@@ -1,12 +1,12 @@
-#include "Reference.h"
-
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/shaders/ShaderSource.h>
+#include <fbrdf/truth/Program.h>
+#include <fbrdf/truth/Reference.h>
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-namespace fbrdf::test {
+namespace fbrdf::truth {
 namespace {
 
 std::string geometryFragment(int glsl, const std::string& value)
@@ -139,4 +139,4 @@ std::vector<double> referenceImage(const Material& material, const GeometryBuffe
     return image;
 }
 
-}  // namespace fbrdf::test
+}  // namespace fbrdf::truth

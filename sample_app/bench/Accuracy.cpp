@@ -1,0 +1,192 @@
+#include "bench/Accuracy.h"
+
+#include "bench/Materials.h"
+#include "bench/Stage.h"
+#include "viewer/GlFunctions.h"
+
+#include <fbrdf/brdf/Error.h>
+#include <fbrdf/headless/Offscreen.h>
+#include <fbrdf/truth/Reference.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace fbrdf::bench {
+namespace {
+
+constexpr int kSize = 64;
+
+struct Version {
+    HeadlessOptions context;
+    int glsl = 0;  ///< 0: the newest that it has
+};
+
+std::vector<Version> versions()
+{
+    using Profile = HeadlessOptions::Profile;
+    return {{{Backend::egl, Profile::core, 4, 5}, 0},
+            {{Backend::egl, Profile::core, 3, 3}, 330},
+            {{Backend::egl, Profile::compatibility, 2, 1}, 120}};
+}
+
+struct Format {
+    OffscreenFormat format;
+    const char* name;
+};
+constexpr Format kFormats[] = {{OffscreenFormat::rgba32f, "RGBA32F"},
+                               {OffscreenFormat::rgba16f, "RGBA16F"},
+                               {OffscreenFormat::rgba8, "RGBA8"}};
+
+gl::Renderer rendererOf(const HeadlessContext& context, int glsl)
+{
+    gl::RendererOptions options;
+    options.load = context.loader();
+    if (glsl != 0) {
+        options.capabilities = gl::Renderer(options).capabilities();
+        options.capabilities->glsl = glsl;
+        if (glsl == 120) options.capabilities->vertexArrays = false;
+    }
+    return gl::Renderer(options);
+}
+
+/// One version: contexts, a mesh, and the truth about each form and number of lights.
+class Bench {
+public:
+    explicit Bench(const Version& version)
+        : context_(version.context),
+          gl_(viewer::loadGlFunctions(context_.loader())),
+          renderer_(rendererOf(context_, version.glsl)),
+          stage_(makeStage("sphere", 1.0)),
+          mesh_(renderer_.createMesh(stage_.mesh))
+    {
+        Offscreen floats(context_.loader(), {kSize, kSize});
+        geometry_ = truth::geometryBuffer(gl_, floats, stage_.mesh, glm::mat4(1.0f), stage_.view);
+    }
+
+    const gl::Renderer& renderer() const { return renderer_; }
+
+    void measure(const std::string& form, int count, std::vector<AccuracyRow>& rows)
+    {
+        const Material material = ggxMaterial(form);
+        const auto gpu = renderer_.createMaterial(material);
+        auto lights = stageLights(count);
+        auto radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
+        // Nothing above 1, which RGBA8 would cut off.
+        const auto scale =
+            static_cast<float>(0.9 / *std::max_element(radiance.begin(), radiance.end()));
+        for (Light& light : lights) light.intensity *= scale;
+        radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
+        for (const Format& format : kFormats)
+            for (const Technique technique :
+                 {Technique::single, Technique::batched, Technique::twoLookup}) {
+                AccuracyRow row = drawn(*gpu, lights, format, technique, radiance);
+                row.form = form;
+                rows.push_back(std::move(row));
+            }
+    }
+
+private:
+    AccuracyRow drawn(const gl::GpuMaterial& material, const std::vector<Light>& lights,
+                      const Format& format, Technique technique, const std::vector<double>& exact)
+    {
+        Offscreen offscreen(context_.loader(), {kSize, kSize, format.format});
+        offscreen.clear();
+        const auto stats = renderer_.draw({offscreen.framebuffer(), kSize, kSize}, stage_.view,
+                                          {{&material, mesh_.get()}}, lights, {technique, 8, 0});
+        if (stats.itemsFailed > 0)
+            throw Error(ErrorKind::gl, "runtime", "found an object that cannot be drawn");
+        const Capabilities& c = renderer_.capabilities();
+        return {fmt::format("{}.{} GLSL {}", c.glMajor, c.glMinor, c.glsl),
+                "",
+                techniqueName(technique),
+                format.name,
+                static_cast<int>(lights.size()),
+                stats.passes,
+                stats.error,
+                truth::deviationOf(offscreen.readPixels(), exact, stats.error),
+                stats.whyReplaced};
+    }
+
+    HeadlessContext context_;
+    GladGLContext gl_;
+    gl::Renderer renderer_;
+    Stage stage_;
+    std::shared_ptr<gl::GpuMesh> mesh_;
+    truth::GeometryBuffer geometry_;
+};
+
+}  // namespace
+
+bool Accuracy::holds() const
+{
+    return std::all_of(rows.begin(), rows.end(),
+                       [](const AccuracyRow& row) { return row.found.share <= 1.0; });
+}
+
+Accuracy measureAccuracy(const std::vector<int>& lights)
+{
+    Accuracy result;
+    for (const Version& version : versions()) {
+        try {
+            Bench bench(version);
+            result.glRenderer = bench.renderer().glRenderer();
+            for (const char* form : {"hdio", "pqp", "pqpr", "io+hdio"})
+                for (const int count : lights) bench.measure(form, count, result.rows);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::gl) throw;
+            result.leftOut.push_back(fmt::format("{}.{}: {}", version.context.major,
+                                                 version.context.minor, error.what()));
+        }
+    }
+    if (result.rows.empty())
+        throw Error(ErrorKind::gl, "accuracy", result.leftOut.empty() ? "" : result.leftOut[0]);
+    return result;
+}
+
+std::string asText(const Accuracy& accuracy)
+{
+    std::string text = fmt::format(
+        "{}, {}x{} pixels, against double\n{:<13} {:<8} {:<11} {:<8} {:>6} {:>6} {:>9} {:>9} "
+        "{:>9} {:>9} {:>6}\n",
+        accuracy.glRenderer, kSize, kSize, "version", "form", "technique", "format", "lights",
+        "passes", "relative", "bound", "absolute", "bound", "share");
+    for (const AccuracyRow& row : accuracy.rows)
+        text += fmt::format(
+            "{:<13} {:<8} {:<11} {:<8} {:>6} {:>6} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
+            "{:>6.2f}{}\n",
+            row.version, row.form, row.technique, row.format, row.lights, row.passes,
+            row.found.relative, row.bound.relative, row.found.absolute, row.bound.absolute,
+            row.found.share, row.whyReplaced.empty() ? "" : "  replaced: " + row.whyReplaced);
+    for (const std::string& left : accuracy.leftOut) text += "left out: " + left + "\n";
+    return text +
+           "relative: to the exact value or a hundredth of the mean; share: of relative bound x "
+           "that "
+           "+ absolute bound\n";
+}
+
+std::string asJson(const Accuracy& accuracy)
+{
+    auto rows = nlohmann::ordered_json::array();
+    for (const AccuracyRow& row : accuracy.rows)
+        rows.push_back({{"version", row.version},
+                        {"form", row.form},
+                        {"technique", row.technique},
+                        {"format", row.format},
+                        {"lights", row.lights},
+                        {"passes", row.passes},
+                        {"relative", row.found.relative},
+                        {"absolute", row.found.absolute},
+                        {"bound", {row.bound.relative, row.bound.absolute}},
+                        {"share", row.found.share},
+                        {"why_replaced", row.whyReplaced}});
+    return nlohmann::ordered_json{{"renderer", accuracy.glRenderer},
+                                  {"rows", rows},
+                                  {"left_out", accuracy.leftOut},
+                                  {"holds", accuracy.holds()}}
+               .dump(2) +
+           "\n";
+}
+
+}  // namespace fbrdf::bench

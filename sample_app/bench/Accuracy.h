@@ -1,0 +1,33 @@
+// Accuracy.h - how right the runtime is: every technique, form, target format and version against
+// the sum in double at every pixel, and against the bound that each plan states.
+#pragma once
+#include <fbrdf/truth/Deviation.h>
+
+#include <string>
+#include <vector>
+
+namespace fbrdf::bench {
+
+struct AccuracyRow {
+    std::string version;  ///< of the context and of its shaders
+    std::string form, technique, format;
+    int lights = 0, passes = 0;
+    ErrorBound bound;
+    truth::Deviation found;
+    std::string whyReplaced;  ///< another technique was taken; "": it was not
+};
+
+struct Accuracy {
+    std::string glRenderer;
+    std::vector<AccuracyRow> rows;
+    std::vector<std::string> leftOut;  ///< versions that there are no contexts of, and why
+    bool holds() const;                ///< every row is within its bound
+};
+
+/// A row for each number of lights and all else. Throws Error(gl) where there is no usable GL.
+Accuracy measureAccuracy(const std::vector<int>& lights);
+
+std::string asText(const Accuracy& accuracy);
+std::string asJson(const Accuracy& accuracy);
+
+}  // namespace fbrdf::bench
