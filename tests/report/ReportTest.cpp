@@ -56,6 +56,23 @@ TEST(Report, FindsTheErrorsOfTheFitByItself)
     EXPECT_FALSE(has(reportHtml(inputFor(material, same)), "0.693"));
 }
 
+TEST(Report, SaysFirstWhereTheFormFailsAndWhatDirectionsAreMissing)
+{
+    const Material material = test::constantMaterial(Vec3f(0.2f));
+    const Source source = test::lambertianSource(0.1);
+    ReportInput input = inputFor(material, source);
+    input.coverage = Coverage{};
+    EXPECT_FALSE(has(reportHtml(input), "class=\"warning\""));
+    input.coverage->inPlane = true;
+    input.misfits.push_back({25, 50, 0, 5, {true, false, false}, 100, 0.1, 3.0, 0.4});
+    const std::string page = reportHtml(input);
+    EXPECT_TRUE(has(page, "The form does not hold the data"));
+    EXPECT_TRUE(
+        has(page, "theta_d 0 to 5 degrees (back towards the light), R: off by a factor of 3"));
+    EXPECT_TRUE(has(page, "in the plane of incidence only"));
+    EXPECT_LT(page.find("does not hold"), page.find("Standard sphere"));
+}
+
 TEST(Report, ListsTheFormsTriedAndMarksTheChosen)
 {
     const Material material = test::constantMaterial(Vec3f(0.2f));

@@ -71,8 +71,10 @@ Fitted fitAny(const Source& source, const Job& job, std::vector<Trial>& trials)
 void measure(const Source& source, const Job& job, const Fitted& fitted, FitSummary& summary)
 {
     const auto probe = probeOf(job);
-    summary.all = sampleErrors(probe, evaluateAt(fitted.material, probe, job.options.threads),
-                               job.traits.floor);
+    const auto values = evaluateAt(fitted.material, probe, job.options.threads);
+    summary.all = sampleErrors(probe, values, job.traits.floor);
+    summary.misfits = misfitRegions(probe, values, job.traits.floor, job.feed.exact);
+    if (!job.feed.exact) summary.coverage = coverageOf(probe);
     summary.used = job.feed.rows;
     for (const Sample& s : probe)
         for (int c = 0; c < 3; ++c)

@@ -65,6 +65,23 @@ std::string headerOf(const ReportInput& input, const std::optional<ImageErrors>&
     return element("header", "", content) + "\n";
 }
 
+// What a reader must know before any figure: the form fails, or half the directions are missing.
+std::string warnings(const ReportInput& input)
+{
+    std::string text;
+    if (!input.misfits.empty()) {
+        std::string items;
+        for (const MisfitRegion& region : input.misfits)
+            items += element("li", "", escaped(describe(region)));
+        text += element("p", "", element("b", "", "The form does not hold the data:")) +
+                element("ul", "", items);
+    }
+    if (input.coverage && input.coverage->inPlane)
+        text +=
+            element("p", "", element("b", "", "Coverage: ") + escaped(describe(*input.coverage)));
+    return text.empty() ? "" : element("section", "class=\"warning\"", text) + "\n";
+}
+
 std::string spheresSection(const SphereImage& data, const SphereImage& fit)
 {
     const std::string scene =
@@ -164,8 +181,8 @@ std::string reportHtml(const ReportInput& input)
     if (!image && data.size > 0) image = imageErrors(fit, data);
 
     const std::string body =
-        headerOf(input, image) + spheresSection(data, fit) + polarSection(input, set) +
-        errorSection(input, set) + mapsSection(input.material) +
+        headerOf(input, image) + warnings(input) + spheresSection(data, fit) +
+        polarSection(input, set) + errorSection(input, set) + mapsSection(input.material) +
         section("Metrics", metricsTable(input, image ? &*image : nullptr)) +
         section("Forms tried", input.trials.empty() ? "" : trialsTable(input.trials)) +
         section("Samples", samplesTable(input)) +

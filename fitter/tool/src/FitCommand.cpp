@@ -11,6 +11,7 @@
 #include <fbrdf/io/MaterialFile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -85,6 +86,31 @@ Json trialsJson(const FitSummary& summary)
     return trials;
 }
 
+Json misfitsJson(const FitSummary& summary)
+{
+    Json regions = Json::array();
+    for (const MisfitRegion& r : summary.misfits)
+        regions.push_back({{"where", describe(r)},
+                           {"theta_h", {r.theta_hFrom, r.theta_hTo}},
+                           {"theta_d", {r.theta_dFrom, r.theta_dTo}},
+                           {"channels", {r.channels[0], r.channels[1], r.channels[2]}},
+                           {"samples", r.samples},
+                           {"light", jsonOf(r.light)},
+                           {"factor", jsonOf(r.factor)},
+                           {"bias", jsonOf(r.bias)}});
+    return {{"held", summary.misfits.empty()}, {"regions", regions}};
+}
+
+Json coverageJson(const FitSummary& summary)
+{
+    if (!summary.coverage) return {};
+    const Coverage& c = *summary.coverage;
+    return {{"in_plane_only", c.inPlane},
+            {"one_azimuth", c.oneAzimuth},
+            {"theta_i", {jsonOf(c.theta_iFrom), jsonOf(c.theta_iTo)}},
+            {"incidences", c.incidences}};
+}
+
 Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
 {
     const Material& material = *outcome.material;
@@ -105,6 +131,8 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"noise_floor", jsonOf(outcome.summary.noiseFloor)},
             {"conserve_scale", jsonOf(outcome.summary.conserved)},
             {"folds", outcome.summary.folds},
+            {"misfit", misfitsJson(outcome.summary)},
+            {"coverage", coverageJson(outcome.summary)},
             {"unsupported_texels", unsupportedTexels(material)},
             {"trials", trialsJson(outcome.summary)}};
 }
@@ -166,6 +194,23 @@ std::string trialsText(const FitSummary& summary)
            alignedTable({l, l, l, r, r, r, r, r, l}, rows, 4);
 }
 
+std::string misfitText(const FitSummary& summary)
+{
+    if (summary.misfits.empty()) return "";
+    constexpr size_t kShown = 5;
+    std::string text = "  the form does not hold the data:\n";
+    for (size_t i = 0; i < std::min(kShown, summary.misfits.size()); ++i)
+        text += "    " + describe(summary.misfits[i]) + "\n";
+    if (summary.misfits.size() > kShown)
+        text += fmt::format("    and {} regions more\n", summary.misfits.size() - kShown);
+    return text;
+}
+
+std::string coverageText(const FitSummary& summary)
+{
+    return summary.coverage ? describe(*summary.coverage) : "a function: all directions";
+}
+
 std::string summaryText(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
 {
     const Material& material = *outcome.material;
@@ -176,12 +221,13 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                {{"form", material.form.name + ", " + withSeparators(materialBytes(material)) +
                              " bytes as " + storageText(material)},
                 {"samples", samplesText(outcome)},
+                {"coverage", coverageText(outcome.summary)},
                 {"support", supportText(material)},
                 {"smoothness", smoothnessText(outcome.summary)},
                 {"energy", energyText(command, outcome.summary)},
                 {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
                                         times.read, times.fit, times.measure, writeSeconds)}}) +
-           errorsText(outcome) + trialsText(outcome.summary);
+           misfitText(outcome.summary) + errorsText(outcome) + trialsText(outcome.summary);
 }
 
 // Under mpirun every rank adds up its share of the rows; all come to the same material, and rank 0

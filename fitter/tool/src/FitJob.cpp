@@ -48,6 +48,8 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
     notes[kBelowFloorNote] = fmt::format("{}", summary.belowFloor);
     notes[kFloorNote] = fmt::format("{} {} {}", floor.x, floor.y, floor.z);
     notes[kSmoothnessNote] = fmt::format("{}", summary.smoothness);
+    if (!summary.misfits.empty()) notes[kMisfitNote] = describe(summary.misfits.front());
+    if (summary.coverage) notes[kCoverageNote] = fbrdf::describe(*summary.coverage);
     addErrors(material, kHeldOutPrefix, outcome.heldOut);
     addErrors(material, kAllPrefix, outcome.all);
     addErrors(material, "", errorMap(outcome.scene));

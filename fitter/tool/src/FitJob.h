@@ -57,6 +57,7 @@ constexpr char kAllPrefix[] = "all.";
 constexpr char kSourceNote[] = "source", kOptionsNote[] = "options", kGeneratorNote[] = "generator",
                kUsedNote[] = "samples used", kInvalidNote[] = "samples invalid",
                kBelowFloorNote[] = "values below floor", kFloorNote[] = "noise floor",
-               kSmoothnessNote[] = "smoothness";
+               kSmoothnessNote[] = "smoothness", kMisfitNote[] = "does not hold",
+               kCoverageNote[] = "coverage";
 
 }  // namespace fbrdf::tool

@@ -39,6 +39,8 @@ void writeFitReport(const FitJob& job, const FitOutcome& outcome, double writeSe
     input.sphereOfFit = outcome.scene.picture;
     input.sphereOfData = outcome.scene.reference;
     input.image = outcome.scene.image;
+    input.misfits = summary.misfits;
+    input.coverage = summary.coverage;
     input.trials = trialsOf(summary);
     input.command = "fbrdf fit " + sourceNote(job.source) + " (" + optionsNote(job) + ")";
     writeReport(input, path);

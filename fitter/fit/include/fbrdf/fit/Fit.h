@@ -6,6 +6,7 @@
 //   sum_n w_n (log2 f_n - log2 g(x)_n)^2 + smoothness |L x|^2
 #pragma once
 #include <fbrdf/fit/Metrics.h>
+#include <fbrdf/fit/Misfit.h>
 #include <fbrdf/sources/Source.h>
 
 #include <functional>
@@ -89,6 +90,8 @@ struct FitSummary {
     double conserved = 1;   ///< what the material was multiplied by for the sake of energy
     int folds = 0;          ///< of the held-out errors; 0: a fresh set from the function
     SampleErrors heldOut, all;
+    std::vector<MisfitRegion> misfits;  ///< where the form does not hold the data; empty: it does
+    std::optional<Coverage> coverage;   ///< of measurements; a function has all directions
     std::vector<Trial> trials;
 };
 

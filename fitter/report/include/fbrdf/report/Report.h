@@ -5,6 +5,7 @@
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/fit/Metrics.h>
+#include <fbrdf/fit/Misfit.h>
 #include <fbrdf/sources/Source.h>
 
 #include <cstdint>
@@ -53,9 +54,11 @@ struct ReportInput {
     PhysicsErrors physics{};
     /// Pictures of the standard sphere; one of size 0 is rendered here where it can be.
     SphereImage sphereOfData{}, sphereOfFit{};
-    std::optional<ImageErrors> image{};  ///< unset: computed from the pictures where there are two
-    std::vector<ReportTrial> trials{};   ///< empty: the form was asked for by name
-    std::string command{};               ///< how the fit was made, for people; may be empty
+    std::optional<ImageErrors> image{};   ///< unset: computed from the pictures where there are two
+    std::vector<ReportTrial> trials{};    ///< empty: the form was asked for by name
+    std::vector<MisfitRegion> misfits{};  ///< where the form does not hold the data
+    std::optional<Coverage> coverage{};   ///< of measurements
+    std::string command{};                ///< how the fit was made, for people; may be empty
 };
 
 /// The page: UTF-8, HTML 5 that is well-formed XML too.
