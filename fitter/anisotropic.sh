@@ -20,7 +20,8 @@ trap 'rm -rf "$folder"' EXIT
   printf 'poulin-fournier\tpoulin-fournier:kd=0.3,ks=0.3\n'
 } > "$folder/list"
 "$fbrdf" batch "$folder/list" -o "$folder" --form gg+pqpr --resolution 64 "${@:2}" --quiet
-awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+# Sources in quotes have commas of their own.
+sed 's/"[^"]*"//g' "$folder/results.csv" | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   { p = $column["psnr_linear"]; sum += p; if (NR == 2 || p < least) least = p
     printf "%-24s %6d bytes %7.2f dB\n", $column["name"], $column["bytes"], p }
-  END { printf "average %.2f dB, least %.2f dB\n", sum / (NR - 1), least }' "$folder/results.csv"
+  END { printf "average %.2f dB, least %.2f dB\n", sum / (NR - 1), least }'

@@ -282,17 +282,27 @@ TEST(Cache, AnotherGridIsNotMistakenForIt)
     }
 }
 
-TEST(Sums, AGivenStrengthGetsAsFarAsTheSameOneChosen)
+TEST(Sums, OfAWideRangeLeaveTheFlatStart)
+{
+    // Where the weaker term has a share of 1 in 500, a whole step of it overflows a float.
+    Problem problem(test::sourceOf(test::Ggx{0.03, 0.03, 0.9, 0.0}), 20000);
+    const LeastSquares squares(makeForm("hdpio+hdpio", 24), problem.feed, problem.traits, 1, 2);
+    StepOptions damped;
+    damped.damping = 1e-3;
+    const State flat = squares.flatState(), x = squares.step(flat, damped);
+    EXPECT_LT(squares.cost(x, {}, x), squares.cost(flat, {}, flat));
+}
+
+TEST(Sums, AWeakStrengthGetsAsFarAsTheChosenOne)
 {
     Problem problem(test::sourceOf(test::Ggx{0.1, 0.1, 0.04, 0.3}), 20000);
-    const LeastSquares squares(makeForm("io+hdio", 32), problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(makeForm("io+hdio", 64), problem.feed, problem.traits, 1, 2);
     SolveOptions options;
-    options.robust = true;
     const Solution chosen = solve(squares, options);
-    options.smoothness = chosen.smoothness;
+    options.smoothness = 1e-7;
     const State given = solve(squares, options).x;
-    StepOptions plain;
-    EXPECT_LT(squares.cost(given, plain, given), 1.5 * squares.cost(chosen.x, plain, chosen.x));
+    // With so little smoothness from the start the descent ended a thousand times higher.
+    EXPECT_LT(squares.cost(given, {}, given), 10.0 * squares.cost(chosen.x, {}, chosen.x));
 }
 
 TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)

@@ -133,6 +133,9 @@ private:
                                            const std::vector<int>& folds) const;
     void takeStep(State& x, const ChannelSystems& system, size_t which, double strength,
                   double damping) const;
+    /// How far a texel moves that a step asks to move by so many octaves: a term with a small share
+    /// asks for leaps that its share after the leap does not bear out.
+    double bounded(double octaves) const;
     void repeatGrey(State& x) const;
     template <class Visit>
     void forEachLeftOut(const std::vector<int>& folds, const Visit& visit) const;

@@ -154,7 +154,7 @@ State LeastSquares::conjugateGradientStep(const State& x, const StepOptions& opt
                               delta);
     State next = x;
     for (size_t l = 0; l < gradient.pass.channels; ++l)
-        for (size_t u = 0; u < unknowns(); ++u) next[l * unknowns() + u] += delta[u][l];
+        for (size_t u = 0; u < unknowns(); ++u) next[l * unknowns() + u] += bounded(delta[u][l]);
     return next;
 }
 

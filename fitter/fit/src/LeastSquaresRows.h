@@ -81,6 +81,12 @@ inline float biweightLoss(float residual, float scale)
     return (1.0f - outside * outside * outside) / (3.0f * squared);
 }
 
+inline double LeastSquares::bounded(double octaves) const
+{
+    constexpr double kMost = 4.0;
+    return form_.terms.size() > 1 ? std::clamp(octaves, -kMost, kMost) : octaves;
+}
+
 template <class Visit>
 void LeastSquares::forEachBlock(const Visit& visit) const
 {

@@ -170,7 +170,7 @@ void LeastSquares::takeStep(State& x, const ChannelSystems& channel, size_t whic
     double* column = x.data() + channel.channel * unknowns();
     const std::vector<double> step =
         channel.systems[which]->step(channel.right[which], column, strength, damping, form_.name);
-    for (size_t u = 0; u < step.size(); ++u) column[u] += step[u];
+    for (size_t u = 0; u < step.size(); ++u) column[u] += bounded(step[u]);
 }
 
 void LeastSquares::repeatGrey(State& x) const
