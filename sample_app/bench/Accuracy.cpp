@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kSize = 64;
 
+const HeadlessOptions kDesktop{Backend::egl, HeadlessOptions::Profile::core, 4, 5};
+
 struct Version {
     HeadlessOptions context;
     int glsl = 0;  ///< 0: the newest that it has
@@ -26,9 +28,11 @@ struct Version {
 std::vector<Version> versions()
 {
     using Profile = HeadlessOptions::Profile;
-    return {{{Backend::egl, Profile::core, 4, 5}, 0},
+    return {{kDesktop, 0},
             {{Backend::egl, Profile::core, 3, 3}, 330},
-            {{Backend::egl, Profile::compatibility, 2, 1}, 120}};
+            {{Backend::egl, Profile::compatibility, 2, 1}, 120},
+            {{Backend::egl, Profile::es, 3, 0}, 300},
+            {{Backend::egl, Profile::es, 3, 0}, 100}};
 }
 
 struct Format {
@@ -51,18 +55,25 @@ gl::Renderer rendererOf(const HeadlessContext& context, int glsl)
     return gl::Renderer(options);
 }
 
-/// One version: contexts, a mesh, and the truth about each form and number of lights.
+/// Read back from a desktop context: what a driver interpolates does not depend on the version.
+truth::GeometryBuffer geometryOf(const Stage& stage)
+{
+    const HeadlessContext context(kDesktop);
+    Offscreen floats(context.loader(), {kSize, kSize});
+    return truth::geometryBuffer(viewer::loadGlFunctions(context.loader()), floats, stage.mesh,
+                                 glm::mat4(1.0f), stage.view);
+}
+
+/// One version: a context, and what is drawn in it.
 class Bench {
 public:
-    explicit Bench(const Version& version)
+    Bench(const Version& version, const Stage& stage, const truth::GeometryBuffer& geometry)
         : context_(version.context),
-          gl_(viewer::loadGlFunctions(context_.loader())),
           renderer_(rendererOf(context_, version.glsl)),
-          stage_(makeStage("sphere", 1.0)),
+          stage_(stage),
+          geometry_(geometry),
           mesh_(renderer_.createMesh(stage_.mesh))
     {
-        Offscreen floats(context_.loader(), {kSize, kSize});
-        geometry_ = truth::geometryBuffer(gl_, floats, stage_.mesh, glm::mat4(1.0f), stage_.view);
     }
 
     const gl::Renderer& renderer() const { return renderer_; }
@@ -98,7 +109,8 @@ private:
         if (stats.itemsFailed > 0)
             throw Error(ErrorKind::gl, "runtime", "found an object that cannot be drawn");
         const Capabilities& c = renderer_.capabilities();
-        return {fmt::format("{}.{} GLSL {}", c.glMajor, c.glMinor, c.glsl),
+        const bool isEs = c.glsl == 100 || c.glsl == 300;
+        return {fmt::format("{}.{} {}{}", c.glMajor, c.glMinor, isEs ? "ES " : "GLSL ", c.glsl),
                 "",
                 techniqueName(technique),
                 format.name,
@@ -110,11 +122,10 @@ private:
     }
 
     HeadlessContext context_;
-    GladGLContext gl_;
     gl::Renderer renderer_;
-    Stage stage_;
+    const Stage& stage_;
+    const truth::GeometryBuffer& geometry_;
     std::shared_ptr<gl::GpuMesh> mesh_;
-    truth::GeometryBuffer geometry_;
 };
 
 }  // namespace
@@ -125,15 +136,19 @@ bool Accuracy::holds() const
                        [](const AccuracyRow& row) { return row.found.share <= 1.0; });
 }
 
-Accuracy measureAccuracy(const std::vector<int>& lights)
+Accuracy measureAccuracy(const Options& options)
 {
+    const std::vector<std::string> all{"hdio", "pqp", "pqpr", "io+hdio"};
+    const auto& forms = options.only.empty() ? all : options.only;
+    const Stage stage = makeStage("sphere", 1.0);
+    const truth::GeometryBuffer geometry = geometryOf(stage);
     Accuracy result;
     for (const Version& version : versions()) {
         try {
-            Bench bench(version);
+            Bench bench(version, stage, geometry);
             result.glRenderer = bench.renderer().glRenderer();
-            for (const char* form : {"hdio", "pqp", "pqpr", "io+hdio"})
-                for (const int count : lights) bench.measure(form, count, result.rows);
+            for (const std::string& form : forms)
+                for (const int count : options.lights) bench.measure(form, count, result.rows);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::gl) throw;
             result.leftOut.push_back(fmt::format("{}.{}: {}", version.context.major,

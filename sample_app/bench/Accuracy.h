@@ -1,6 +1,8 @@
 // Accuracy.h - how right the runtime is: every technique, form, target format and version against
 // the sum in double at every pixel, and against the bound that each plan states.
 #pragma once
+#include "bench/Options.h"
+
 #include <fbrdf/truth/Deviation.h>
 
 #include <string>
@@ -24,8 +26,9 @@ struct Accuracy {
     bool holds() const;                ///< every row is within its bound
 };
 
-/// A row for each number of lights and all else. Throws Error(gl) where there is no usable GL.
-Accuracy measureAccuracy(const std::vector<int>& lights);
+/// Rows for each of options.lights; options.only: forms. Throws Error(gl) where there is no usable
+/// GL, Error(usage) for an unknown form.
+Accuracy measureAccuracy(const Options& options);
 
 std::string asText(const Accuracy& accuracy);
 std::string asJson(const Accuracy& accuracy);

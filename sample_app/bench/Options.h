@@ -9,7 +9,7 @@ struct Options {
     std::vector<int> lights{1, 4, 16, 64, 256, 1024};
     int width = 256, height = 256;
     std::vector<std::string> meshes{"triangle", "sphere"};
-    std::vector<std::string> only;  ///< names of variants; empty: all
+    std::vector<std::string> only;  ///< names of variants, or of forms; empty: all
     double frameLimit = 2000.0;     ///< ms; variants that would take longer are left out
     /// What is timed: wall time, or CPU time of the process, which on a software renderer is nearly
     /// the same and does not change with what else the machine does.

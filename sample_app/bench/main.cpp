@@ -26,7 +26,7 @@ int run(int argc, char** argv)
         return 0;
     }
     if (options.accuracy) {
-        const bench::Accuracy accuracy = bench::measureAccuracy(options.lights);
+        const bench::Accuracy accuracy = bench::measureAccuracy(options);
         print(accuracy, options.json);
         return accuracy.holds() ? 0 : 1;
     }

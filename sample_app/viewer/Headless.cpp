@@ -37,6 +37,10 @@ void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scen
     stats.lightsDropped = drawn.lightsDropped;
     stats.maxLookups = drawn.maxLookups;
     stats.accumulation = drawn.accumulation;
+    stats.techniqueDrawn = techniqueName(drawn.technique);
+    stats.whyReplaced = drawn.whyReplaced;
+    stats.errorRelative = drawn.error.relative;
+    stats.errorAbsolute = drawn.error.absolute;
 }
 
 Picture drawHeadless(const Options& options, World& world)

@@ -217,6 +217,7 @@ TEST_F(Viewer, TechniquesAgreeAndTheStatsTellHowTheyWereDrawn)
     const std::string scene = drawMade() + "--mesh knot --light-count 3 --seed 4 ";
     const Image reference = draw(scene + "--technique reference");
     EXPECT_EQ(stats_["evaluated"], "material");
+    EXPECT_TRUE(stats_["technique_drawn"].is_null());
     const Image single = draw(scene + "--technique single --frames 3");
     EXPECT_EQ(stats_["passes"], 1);
     EXPECT_EQ(stats_["draw_calls"], 1);
@@ -226,6 +227,10 @@ TEST_F(Viewer, TechniquesAgreeAndTheStatsTellHowTheyWereDrawn)
     EXPECT_EQ(stats_["passes"], 4);
     EXPECT_EQ(stats_["max_lookups"], 2);
     EXPECT_EQ(stats_["backend"], "egl");
+    EXPECT_EQ(stats_["technique_drawn"], "two-lookup");
+    EXPECT_TRUE(stats_["why_replaced"].is_null());
+    EXPECT_GE(stats_["error_bound"]["relative"], 1e-5);
+    EXPECT_EQ(stats_["error_bound"]["absolute"], 0.0);
     EXPECT_EQ(stats_["accumulation"], "RGBA32F");
     EXPECT_EQ(stats_["lights"]["given"], 3);
     EXPECT_EQ(stats_["lights"]["used"], 3);

@@ -14,7 +14,7 @@ constexpr int kMostErrors = 16;
 
 bool hasExtension(const Functions& gl, const char* name)
 {
-    if (gl.version < 30) {
+    if (!gl.has(30, 30)) {
         const auto* all = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
         return all && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") !=
                           std::string::npos;
@@ -28,8 +28,10 @@ bool hasExtension(const Functions& gl, const char* name)
     return false;
 }
 
+/// Without fixed function.
 bool isCoreProfile(const Functions& gl)
 {
+    if (gl.es) return true;
     if (gl.version >= 32)
         return (integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
     return gl.version == 31 && !hasExtension(gl, "GL_ARB_compatibility");
@@ -37,6 +39,7 @@ bool isCoreProfile(const Functions& gl)
 
 int glslVersion(const Functions& gl)
 {
+    if (gl.es) return gl.es >= 30 ? 300 : 100;
     int major = 1, minor = 20;
     const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_SHADING_LANGUAGE_VERSION));
     if (text) std::sscanf(text, "%d.%d", &major, &minor);
@@ -55,27 +58,59 @@ bool isSoftware(const Functions& gl)
     return false;
 }
 
+/// vec4 uniforms of a fragment shader.
+int uniformVectors(const Functions& gl)
+{
+    return gl.es ? integer(gl, GL_MAX_FRAGMENT_UNIFORM_VECTORS)
+                 : integer(gl, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) / 4;
+}
+
+/// Half or float textures, filtered linearly.
+bool hasFloatTextures(const Functions& gl)
+{
+    if (!gl.es) return gl.version >= 30 || gl.ARB_texture_float;
+    return gl.es >= 30 || (hasExtension(gl, "GL_OES_texture_half_float") &&
+                           hasExtension(gl, "GL_OES_texture_half_float_linear"));
+}
+
+/// RGBA32F textures, filtered linearly.
+bool has32BitTextures(const Functions& gl)
+{
+    if (!gl.es) return hasFloatTextures(gl);
+    return hasExtension(gl, "GL_OES_texture_float_linear") &&
+           (gl.es >= 30 || hasExtension(gl, "GL_OES_texture_float"));
+}
+
+/// RGBA32F is drawn to and blended in.
+bool hasFloatTargets(const Functions& gl)
+{
+    if (!gl.es) return gl.version >= 30 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
+    return gl.es >= 30 && hasExtension(gl, "GL_EXT_color_buffer_float") &&
+           hasExtension(gl, "GL_EXT_float_blend");
+}
+
 Capabilities detected(const Functions& gl)
 {
     Capabilities c;
-    c.glMajor = gl.version / 10;
-    c.glMinor = gl.version % 10;
+    const int version = gl.es ? gl.es : gl.version;
+    c.glMajor = version / 10;
+    c.glMinor = version % 10;
     c.glsl = glslVersion(gl);
     c.maxTextureUnits = integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
     c.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
-    c.max3dTextureSize = integer(gl, GL_MAX_3D_TEXTURE_SIZE);
-    c.maxUniformVectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) / 4;
+    c.max3dTextureSize = gl.hasVolumes() ? integer(gl, GL_MAX_3D_TEXTURE_SIZE) : 0;
+    c.maxUniformVectors = uniformVectors(gl);
     c.coreProfile = isCoreProfile(gl);
-    const bool gl3 = gl.version >= 30;
-    c.framebufferObjects = gl3 || gl.ARB_framebuffer_object;
-    c.floatTextures = gl3 || gl.ARB_texture_float;
-    c.softwareSampling = isSoftware(gl);
-    c.floatTargets = gl3 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
-    c.vertexArrays = gl3 || gl.ARB_vertex_array_object;
-    if (gl3) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
+    c.framebufferObjects = gl.has(30, 20) || gl.ARB_framebuffer_object;
+    c.floatTextures = hasFloatTextures(gl);
+    c.unorm16Textures = gl.es == 0;
+    c.softwareSampling = isSoftware(gl) && has32BitTextures(gl);
+    c.floatTargets = hasFloatTargets(gl);
+    c.vertexArrays = gl.has(30, 30) || gl.ARB_vertex_array_object;
+    if (gl.hasArrays()) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     c.bufferTextures = gl.version >= 31;
-    c.debug = (gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup && gl.PopDebugGroup &&
-              gl.ObjectLabel;
+    c.debug = (gl.es ? gl.es >= 32 : gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup &&
+              gl.PopDebugGroup && gl.ObjectLabel;
     return c;
 }
 
@@ -91,9 +126,12 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     return wanted;
 }
 
-void check(const Capabilities& c)
+void check(const Capabilities& c, bool embedded)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "OpenGL", what); };
+    if (embedded && c.glsl != 100 && c.glsl != 300)
+        fail("found GLSL " + std::to_string(c.glsl) + ", expected 100 or 300 in OpenGL ES");
+    if (embedded) return;
     if (10 * c.glMajor + c.glMinor < 21 || c.glsl < 120)
         fail("found version " + std::to_string(c.glMajor) + "." + std::to_string(c.glMinor) +
              " with GLSL " + std::to_string(c.glsl) + ", expected 2.1 with GLSL 120 or newer");
@@ -115,13 +153,15 @@ DevicePtr createDevice(const RendererOptions& options)
     device->gl = loadFunctions(options.load, options.loadUser);
     const Capabilities found = detected(device->gl);
     device->capabilities = granted(options.capabilities.value_or(found), found);
-    check(device->capabilities);
+    check(device->capabilities, device->gl.es != 0);
     device->capabilities.debug = device->capabilities.debug && options.debugLabels;
     device->logTo = options.log;
     device->state = options.state;
     if (device->gl.version >= 31)
         device->maxBufferTexels = integer(device->gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     if (device->gl.version >= 30) device->drawBuffers = integer(device->gl, GL_MAX_DRAW_BUFFERS);
+    device->wideIndices =
+        device->gl.has(21, 30) || hasExtension(device->gl, "GL_OES_element_index_uint");
     device->renderer = text(device->gl, GL_RENDERER);
     device->version = text(device->gl, GL_VERSION);
     device->firstTextureUnit = options.firstTextureUnit;

@@ -17,6 +17,7 @@ struct Device {
     std::string renderer, version;
     int firstTextureUnit = 0;
     int drawBuffers = 1;
+    bool wideIndices = true;  ///< 32-bit
     int maxBufferTexels = 0;  ///< of a buffer texture
     StateMode state = StateMode::restore;
     uint64_t nextMaterial = 0, nextHooks = 0;

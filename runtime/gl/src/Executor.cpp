@@ -60,9 +60,9 @@ int Executor::draw(const Drawable& item, const Plan& plan,
 void Executor::bindSurface(const Pass& pass)
 {
     if (!device_.capabilities.framebufferObjects) return;
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, pass.writes == Surface::target
-                                                 ? frame_.target.framebuffer
-                                                 : surfaces_.framebuffer(pass.writes));
+    gl_.BindFramebuffer(gl_.drawFramebuffer(), pass.writes == Surface::target
+                                                   ? frame_.target.framebuffer
+                                                   : surfaces_.framebuffer(pass.writes));
 }
 
 // Alpha: 1 where the first pass drew, then left alone.

@@ -4,6 +4,7 @@
 #include <fbrdf/brdf/Error.h>
 
 #include <cstring>
+#include <type_traits>
 
 namespace fbrdf::gl {
 namespace {
@@ -64,13 +65,13 @@ void checkBasics(const Functions& gl)
     FBRDF_NEEDS(true, BufferData)
     FBRDF_NEEDS(true, BufferSubData)
     FBRDF_NEEDS(true, Clear)
-    FBRDF_NEEDS(true, ClearDepth)
+    FBRDF_NEEDS(!gl.es, ClearDepth)
     FBRDF_NEEDS(true, ColorMask)
     FBRDF_NEEDS(true, DeleteBuffers)
     FBRDF_NEEDS(true, DeleteTextures)
     FBRDF_NEEDS(true, DepthFunc)
     FBRDF_NEEDS(true, DepthMask)
-    FBRDF_NEEDS(true, DepthRange)
+    FBRDF_NEEDS(!gl.es, DepthRange)
     FBRDF_NEEDS(true, Disable)
     FBRDF_NEEDS(true, DisableVertexAttribArray)
     FBRDF_NEEDS(true, DrawElements)
@@ -79,7 +80,7 @@ void checkBasics(const Functions& gl)
     FBRDF_NEEDS(true, GenBuffers)
     FBRDF_NEEDS(true, GenTextures)
     FBRDF_NEEDS(true, GetBooleanv)
-    FBRDF_NEEDS(true, GetDoublev)
+    FBRDF_NEEDS(!gl.es, GetDoublev)
     FBRDF_NEEDS(true, GetError)
     FBRDF_NEEDS(true, GetFloatv)
     FBRDF_NEEDS(true, GetIntegerv)
@@ -88,9 +89,9 @@ void checkBasics(const Functions& gl)
     FBRDF_NEEDS(true, GetVertexAttribiv)
     FBRDF_NEEDS(true, IsEnabled)
     FBRDF_NEEDS(true, PixelStorei)
-    FBRDF_NEEDS(true, PolygonMode)
+    FBRDF_NEEDS(!gl.es, PolygonMode)
     FBRDF_NEEDS(true, TexImage2D)
-    FBRDF_NEEDS(true, TexImage3D)
+    FBRDF_NEEDS(gl.hasVolumes(), TexImage3D)
     FBRDF_NEEDS(true, TexParameteri)
     FBRDF_NEEDS(true, VertexAttribPointer)
     FBRDF_NEEDS(true, Viewport)
@@ -98,10 +99,10 @@ void checkBasics(const Functions& gl)
 
 void checkNewer(const Functions& gl)
 {
-    const bool gl30 = gl.version >= 30, gl31 = gl.version >= 31, gl33 = gl.version >= 33,
-               gl40 = gl.version >= 40, gl41 = gl.version >= 41, gl45 = gl.version >= 45,
-               framebuffers = gl30 || gl.ARB_framebuffer_object,
-               vertexArrays = gl30 || gl.ARB_vertex_array_object;
+    const bool es = gl.es != 0, es30 = gl.es >= 30, gl30 = gl.version >= 30,
+               gl31 = gl.version >= 31, gl40 = gl.version >= 40, gl41 = gl.version >= 41,
+               gl45 = gl.version >= 45, framebuffers = gl30 || es || gl.ARB_framebuffer_object,
+               vertexArrays = gl30 || es30 || gl.ARB_vertex_array_object;
     FBRDF_NEEDS(framebuffers, BindFramebuffer)
     FBRDF_NEEDS(framebuffers, BindRenderbuffer)
     FBRDF_NEEDS(vertexArrays, BindVertexArray)
@@ -119,13 +120,15 @@ void checkNewer(const Functions& gl)
     FBRDF_NEEDS(framebuffers, GenRenderbuffers)
     FBRDF_NEEDS(vertexArrays, GenVertexArrays)
     FBRDF_NEEDS(gl30, GetBooleani_v)
+    FBRDF_NEEDS(es, ClearDepthf)
+    FBRDF_NEEDS(es, DepthRangef)
     FBRDF_NEEDS(framebuffers, GetFramebufferAttachmentParameteriv)
     FBRDF_NEEDS(framebuffers, RenderbufferStorage)
-    FBRDF_NEEDS(gl30, TexSubImage3D)
+    FBRDF_NEEDS(gl.hasArrays(), TexSubImage3D)
     FBRDF_NEEDS(gl31, DrawElementsInstanced)
     FBRDF_NEEDS(gl31, TexBuffer)
     FBRDF_NEEDS(gl31, Uniform3i)
-    FBRDF_NEEDS(gl33, BindSampler)
+    FBRDF_NEEDS(gl.hasSamplers(), BindSampler)
     FBRDF_NEEDS(gl40, BlendEquationSeparatei)
     FBRDF_NEEDS(gl40, BlendFuncSeparatei)
     FBRDF_NEEDS(gl41, DepthRangeIndexed)
@@ -133,6 +136,33 @@ void checkNewer(const Functions& gl)
     FBRDF_NEEDS(gl45, ClipControl)
 }
 #undef FBRDF_NEEDS
+
+/// What OpenGL ES has that glad looks for in later desktop versions only.
+void loadEmbedded(Functions& gl, const Loader& loader)
+{
+    const auto find = [&loader](auto& function, const char* name) {
+        if (!function)
+            function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+                loader.load(loader.user, name));
+    };
+#define FBRDF_FIND(name) find(gl.name, "gl" #name);
+    FBRDF_FIND(BindFramebuffer)
+    FBRDF_FIND(BindRenderbuffer)
+    FBRDF_FIND(CheckFramebufferStatus)
+    FBRDF_FIND(ClearDepthf)
+    FBRDF_FIND(DeleteFramebuffers)
+    FBRDF_FIND(DeleteRenderbuffers)
+    FBRDF_FIND(DepthRangef)
+    FBRDF_FIND(FramebufferRenderbuffer)
+    FBRDF_FIND(FramebufferTexture2D)
+    FBRDF_FIND(GenFramebuffers)
+    FBRDF_FIND(GenRenderbuffers)
+    FBRDF_FIND(GetFramebufferAttachmentParameteriv)
+    FBRDF_FIND(RenderbufferStorage)
+    if (gl.es < 30) return;
+    FBRDF_FIND(BindSampler)
+#undef FBRDF_FIND
+}
 
 }  // namespace
 
@@ -152,8 +182,13 @@ Functions loadFunctions(LoadFunction load, void* user)
             "newer");
     const std::string text = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
     gl.version = 10 * GLAD_VERSION_MAJOR(version) + GLAD_VERSION_MINOR(version);
-    if (text.compare(0, 9, "OpenGL ES") == 0 || gl.version < 21)
-        fail("found version '" + text + "', expected OpenGL 2.1 or newer");
+    if (text.compare(0, 9, "OpenGL ES") == 0) {
+        gl.es = gl.version;
+        gl.version = 21;
+        loadEmbedded(gl, loader);
+    }
+    if (gl.version < 21 || (gl.es != 0 && gl.es < 20))
+        fail("found version '" + text + "', expected OpenGL 2.1 or OpenGL ES 2.0 or newer");
     checkBasics(gl);
     checkPrograms(gl);
     checkNewer(gl);

@@ -15,14 +15,27 @@ struct Format {
     GLenum type;
 };
 
-Format formatOf(TexelType type)
+constexpr GLenum kHalfFloatOes = 0x8D61;  // OES_texture_half_float: not GL_HALF_FLOAT
+
+/// ES 2.0 has no sized formats; ES takes three channels for three channels only.
+Format formatOf(TexelType type, const Functions& gl)
 {
+    const bool old = gl.es != 0 && gl.es < 30;
     switch (type) {
         case TexelType::unorm16: return {GL_RGB16, GL_UNSIGNED_SHORT};
-        case TexelType::half: return {GL_RGB16F, GL_HALF_FLOAT};
-        case TexelType::float32: return {GL_RGBA32F, GL_FLOAT};
+        case TexelType::half:
+            return {old ? GL_RGB : GL_RGB16F, old ? kHalfFloatOes : GL_HALF_FLOAT};
+        case TexelType::float32: return {old ? GL_RGB : gl.es ? GL_RGB32F : GL_RGBA32F, GL_FLOAT};
     }
     return {};
+}
+
+/// GLSL ES 1.00 has no index that varies: knots in uniforms become a texture, a look-up more.
+Form drawnForm(Form form, const Capabilities& capabilities)
+{
+    for (TableSpec& table : form.tables)
+        if (capabilities.glsl == 100) table.uniform = false;
+    return form;
 }
 
 const void* texelsOf(const TextureImage& image)
@@ -31,8 +44,15 @@ const void* texelsOf(const TextureImage& image)
                                             : static_cast<const void*>(image.words.data());
 }
 
-void checkSize(const Capabilities& c, const Table& table, const TextureImage& image, bool volume)
+void checkTexels(const Capabilities& c, const Table& table, const TextureImage& image, bool volume)
 {
+    if (image.type == TexelType::unorm16 && !c.unorm16Textures)
+        throw Error(ErrorKind::gl, "table '" + table.name + "'",
+                    "found neither half float nor 16-bit textures, expected "
+                    "OES_texture_half_float and OES_texture_half_float_linear");
+    if (volume && c.max3dTextureSize == 0)
+        throw Error(ErrorKind::gl, "table '" + table.name + "'",
+                    "found three dimensions, expected two: OpenGL ES 2.0 has no volumes");
     const int limit = volume ? c.max3dTextureSize : c.maxTextureSize;
     const int largest = *std::max_element(image.size.begin(), image.size.end());
     if (largest > limit)
@@ -46,8 +66,10 @@ void setSampling(const Functions& gl, GLenum target)
 {
     gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         gl.TexParameteri(target, axis, GL_CLAMP_TO_EDGE);
+    if (!gl.hasVolumes()) return;
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
@@ -57,7 +79,7 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
     : device_(std::move(device)),
       id_(device_->nextMaterial++),
       name_(material.name.empty() ? material.form.name : material.name),
-      form_(material.form),
+      form_(drawnForm(material.form, device_->capabilities)),
       hasSigns_(fbrdf::hasSigns(material)),
       scales_(material.scales)
 {
@@ -81,7 +103,7 @@ void GpuMaterial::addTexture(const Table& table)
     const Functions& gl = device_->gl;
     const TextureImage image = textureImage(table, device_->capabilities);
     const bool volume = dimensionCount(table.domain) == 3;
-    checkSize(device_->capabilities, table, image, volume);
+    checkTexels(device_->capabilities, table, image, volume);
     GpuTable result;
     result.texture = createObject(device_, ObjectKind::texture);
     result.target = volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
@@ -89,7 +111,7 @@ void GpuMaterial::addTexture(const Table& table)
     result.extent = image.extent;
     gl.BindTexture(result.target, result.texture.name());
     setSampling(gl, result.target);
-    const Format format = formatOf(image.type);
+    const Format format = formatOf(image.type, gl);
     const void* texels = texelsOf(image);
     if (volume)
         gl.TexImage3D(GL_TEXTURE_3D, 0, format.internal, image.size[0], image.size[1],
@@ -127,7 +149,7 @@ void GpuMaterial::addArray(const Table& table, size_t layers)
     }
     const Functions& gl = device_->gl;
     TextureImage image = textureImage(table, device_->capabilities);
-    checkSize(device_->capabilities, table, image, false);
+    checkTexels(device_->capabilities, table, image, false);
     // The range of one layer may be [0, 1], that of the next may not.
     image.encoding.ranged = image.type == TexelType::unorm16;
     encodings_.push_back(image.encoding);
@@ -136,7 +158,7 @@ void GpuMaterial::addArray(const Table& table, size_t layers)
     made.target = GL_TEXTURE_2D_ARRAY;
     gl.BindTexture(made.target, made.texture.name());
     setSampling(gl, made.target);
-    const Format format = formatOf(image.type);
+    const Format format = formatOf(image.type, gl);
     gl.TexImage3D(made.target, 0, format.internal, image.size[0], image.size[1],
                   static_cast<GLsizei>(layers), 0, GL_RGB, format.type, nullptr);
     label(*device_, ObjectKind::texture, made.texture, name_ + ":" + table.name);
@@ -162,7 +184,7 @@ void GpuMaterial::setLayer(size_t layer, const Material& material)
         *parameter(layout.tables[k] + 1) = opaque(image.extent);
         gl.BindTexture(GL_TEXTURE_2D_ARRAY, tables_[k].texture.name());
         gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), image.size[0],
-                         image.size[1], 1, GL_RGB, formatOf(image.type).type, texelsOf(image));
+                         image.size[1], 1, GL_RGB, formatOf(image.type, gl).type, texelsOf(image));
     }
     std::transform(material.scales.begin(), material.scales.end(), parameter(layout.scales),
                    opaque);

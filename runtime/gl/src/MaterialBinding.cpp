@@ -63,7 +63,7 @@ int MaterialBinding::apply(int firstUnit) const
         const GpuTable& table = state_->material->tables()[i];
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         gl.BindTexture(table.target, table.texture.name());
-        if (gl.version >= 33) gl.BindSampler(static_cast<GLuint>(unit), 0);
+        if (gl.hasSamplers()) gl.BindSampler(static_cast<GLuint>(unit), 0);
         gl.Uniform1i(tables[i].sampler, unit++);
     }
     return used;

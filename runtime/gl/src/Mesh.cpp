@@ -85,6 +85,9 @@ const void* offset(size_t bytes)
 GpuMesh::GpuMesh(DevicePtr device, const MeshData& mesh) : device_(std::move(device))
 {
     check(mesh);
+    if (!device_->wideIndices)
+        throw Error(ErrorKind::gl, "mesh",
+                    "found no 32-bit indices, expected OES_element_index_uint");
     indexCount_ = static_cast<GLsizei>(mesh.indices.size());
     vertexCount_ = mesh.positions.size();
     hasTangents_ = !mesh.tangents.empty();

@@ -9,23 +9,24 @@ struct Switch {
     GLenum name;
     int since;               ///< version that knows it
     bool fixedFunctionOnly;  ///< does not exist in a core profile
+    int sinceEs = 99;        ///< version of OpenGL ES that knows it; 99: none
 };
 
 // Whatever could change or discard a fragment. Blend, depth and scissor are kept apart: they are
 // indexed in newer versions.
 constexpr Switch kSwitches[] = {
-    {GL_CULL_FACE, 21, false},
-    {GL_STENCIL_TEST, 21, false},
+    {GL_CULL_FACE, 21, false, 20},
+    {GL_STENCIL_TEST, 21, false, 20},
     {GL_COLOR_LOGIC_OP, 21, false},
-    {GL_DITHER, 21, false},
-    {GL_POLYGON_OFFSET_FILL, 21, false},
+    {GL_DITHER, 21, false, 20},
+    {GL_POLYGON_OFFSET_FILL, 21, false, 20},
     // Lines are not drawn, but with it Mesa 22.3 loses pixels of filled triangles.
     {GL_POLYGON_OFFSET_LINE, 21, false},
     {GL_POLYGON_OFFSET_POINT, 21, false},
     {GL_POLYGON_SMOOTH, 21, false},
-    {GL_SAMPLE_ALPHA_TO_COVERAGE, 21, false},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, 21, false, 20},
     {GL_SAMPLE_ALPHA_TO_ONE, 21, false},
-    {GL_SAMPLE_COVERAGE, 21, false},
+    {GL_SAMPLE_COVERAGE, 21, false, 20},
     {GL_CLIP_DISTANCE0, 21, false},
     {GL_CLIP_DISTANCE1, 21, false},
     {GL_CLIP_DISTANCE2, 21, false},
@@ -34,12 +35,12 @@ constexpr Switch kSwitches[] = {
     {GL_CLIP_DISTANCE5, 21, false},
     {GL_CLIP_DISTANCE6, 30, false},
     {GL_CLIP_DISTANCE7, 30, false},
-    {GL_RASTERIZER_DISCARD, 30, false},
+    {GL_RASTERIZER_DISCARD, 30, false, 30},
     {GL_FRAMEBUFFER_SRGB, 30, false},
     {GL_PRIMITIVE_RESTART, 31, false},
     {GL_DEPTH_CLAMP, 32, false},
-    {GL_SAMPLE_MASK, 32, false},
-    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, false},
+    {GL_SAMPLE_MASK, 32, false, 31},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, false, 30},
     {GL_ALPHA_TEST, 21, true},
     {GL_POLYGON_STIPPLE, 21, true},
 };
@@ -107,7 +108,7 @@ void StateGuard::restoreBindings() const
     if (device_.capabilities.vertexArrays) gl_.BindVertexArray(unsignedOf(vertexArray_));
     gl_.BindBuffer(GL_ARRAY_BUFFER, unsignedOf(arrayBuffer_));
     if (device_.capabilities.framebufferObjects)
-        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, unsignedOf(framebuffer_));
+        gl_.BindFramebuffer(gl_.drawFramebuffer(), unsignedOf(framebuffer_));
 }
 
 void StateGuard::saveBindings()
@@ -139,9 +140,8 @@ void StateGuard::saveFixed()
     depthFunction_ = integer(gl_, GL_DEPTH_FUNC);
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
     gl_.GetFloatv(GL_VIEWPORT, viewport_);
-    gl_.GetDoublev(GL_DEPTH_RANGE, depthRange_);
-    gl_.GetDoublev(GL_DEPTH_CLEAR_VALUE, &clearDepth_);
-    gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_);
+    saveDepths();
+    if (!gl_.es) gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_);
     if (gl_.version >= 30 && !device_.capabilities.coreProfile)
         clampColour_ = integer(gl_, GL_CLAMP_FRAGMENT_COLOR);
     if (gl_.version >= 45) {
@@ -150,10 +150,24 @@ void StateGuard::saveFixed()
     }
 }
 
+void StateGuard::saveDepths()
+{
+    if (!gl_.es) {
+        gl_.GetDoublev(GL_DEPTH_RANGE, depthRange_);
+        return gl_.GetDoublev(GL_DEPTH_CLEAR_VALUE, &clearDepth_);
+    }
+    GLfloat range[2] = {0.0f, 1.0f}, clear = 1.0f;
+    gl_.GetFloatv(GL_DEPTH_RANGE, range);
+    gl_.GetFloatv(GL_DEPTH_CLEAR_VALUE, &clear);
+    std::copy(range, range + 2, depthRange_);
+    clearDepth_ = clear;
+}
+
 void StateGuard::disableAll()
 {
     for (const Switch& s : kSwitches) {
-        if (gl_.version < s.since || (s.fixedFunctionOnly && device_.capabilities.coreProfile))
+        if (!gl_.has(s.since, s.sinceEs) ||
+            (s.fixedFunctionOnly && device_.capabilities.coreProfile))
             continue;
         const bool onInTheEnd =
             mode_ == StateMode::restore ? isOn(gl_, s.name) : s.name == GL_DITHER;
@@ -172,9 +186,9 @@ void StateGuard::setFixed()
     if (gl_.version >= 41)
         gl_.DepthRangeIndexed(0, 0.0, 1.0);
     else
-        gl_.DepthRange(0.0, 1.0);
-    gl_.ClearDepth(1.0);
-    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        gl_.depthRange(0.0, 1.0);
+    gl_.clearDepth(1.0);
+    if (!gl_.es) gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl_.version >= 30 && !device_.capabilities.coreProfile)
         gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FIXED_ONLY);
     if (gl_.version >= 45) gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
@@ -206,8 +220,9 @@ void StateGuard::restoreFixed() const
         setScissorBox({scissorBox_[0], scissorBox_[1], scissorBox_[2], scissorBox_[3]});
     gl_.DepthFunc(enumOf(depthFunction_));
     gl_.DepthMask(depthMask_);
-    gl_.ClearDepth(clearDepth_);
+    gl_.clearDepth(clearDepth_);
     restoreDepthRangeAndViewport();
+    if (gl_.es) return;
     if (device_.capabilities.coreProfile) {
         gl_.PolygonMode(GL_FRONT_AND_BACK, enumOf(polygonMode_[0]));
     } else {
@@ -223,7 +238,7 @@ void StateGuard::restoreDepthRangeAndViewport() const
     if (gl_.version >= 41)
         gl_.DepthRangeIndexed(0, depthRange_[0], depthRange_[1]);
     else
-        gl_.DepthRange(depthRange_[0], depthRange_[1]);
+        gl_.depthRange(depthRange_[0], depthRange_[1]);
     if (mode_ != StateMode::restore) return;
     if (gl_.version >= 41)
         gl_.ViewportIndexedf(0, viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
@@ -235,7 +250,7 @@ void StateGuard::restoreDepthRangeAndViewport() const
 void StateGuard::setTarget(const Target& target)
 {
     if (device_.capabilities.framebufferObjects)
-        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+        gl_.BindFramebuffer(gl_.drawFramebuffer(), target.framebuffer);
     if (gl_.version >= 41)
         gl_.ViewportIndexedf(0, 0.0f, 0.0f, static_cast<GLfloat>(target.width),
                              static_cast<GLfloat>(target.height));
@@ -247,10 +262,10 @@ StateGuard::SavedUnit StateGuard::savedUnit(GLenum name) const
 {
     return {name,
             integer(gl_, GL_TEXTURE_BINDING_2D),
-            integer(gl_, GL_TEXTURE_BINDING_3D),
+            gl_.hasVolumes() ? integer(gl_, GL_TEXTURE_BINDING_3D) : 0,
             gl_.version >= 31 ? integer(gl_, GL_TEXTURE_BINDING_BUFFER) : 0,
-            gl_.version >= 33 ? integer(gl_, GL_SAMPLER_BINDING) : 0,
-            gl_.version >= 30 ? integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY) : 0};
+            gl_.hasSamplers() ? integer(gl_, GL_SAMPLER_BINDING) : 0,
+            gl_.hasArrays() ? integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY) : 0};
 }
 
 void StateGuard::setScissor(const PixelRect* rect)
@@ -279,7 +294,7 @@ void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
     const auto isSaved = [name](const SavedUnit& u) { return u.unit == name; };
     if (std::none_of(units_.begin(), units_.end(), isSaved)) {
         units_.push_back(mode_ == StateMode::restore ? savedUnit(name) : SavedUnit{name});
-        if (gl_.version >= 33) gl_.BindSampler(name - GL_TEXTURE0, 0);
+        if (gl_.hasSamplers()) gl_.BindSampler(name - GL_TEXTURE0, 0);
     }
     gl_.BindTexture(target, texture);
 }
@@ -289,10 +304,10 @@ void StateGuard::restoreTextures() const
     for (const SavedUnit& saved : units_) {
         gl_.ActiveTexture(saved.unit);
         gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(saved.texture2d));
-        gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(saved.texture3d));
-        if (gl_.version >= 30) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(saved.textureArray));
+        if (gl_.hasVolumes()) gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(saved.texture3d));
+        if (gl_.hasArrays()) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(saved.textureArray));
         if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(saved.textureBuffer));
-        if (gl_.version >= 33) gl_.BindSampler(saved.unit - GL_TEXTURE0, unsignedOf(saved.sampler));
+        if (gl_.hasSamplers()) gl_.BindSampler(saved.unit - GL_TEXTURE0, unsignedOf(saved.sampler));
     }
     gl_.ActiveTexture(enumOf(activeTexture_));
 }

@@ -34,6 +34,7 @@ private:
     };
     void saveBindings();
     void saveFixed();
+    void saveDepths();
     void restoreBindings() const;
     void disableAll();
     void setFixed();

@@ -38,13 +38,13 @@ bool Surfaces::create(One& one, const std::string& name)
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
     label(*device_, ObjectKind::texture, one.texture, name);
     one.framebuffer = createObject(device_, ObjectKind::framebuffer);
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, one.framebuffer.name());
-    gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+    gl.BindFramebuffer(gl.drawFramebuffer(), one.framebuffer.name());
+    gl.FramebufferTexture2D(gl.drawFramebuffer(), GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                             one.texture.name(), 0);
-    gl.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+    gl.FramebufferRenderbuffer(gl.drawFramebuffer(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                depth_.name());
     label(*device_, ObjectKind::framebuffer, one.framebuffer, name);
-    return gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return gl.CheckFramebufferStatus(gl.drawFramebuffer()) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 GLuint Surfaces::framebuffer(Surface surface) const

@@ -23,13 +23,14 @@ ColourFormat formatOf(bool isFloat, GLint redBits)
 GLint parameter(const Functions& gl, GLenum attachment, GLenum name)
 {
     GLint value = 0;
-    gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    gl.GetFramebufferAttachmentParameteriv(gl.drawFramebuffer(), attachment, name, &value);
     return value;
 }
 
 /// The name under which the first draw buffer of a window is queried.
-GLenum queriedName(GLenum drawBuffer)
+GLenum queriedName(const Functions& gl, GLenum drawBuffer)
 {
+    if (gl.es) return drawBuffer;
     switch (drawBuffer) {
         case GL_FRONT: return GL_FRONT_LEFT;
         case GL_BACK:
@@ -40,7 +41,7 @@ GLenum queriedName(GLenum drawBuffer)
 
 ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
 {
-    const auto buffer = queriedName(static_cast<GLenum>(integer(gl, GL_DRAW_BUFFER0)));
+    const auto buffer = queriedName(gl, static_cast<GLenum>(integer(gl, GL_DRAW_BUFFER0)));
     if (buffer == GL_NONE) fail(framebuffer, "found no draw buffer, expected a colour buffer");
     if (parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
         fail(framebuffer, "found nothing attached to its draw buffer, expected a colour buffer");
@@ -65,14 +66,13 @@ TargetInfo targetInfo(const Device& device, const Target& target)
     const Functions& gl = device.gl;
     const GLuint framebuffer = target.framebuffer;
     if (device.capabilities.framebufferObjects) {
-        const GLenum status = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+        const GLenum status = gl.CheckFramebufferStatus(gl.drawFramebuffer());
         if (status != GL_FRAMEBUFFER_COMPLETE)
             fail(framebuffer,
                  "found status " + std::to_string(status) + ", expected a complete framebuffer");
     }
     TargetInfo info;
-    info.format =
-        gl.version >= 30 ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
+    info.format = gl.has(30, 30) ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
     info.transfer = target.transfer;
     info.multisampled = integer(gl, GL_SAMPLES) > 1;
     return info;

@@ -3,6 +3,7 @@
 namespace fbrdf::gl {
 namespace {
 
+// In the order in which versions know them: unpackStates() says how many do.
 constexpr GLenum kUnpack[] = {GL_UNPACK_ALIGNMENT,   GL_UNPACK_ROW_LENGTH,  GL_UNPACK_SKIP_ROWS,
                               GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_IMAGE_HEIGHT,
                               GL_UNPACK_SWAP_BYTES,  GL_UNPACK_LSB_FIRST};
@@ -28,30 +29,38 @@ GLuint unsignedOf(GLint value)
 UploadGuard::UploadGuard(const Device& device) : device_(device), gl_(device.gl)
 {
     if (device.state == StateMode::restore) save();
-    for (const GLenum name : kUnpack) gl_.PixelStorei(name, name == GL_UNPACK_ALIGNMENT ? 1 : 0);
+    for (size_t i = 0; i < unpackStates(); ++i)
+        gl_.PixelStorei(kUnpack[i], kUnpack[i] == GL_UNPACK_ALIGNMENT ? 1 : 0);
     setTransfer();
-    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    if (gl_.hasUnpackBuffer()) gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
 UploadGuard::~UploadGuard()
 {
     if (device_.capabilities.vertexArrays) gl_.BindVertexArray(unsignedOf(vertexArray_));
     if (device_.state == StateMode::leave) return;
-    for (size_t i = 0; i < kUnpackCount; ++i) gl_.PixelStorei(kUnpack[i], unpack_[i]);
+    for (size_t i = 0; i < unpackStates(); ++i) gl_.PixelStorei(kUnpack[i], unpack_[i]);
     for (size_t i = 0; i < transfer_.size(); ++i)
         gl_.PixelTransferf(kTransfer[i].name, transfer_[i]);
-    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, unsignedOf(unpackBuffer_));
+    if (gl_.hasUnpackBuffer()) gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, unsignedOf(unpackBuffer_));
     gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(texture2d_));
-    gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(texture3d_));
-    if (gl_.version >= 30) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(textureArray_));
+    if (gl_.hasVolumes()) gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(texture3d_));
+    if (gl_.hasArrays()) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(textureArray_));
     if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(textureBuffer_));
     if (!device_.capabilities.vertexArrays)
         gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, unsignedOf(elementBuffer_));
     gl_.BindBuffer(GL_ARRAY_BUFFER, unsignedOf(arrayBuffer_));
     if (device_.capabilities.framebufferObjects) {
-        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, unsignedOf(framebuffer_));
+        gl_.BindFramebuffer(gl_.drawFramebuffer(), unsignedOf(framebuffer_));
         gl_.BindRenderbuffer(GL_RENDERBUFFER, unsignedOf(renderbuffer_));
     }
+}
+
+/// ES 2.0 has the alignment, 3.0 all but the order of bytes and bits.
+size_t UploadGuard::unpackStates() const
+{
+    if (!gl_.es) return kUnpackCount;
+    return gl_.es < 30 ? 1 : 6;
 }
 
 bool UploadGuard::hasTransfer() const
@@ -67,16 +76,16 @@ void UploadGuard::setTransfer() const
 
 void UploadGuard::save()
 {
-    for (size_t i = 0; i < kUnpackCount; ++i) unpack_[i] = integer(gl_, kUnpack[i]);
+    for (size_t i = 0; i < unpackStates(); ++i) unpack_[i] = integer(gl_, kUnpack[i]);
     if (hasTransfer())
         for (const Transfer& t : kTransfer) {
             transfer_.push_back(0.0f);
             gl_.GetFloatv(t.name, &transfer_.back());
         }
-    unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
+    if (gl_.hasUnpackBuffer()) unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
     texture2d_ = integer(gl_, GL_TEXTURE_BINDING_2D);
-    texture3d_ = integer(gl_, GL_TEXTURE_BINDING_3D);
-    if (gl_.version >= 30) textureArray_ = integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY);
+    if (gl_.hasVolumes()) texture3d_ = integer(gl_, GL_TEXTURE_BINDING_3D);
+    if (gl_.hasArrays()) textureArray_ = integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY);
     if (gl_.version >= 31) textureBuffer_ = integer(gl_, GL_TEXTURE_BINDING_BUFFER);
     arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
     if (device_.capabilities.vertexArrays)

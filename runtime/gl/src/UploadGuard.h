@@ -20,6 +20,7 @@ public:
 
 private:
     void save();
+    size_t unpackStates() const;
     bool hasTransfer() const;
     void setTransfer() const;
 

@@ -72,11 +72,12 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
     image.encoding.logarithmic = isLog(table.storage);
     if (capabilities.softwareSampling && capabilities.floatTextures) {
         encodeFloat(image, table);
-    } else if (table.storage == Storage::log8 || table.storage == Storage::linear8) {
+    } else if (capabilities.unorm16Textures &&
+               (table.storage == Storage::log8 || table.storage == Storage::linear8)) {
         encodeUnorm16(image, table);
     } else if (!capabilities.floatTextures) {
         encodeOverRange(image, table);
-    } else if (bytesPerChannel(table.storage) == 2) {
+    } else if (bytesPerChannel(table.storage) <= 2 || !capabilities.unorm16Textures) {
         image.type = TexelType::half;
         image.words =
             converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });

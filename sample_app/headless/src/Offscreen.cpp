@@ -4,7 +4,9 @@
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 
+#include <algorithm>
 #include <string>
+#include <type_traits>
 
 namespace fbrdf {
 namespace {
@@ -24,12 +26,40 @@ GLenum internalFormatOf(OffscreenFormat format)
     throw Error(ErrorKind::gl, "offscreen", what);
 }
 
+/// What OpenGL ES has that glad looks for in later desktop versions only. es: its major version, or
+/// 0.
+void loadEmbedded(GladGLContext& gl, HeadlessContext::Load load, int& es)
+{
+    const std::string version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+    if (version.compare(0, 10, "OpenGL ES ") != 0) return;
+    es = version[10] - '0';
+    const auto find = [load](auto& function, const char* name) {
+        function =
+            reinterpret_cast<std::remove_reference_t<decltype(function)>>(load(nullptr, name));
+    };
+    find(gl.BindFramebuffer, "glBindFramebuffer");
+    find(gl.BindRenderbuffer, "glBindRenderbuffer");
+    find(gl.CheckFramebufferStatus, "glCheckFramebufferStatus");
+    find(gl.ClearDepthf, "glClearDepthf");
+    find(gl.DeleteFramebuffers, "glDeleteFramebuffers");
+    find(gl.DeleteRenderbuffers, "glDeleteRenderbuffers");
+    find(gl.FramebufferRenderbuffer, "glFramebufferRenderbuffer");
+    find(gl.GenFramebuffers, "glGenFramebuffers");
+    find(gl.GenRenderbuffers, "glGenRenderbuffers");
+    find(gl.RenderbufferStorage, "glRenderbufferStorage");
+}
+
 }  // namespace
 
 struct Offscreen::State {
     GladGLContext gl{};
     OffscreenOptions options;
     GLuint framebuffer = 0, colour = 0, depth = 0;
+    int es = 0;  ///< major version of OpenGL ES
+
+    /// ES 2.0 has one binding.
+    GLenum drawTarget() const { return es == 2 ? GL_FRAMEBUFFER : GL_DRAW_FRAMEBUFFER; }
+    GLenum readTarget() const { return es == 2 ? GL_FRAMEBUFFER : GL_READ_FRAMEBUFFER; }
 
     ~State()
     {
@@ -66,12 +96,15 @@ Offscreen::Offscreen(HeadlessContext::Load load, const OffscreenOptions& options
             (*static_cast<HeadlessContext::Load*>(user))(nullptr, name));
     };
     if (!gladLoadGLContextUserPtr(&s.gl, glLoad, &load)) fail("no current context");
-    if (!s.gl.VERSION_3_0 && !s.gl.ARB_framebuffer_object) fail("no framebuffer objects");
+    loadEmbedded(s.gl, load, s.es);
+    if (!s.es && !s.gl.VERSION_3_0 && !s.gl.ARB_framebuffer_object) fail("no framebuffer objects");
     const GLuint before = s.bound(GL_FRAMEBUFFER_BINDING);
     s.gl.GenFramebuffers(1, &s.framebuffer);
     s.gl.BindFramebuffer(GL_FRAMEBUFFER, s.framebuffer);
     s.colour = s.attached(GL_COLOR_ATTACHMENT0, internalFormatOf(options.format));
-    if (options.depth) s.depth = s.attached(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24);
+    if (options.depth)
+        s.depth = s.attached(GL_DEPTH_ATTACHMENT,
+                             s.es == 2 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24);
     const GLenum status = s.gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
     s.gl.BindFramebuffer(GL_FRAMEBUFFER, before);
     if (status != GL_FRAMEBUFFER_COMPLETE)
@@ -103,11 +136,11 @@ void Offscreen::clear(float red, float green, float blue, float alpha)
 {
     State& s = *state_;
     const GLuint before = s.bound(GL_DRAW_FRAMEBUFFER_BINDING);
-    s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.framebuffer);
+    s.gl.BindFramebuffer(s.drawTarget(), s.framebuffer);
     s.gl.ClearColor(red, green, blue, alpha);
-    s.gl.ClearDepth(1.0);
+    s.es ? s.gl.ClearDepthf(1.0f) : s.gl.ClearDepth(1.0);
     s.gl.Clear(GL_COLOR_BUFFER_BIT | (s.options.depth ? GL_DEPTH_BUFFER_BIT : 0u));
-    s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, before);
+    s.gl.BindFramebuffer(s.drawTarget(), before);
 }
 
 std::vector<float> Offscreen::readPixels() const
@@ -115,10 +148,20 @@ std::vector<float> Offscreen::readPixels() const
     const State& s = *state_;
     std::vector<float> pixels(4 * static_cast<size_t>(s.options.width) *
                               static_cast<size_t>(s.options.height));
-    const GLuint before = s.bound(GL_READ_FRAMEBUFFER_BINDING);
-    s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, s.framebuffer);
-    s.gl.ReadPixels(0, 0, s.options.width, s.options.height, GL_RGBA, GL_FLOAT, pixels.data());
-    s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, before);
+    const GLuint before = s.bound(s.es == 2 ? GL_FRAMEBUFFER_BINDING : GL_READ_FRAMEBUFFER_BINDING);
+    s.gl.BindFramebuffer(s.readTarget(), s.framebuffer);
+    const auto read = [&s](GLenum type, void* into) {
+        s.gl.ReadPixels(0, 0, s.options.width, s.options.height, GL_RGBA, type, into);
+    };
+    if (s.es && s.options.format == OffscreenFormat::rgba8) {  // ES reads bytes as bytes only
+        std::vector<uint8_t> bytes(pixels.size());
+        read(GL_UNSIGNED_BYTE, bytes.data());
+        std::transform(bytes.begin(), bytes.end(), pixels.begin(),
+                       [](uint8_t byte) { return static_cast<float>(byte) / 255.0f; });
+    } else {
+        read(GL_FLOAT, pixels.data());
+    }
+    s.gl.BindFramebuffer(s.readTarget(), before);
     return pixels;
 }
 

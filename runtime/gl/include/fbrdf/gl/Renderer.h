@@ -170,8 +170,8 @@ struct DrawStats {
 
 class Renderer {
 public:
-    /// Throws Error(gl) naming what is missing: a loader that yields nothing, a version below 2.1,
-    /// a function, ...
+    /// Throws Error(gl) naming what is missing: a loader that yields nothing, a version below 2.1
+    /// or ES 2.0, a function, ...
     explicit Renderer(const RendererOptions& options);
     ~Renderer();
     Renderer(Renderer&&) noexcept;

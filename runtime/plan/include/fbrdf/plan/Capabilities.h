@@ -7,7 +7,7 @@ namespace fbrdf {
 
 struct Capabilities {
     int glMajor = 2, glMinor = 1;
-    int glsl = 120;              ///< version to write shaders in: 120, 140, 150, 330 or 450
+    int glsl = 120;  ///< version to write shaders in: 120, 140, 150, 330, 450, or of ES 100, 300
     int maxTextureUnits = 8;     ///< samplers of one fragment shader
     int maxTextureSize = 2048;   ///< texels on a side
     int max3dTextureSize = 256;  ///< texels on a side
@@ -15,6 +15,7 @@ struct Capabilities {
     bool coreProfile = false;    ///< fixed-function state does not exist
     bool framebufferObjects = false;
     bool floatTextures = false;     ///< half and float textures, linearly filtered
+    bool unorm16Textures = true;    ///< which OpenGL ES does not have
     bool softwareSampling = false;  ///< texels are fetched by a CPU, where float ones cost least:
                                     ///< nothing has to be unpacked
     bool floatTargets = false;      ///< RGBA32F is renderable and blendable

@@ -80,8 +80,9 @@ void validate(const PlanRequest& request);
 /// How far what is stored may be from what the definition gives after exposure and transfer:
 ///     |stored - exact| <= relative x max(|exact|, mean / 100) + absolute
 /// before UNORM clamps to 1. mean: of the pixels that are lit; below a hundredth of it the rounding
-/// of the cosine dominates: floats near 1 know a cosine to 1e-7, however small it is. Nothing is claimed of a material with signs, whose terms may
-/// cancel: relative is infinite. The derivation is in ErrorBound.cpp.
+/// of the cosine dominates: floats near 1 know a cosine to 1e-7, however small it is. Nothing is
+/// claimed of a material with signs, whose terms may cancel: relative is infinite. The derivation
+/// is in ErrorBound.cpp.
 struct ErrorBound {
     double relative = 0.0, absolute = 0.0;
 };

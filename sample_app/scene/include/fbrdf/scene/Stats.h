@@ -15,6 +15,9 @@ struct Stats {
     std::string backend;  ///< "egl", "osmesa", "window"; "cpu" for techniques without GL
     std::string glRenderer, glVersion;  ///< empty without GL
     std::string technique, mesh;
+    std::string techniqueDrawn, whyReplaced;  ///< what the runtime took, and why not `technique`;
+                                              ///< empty on the CPU, and where it is the same
+    double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
     std::vector<std::string> materials;  ///< names
     std::string evaluated;               ///< "source" or "material": what the BRDF values came from
     int width = 0, height = 0, coveredPixels = 0;
@@ -26,8 +29,9 @@ struct Stats {
 };
 
 /// One object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
-/// evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
-/// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
+/// technique_drawn, why_replaced (null where there is nothing to say), error_bound {relative,
+/// absolute}, evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped},
+/// max_lookups, accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
 
 }  // namespace fbrdf::scene
