@@ -75,19 +75,12 @@ gl::View mapView()
     return view;
 }
 
-class Geometry : public GlTest {
+class Geometry : public RendererTest {
 protected:
-    void SetUp() override
-    {
-        GlTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
-    }
     void TearDown() override
     {
         if (map_ != 0) gl().DeleteTextures(1, &map_);
-        renderer_.reset();
-        GlTest::TearDown();
+        RendererTest::TearDown();
     }
 
     struct Object {
@@ -155,8 +148,6 @@ protected:
         hooks.shadow = shadow;
         return renderer_->createHooks(hooks);
     }
-
-    std::unique_ptr<gl::Renderer> renderer_;
 
 private:
     GLuint map_ = 0;

@@ -53,20 +53,17 @@ std::string scientific(double value)
     return text;
 }
 
-class Image : public GlTest {
+class Image : public RendererTest {
 protected:
     void SetUp() override
     {
-        GlTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        offscreen_ = std::make_unique<Offscreen>(makeOffscreen(kSize));
-        renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
+        RendererTest::SetUp();
+        if (isReady()) offscreen_ = std::make_unique<Offscreen>(makeOffscreen(kSize));
     }
     void TearDown() override
     {
         offscreen_.reset();
-        renderer_.reset();
-        GlTest::TearDown();
+        RendererTest::TearDown();
     }
 
     std::vector<float> draw(const Scene& scene, const gl::GpuMaterial& material,
@@ -82,7 +79,6 @@ protected:
     void compareTechniques(const Scene& scene, const std::vector<int>& lightCounts);
 
     std::unique_ptr<Offscreen> offscreen_;
-    std::unique_ptr<gl::Renderer> renderer_;
     gl::DrawStats stats_;
     double worstReference_ = 0.0, worstTechnique_ = 0.0;
 };

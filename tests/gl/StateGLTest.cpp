@@ -1,12 +1,10 @@
 // Whatever state the host has: the picture is the same, and the state is the host's again after.
-#include "StateList.h"
-#include "StateScrambler.h"
+#include "StateTest.h"
 
 #include <fbrdf/brdf/Error.h>
 
 #include <gtest/gtest.h>
 
-#include "support/gl/GlTest.h"
 #include "support/gl/Scenes.h"
 
 #include <algorithm>
@@ -17,24 +15,8 @@ namespace {
 constexpr int kSize = 32;
 constexpr unsigned kSeeds = 24;
 
-class State : public GlTest {
+class State : public StateTest {
 protected:
-    void SetUp() override
-    {
-        GlTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
-        scrambler_ = std::make_unique<StateScrambler>(gl(), isCore());
-    }
-    void TearDown() override
-    {
-        scrambler_.reset();
-        renderer_.reset();
-        GlTest::TearDown();
-    }
-    bool isCore() const { return !GetParam().legacy; }
-    StateSnapshot now() const { return snapshot(gl(), isCore()); }
-
     /// Scrambles, acts, compares; leaves defaults.
     template <class Act>
     void expectKept(unsigned seed, Act act)
@@ -45,9 +27,6 @@ protected:
         EXPECT_EQ(difference(before, now()), "") << "seed " << seed;
         scrambler_->setDefaults();
     }
-
-    std::unique_ptr<gl::Renderer> renderer_;
-    std::unique_ptr<StateScrambler> scrambler_;
 };
 
 TEST_P(State, DrawingPutsBackWhatItFindsAndIsNotDisturbedByIt)
@@ -72,6 +51,46 @@ TEST_P(State, DrawingPutsBackWhatItFindsAndIsNotDisturbedByIt)
                 ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
             }
         }
+}
+
+TEST_P(State, HooksAndNormalMapsPutBackWhatTheyFindAndAreNotDisturbedByIt)
+{
+    gl::MeshData shape = sphereMesh(12);
+    shape.tangents.clear();
+    for (const Vec3f& p : shape.positions) shape.textureCoordinates.emplace_back(p.x, p.y);
+    shape.extra.emplace_back(shape.positions.size(), glm::vec4(0.1f));
+    gl::Hooks hooks;
+    hooks.vertex =
+        "FBRDF_ATTRIBUTE vec4 fbrdfExtra0;\n"
+        "void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 tangent)\n"
+        "{ position *= 1.0 - fbrdfExtra0.x; }\n";
+    hooks.shadow = "float fbrdfShadow(int light, vec3 position, vec3 toLight) { return 0.5; }\n";
+    const auto mesh = renderer_->createMesh(shape);
+    const auto material = renderer_->createMaterial(testMaterials()[0]);
+    std::shared_ptr<gl::GpuHooks> made = renderer_->createHooks(hooks);
+    expectKept(3, [&] { made = renderer_->createHooks(hooks); });
+    const unsigned char bump[] = {160, 100, 255, 255};
+    GLuint map = 0;
+    gl().GenTextures(1, &map);
+    gl().BindTexture(GL_TEXTURE_2D, map);
+    gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, bump);
+    gl().BindTexture(GL_TEXTURE_2D, 0);
+    Offscreen offscreen = makeOffscreen(kSize);
+    const auto draw = [&] {
+        const auto stats = renderer_->draw(
+            {offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+            {{material.get(), mesh.get(), glm::mat4(1.0f), made.get(), map}}, testLights(3));
+        EXPECT_EQ(stats.itemsFailed, 0);
+    };
+    draw();
+    const auto expected = offscreen.readPixels();
+    for (unsigned seed = 0; seed < kSeeds / 3; ++seed) {
+        offscreen.clear();
+        expectKept(seed, draw);
+        ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
+    }
+    gl().DeleteTextures(1, &map);
 }
 
 TEST_P(State, MakingThingsPutsBackWhatItFindsAndIsNotDisturbedByIt)

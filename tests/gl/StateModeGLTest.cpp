@@ -1,10 +1,8 @@
 // The modes in which state is not put back: GL's defaults, and left as the README says.
-#include "StateList.h"
-#include "StateScrambler.h"
+#include "StateTest.h"
 
 #include <gtest/gtest.h>
 
-#include "support/gl/GlTest.h"
 #include "support/gl/Scenes.h"
 
 #include <algorithm>
@@ -16,20 +14,8 @@ namespace {
 constexpr int kSize = 32;
 constexpr unsigned kSeeds = 8;
 
-class StateModes : public GlTest {
+class StateModes : public StateTest {
 protected:
-    void SetUp() override
-    {
-        GlTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        scrambler_ = std::make_unique<StateScrambler>(gl(), !GetParam().legacy);
-    }
-    void TearDown() override
-    {
-        scrambler_.reset();
-        GlTest::TearDown();
-    }
-    StateSnapshot now() const { return snapshot(gl(), !GetParam().legacy); }
     gl::Renderer rendererOf(gl::StateMode mode)
     {
         gl::RendererOptions options = rendererOptions();
@@ -44,8 +30,6 @@ protected:
         renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
                       {{material.get(), mesh.get()}}, testLights(3), {Technique::twoLookup, 8, 0});
     }
-
-    std::unique_ptr<StateScrambler> scrambler_;
 };
 
 bool startsWithAny(const std::string& line, const std::vector<std::string>& names)

@@ -19,20 +19,18 @@ constexpr float kExposure = 0.125f;
 constexpr double kCurve = 1e-4;
 constexpr double kByteStep = 0.51 / 255.0 + kCurve;
 
-class Transfers : public GlTest {
+class Transfers : public RendererTest {
 protected:
     void SetUp() override
     {
-        GlTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
+        RendererTest::SetUp();
+        if (!isReady()) return;
         mesh_ = renderer_->createMesh(knotMesh(48, 8));
     }
     void TearDown() override
     {
         mesh_.reset();
-        renderer_.reset();
-        GlTest::TearDown();
+        RendererTest::TearDown();
     }
     gl::DrawStats draw(const gl::Target& target, const Material& material, Technique technique)
     {
@@ -48,7 +46,6 @@ protected:
         return offscreen.readPixels();
     }
 
-    std::unique_ptr<gl::Renderer> renderer_;
     std::shared_ptr<gl::GpuMesh> mesh_;
 };
 

@@ -105,4 +105,16 @@ Offscreen GlTest::makeOffscreen(int size, OffscreenFormat format)
     return result;
 }
 
+void RendererTest::SetUp()
+{
+    GlTest::SetUp();
+    if (isReady()) renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
+}
+
+void RendererTest::TearDown()
+{
+    renderer_.reset();
+    GlTest::TearDown();
+}
+
 }  // namespace fbrdf::test

@@ -61,4 +61,14 @@ private:
     GladGLContext gl_{};
 };
 
+/// With a renderer, which goes before the context does.
+class RendererTest : public GlTest {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+    bool isReady() const { return !IsSkipped() && !HasFatalFailure(); }
+
+    std::unique_ptr<gl::Renderer> renderer_;
+};
+
 }  // namespace fbrdf::test
