@@ -246,6 +246,16 @@ TEST_F(Es, WithoutFloatTargetsSaysWhatItDoesInstead)
     EXPECT_NE(replaced_, "");
 }
 
+TEST_F(Es, WithoutHalfFloatTexturesRefusesMaterials)
+{
+    gl::RendererOptions bare = options();
+    bare.capabilities = gl::Renderer(bare).capabilities();
+    bare.capabilities->floatTextures = bare.capabilities->softwareSampling = false;
+    gl::Renderer renderer(bare);
+    expectError(ErrorKind::gl, "OES_texture_half_float",
+                [&] { renderer.createMaterial(testMaterials()[0]); });
+}
+
 TEST_F(Es, HasNoListsNorArraysAndSaysSo)
 {
     gl::Renderer renderer(options());

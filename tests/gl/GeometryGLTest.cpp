@@ -9,6 +9,7 @@
 #include "support/gl/CompareImages.h"
 #include "support/gl/ExpectError.h"
 #include "support/gl/GlTest.h"
+#include "support/gl/Hooks.h"
 #include "support/gl/Reference.h"
 
 #include <algorithm>
@@ -388,6 +389,29 @@ TEST_P(Geometry, WhatIsMissingIsSaidAndTheNextDrawWorks)
     EXPECT_NE(log[1].find("texture coordinates"), std::string::npos) << log[1];
     object.normalMap = 0;
     EXPECT_EQ(draw(brushed(), object).stats.itemsFailed, 0);
+}
+
+TEST_P(Geometry, PreparedProgramsAreThoseThatDraw)
+{
+    Hooks counted(context().loader());
+    gl::RendererOptions options = rendererOptions();
+    options.load = Hooks::load;
+    options.loadUser = &counted;
+    gl::Renderer renderer(options);
+    gl::Hooks hooks;
+    hooks.vertex =
+        "void fbrdfVertexHook(inout vec3 p, inout vec3 n, inout vec4 t) { p.x += 0.1; }\n";
+    const auto made = renderer.createHooks(hooks);
+    const auto material = renderer.createMaterial(brushed());
+    const auto mesh = renderer.createMesh(planeMesh(0.0f, 1.0f));
+    const gl::Item item{material.get(), mesh.get(), glm::mat4(1.0f), made.get(),
+                        normalMap(bumps())};
+    renderer.prepare(item, {Technique::twoLookup}, 3);
+    const int before = counted.made;
+    const Drawn drawn =
+        drawItems(renderer, kSize, mapView(), {item}, testLights(3), {Technique::twoLookup});
+    EXPECT_EQ(drawn.stats.itemsFailed, 0);
+    EXPECT_EQ(counted.made, before);
 }
 
 TEST_P(Geometry, HooksThatDoNotCompileAreRefused)

@@ -86,14 +86,16 @@ const std::string& whyApart(const GpuLibrary& library)
 void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, int lights)
 {
     state_->checkAlive();
-    const StateGuard guard(*state_->device);
-    std::string whyReplaced;
-    const Plan plan = state_->planFor(
-        material, nullptr,
-        state_->request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}), nullptr,
-        whyReplaced);
-    state_->programsOf(material, {}, plan,
-                       state_->isClustered(options, static_cast<size_t>(lights)));
+    state_->prepare(material, {}, options, lights);
+}
+
+void Renderer::prepare(const Item& item, const DrawOptions& options, int lights)
+{
+    state_->checkAlive();
+    state_->checkOwners(item.material, item.mesh, item.hooks);
+    state_->prepare(*item.material,
+                    surfaceOptions(*item.mesh, item.material->form(), item.hooks, item.normalMap),
+                    options, lights);
 }
 
 DrawStats Renderer::draw(const Target& target, const View& view, const std::vector<Item>& items,

@@ -78,6 +78,18 @@ Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks
     return plan;
 }
 
+void Renderer::State::prepare(const GpuMaterial& material, const SurfaceOptions& surface,
+                              const DrawOptions& options, int lights)
+{
+    const StateGuard guard(*device);
+    std::string whyReplaced;
+    const Plan plan =
+        planFor(material, surface.hooks,
+                request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}), nullptr,
+                whyReplaced);
+    programsOf(material, surface, plan, isClustered(options, static_cast<size_t>(lights)));
+}
+
 void Renderer::State::draw(Executor& executor, const Drawable& item, const Sphere& bounds,
                            const DrawRequest& draw, DrawStats& stats)
 {

@@ -18,6 +18,9 @@ struct Renderer::State {
     explicit State(const DevicePtr& device);
 
     void checkAlive() const;
+    /// source: what materials come from.
+    template <class Source>
+    void checkOwners(const Source* source, const GpuMesh* mesh, const GpuHooks* hooks) const;
     PlanRequest request(const DrawOptions& options, int lights, const TargetInfo& target) const;
     std::vector<const Program*> programsOf(const GpuMaterial& material,
                                            const SurfaceOptions& surface, const Plan& plan,
@@ -26,6 +29,9 @@ struct Renderer::State {
     /// whose surfaces are made ready; may be null.
     Plan planFor(const GpuMaterial& material, const GpuHooks* hooks, PlanRequest wanted,
                  const Target* target, std::string& whyReplaced);
+    /// Builds what a draw will need.
+    void prepare(const GpuMaterial& material, const SurfaceOptions& surface,
+                 const DrawOptions& options, int lights);
     /// Whether lights go into lists: asked for, possible, and there are any.
     bool isClustered(const DrawOptions& options, size_t lights);
 
@@ -42,9 +48,6 @@ private:
     void draw(Executor& executor, const Drawable& item, const Sphere& bounds,
               const DrawRequest& draw, DrawStats& stats);
     void cluster(DrawRequest& request, LightClusters& clusters, Frame& frame, DrawStats& stats);
-    /// source: what materials come from.
-    template <class Source>
-    void checkOwners(const Source* source, const GpuMesh* mesh, const GpuHooks* hooks) const;
     std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats);
     void drawPacked(Executor& executor, const Batch& batch, const GpuMaterial& material,
                     const Instance* const* first, const Instance* const* last,

@@ -158,7 +158,7 @@ struct DrawStats {
     int lightsGiven = 0, lightsUsed = 0;
     int lightsDropped = 0;  ///< not valid (Light.h), or above maxLights for the item that lost
                             ///< most, or the part of the view
-    int lightsCulled = 0;  ///< lights that do not reach an item, summed over items
+    int lightsCulled = 0;   ///< lights that do not reach an item, summed over items
     int maxLookups = 0;  ///< texture look-ups executed by a fragment in any one pass, counted from
                          ///< the linked programs: fetches, those in the light loop times its lights
     Technique technique = Technique::single;  ///< of the item that needed most passes
@@ -203,6 +203,8 @@ public:
     /// Builds the programs that a draw with these options and this number of lights will need, and
     /// so keeps the first draw from stopping for a compiler. Throws Error(gl).
     void prepare(const GpuMaterial& material, const DrawOptions& options, int lights);
+    /// The same for an item with its hooks and normal map.
+    void prepare(const Item& item, const DrawOptions& options, int lights);
 
     /// Adds the items to the target (depth test LESS against what is there). Throws Error(gl) on a
     /// target that cannot be drawn to, Error(usage) on options out of range; nothing is drawn then.
