@@ -365,11 +365,11 @@ TEST(Traits, AFunctionHasAFloorOnlyWhereItIsCutOff)
     EXPECT_FLOAT_EQ(traits.floor.x, 0.008f);
     EXPECT_EQ(traits.floor.y, 0.0f);
     EXPECT_EQ(traits.floor.z, 0.0f);
-    const Observed zero = observe(0.0f, traits, 0, 1.0f);
+    const Observed zero = observe(0.0f, 1.0f, traits, 0, 1.0f);
     EXPECT_FLOAT_EQ(zero.logValue, std::log2(0.008f));
     EXPECT_FALSE(zero.censored);
     EXPECT_EQ(zero.weight, 1.0f);
-    EXPECT_TRUE(observe(0.0f, traits, 1, 1.0f).censored);  // without a floor it says nothing
+    EXPECT_TRUE(observe(0.0f, 1.0f, traits, 1, 1.0f).censored);  // without a floor it says nothing
 }
 
 TEST(Traits, OneSampleAFoldIsTheLeast)

@@ -62,6 +62,24 @@ TEST(BenchFitCommand, ComparesSingularValuesAndWrittenFactorsAsForms)
     expectError(runTool({"bench-fit", "lambert", "--forms", "svd77"}), 2, "svd77");
 }
 
+TEST(BenchFitCommand, PrintsWhatWorseDataCost)
+{
+    const auto run = runTool({"bench-fit", "--robustness", "ggx:alpha=0.4,kd=0.2", "--forms",
+                              "hdio:1400", "--json"});
+    const auto json = nlohmann::json::parse(run.out);
+    ASSERT_EQ(json["materials"].size(), 1u);
+    EXPECT_GT(json["materials"][0]["clean"].get<double>(), 45.0);
+    const auto lost = json["means"][0]["lost"];
+    EXPECT_EQ(lost["noise"]["may_lose"], 4.0);
+    bool holds = true;
+    for (const auto& [name, loss] : lost.items())
+        holds = holds && loss["mean"].get<double>() <= loss["may_lose"].get<double>();
+    EXPECT_EQ(json["holds"].get<bool>(), holds);
+    EXPECT_EQ(run.code, holds ? 0 : 1);  // a check that was asked for
+    expectError(runTool({"bench-fit", "--robustness", "lambert", "--forms", "analytic"}), 2,
+                "analytic");
+}
+
 TEST(BenchFitCommand, GoesOnFromTheTableOfAnEarlierRun)
 {
     const TemporaryDir folder;

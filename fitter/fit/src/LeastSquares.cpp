@@ -119,6 +119,12 @@ LeastSquares LeastSquares::thinned(size_t rows, int excludedFold) const
     return LeastSquares(form_, std::move(thin), traits_, seed_, threads_, options);
 }
 
+bool LeastSquares::hasWholeNoise() const
+{
+    constexpr size_t kManyRows = 20000;
+    return traits_.unclipped && feed_.rows >= kManyRows;
+}
+
 LeastSquares LeastSquares::withForm(const Form& form) const
 {
     LeastSquaresOptions options = options_;

@@ -35,7 +35,10 @@ struct StepOptions {
     Metric metric = Metric::log;
     int excludedFold = kNoFold;  ///< samples of this fold take no part
     bool robust = false;         ///< Tukey biweight at the current state
-    double damping = 0.0;        ///< Levenberg-Marquardt, relative to the diagonal
+    /// Residuals f / g - 1 of all values, zeros and negative ones too, in place of logarithms:
+    /// right on average under noise, from a state that is near. Only where hasWholeNoise().
+    bool unbiased = false;
+    double damping = 0.0;  ///< Levenberg-Marquardt, relative to the diagonal
 };
 
 enum class SystemSolver { automatic, factored, conjugateGradients };
@@ -62,6 +65,8 @@ public:
     const Layout& layout() const { return layout_; }
     const Form& form() const { return form_; }
     size_t rows() const { return feed_.rows; }
+    /// Additive noise is seen on both sides of 0, by so many samples that means are worth it.
+    bool hasWholeNoise() const;
     /// Too large to be factored: steps take conjugate gradients, and stepWithBest is not for it.
     bool isLarge() const;
     /// Rows or weights of a step differ from state to state: the problem is not linear.
@@ -107,6 +112,8 @@ private:
     /// time.
     template <class Visit>
     void forEachBlock(const Visit& visit) const;
+    float unbiasedAt(const RowStore::Block& rows, size_t i, int channel, float logG,
+                     float& residual) const;
     Row rowAt(const RowStore::Block& rows, size_t i, const Texels& texels,
               const StepOptions& options, const Vec3f& scale, Vec3f* share) const;
     /// Calls visit(row, fold) for the samples that take part.

@@ -101,6 +101,20 @@ void LeastSquares::forEachBlock(const Visit& visit) const
     });
 }
 
+// The mean of logarithms of noisy values is not the logarithm of their mean, values near the floor
+// have no logarithm, and a weight taken from f favours what noise made large. f / g - 1 of all
+// values, weighted by what noise makes of it at g, has a mean of 0 where g is right (the estimating
+// equation of a quasi-likelihood; Wedderburn 1974). Returns the weight.
+inline float LeastSquares::unbiasedAt(const RowStore::Block& rows, size_t i, int c, float logG,
+                                      float& residual) const
+{
+    constexpr float kLog2E = 1.442695f;
+    const float g = std::exp2(logG);
+    const float noise = floorAt(traits_, c, rows.geometry.cosine[i]) / g;
+    residual = kLog2E * (rows.values.value[i][c] / g - 1.0f);
+    return rows.values.sampleWeight[i] / (1.0f + noise * noise);
+}
+
 inline LeastSquares::Row LeastSquares::rowAt(const RowStore::Block& rows, size_t i,
                                              const Texels& texels, const StepOptions& options,
                                              const Vec3f& scale, Vec3f* share) const
@@ -113,6 +127,14 @@ inline LeastSquares::Row LeastSquares::rowAt(const RowStore::Block& rows, size_t
                            ? texels.levels[0]
                            : texels.predict(maker_.termEnd(), row.unknown, row.weight, share);
     for (int c = 0; c < 3; ++c) {
+        if (options.unbiased && traits_.floor[c] > 0.0f) {
+            row.noiseWeight[c] = unbiasedAt(rows, i, c, logG[c], row.residual[c]);
+            row.sampleWeight[c] = row.noiseWeight[c];
+            if (options.robust)
+                row.sampleWeight[c] *=
+                    biweight(row.residual[c] * std::sqrt(row.noiseWeight[c]), scale[c]);
+            continue;
+        }
         if (row.noiseWeight[c] == 0.0f) continue;
         const Response response = responseOf(options.metric, rows.geometry.cosine[i],
                                              rows.values.logValue[i][c], logG[c]);
@@ -122,7 +144,7 @@ inline LeastSquares::Row LeastSquares::rowAt(const RowStore::Block& rows, size_t
         row.sampleWeight[c] = row.noiseWeight[c] * response.weight;
         if (options.robust)
             row.sampleWeight[c] *=
-                biweight(response.residual * std::sqrt(row.noiseWeight[c]), scale[c]);
+                biweight(row.residual[c] * std::sqrt(row.noiseWeight[c]), scale[c]);
     }
     return row;
 }

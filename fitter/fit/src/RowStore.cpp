@@ -12,7 +12,7 @@ constexpr size_t kKeptBytes = size_t{384} << 20;  // of rows; more are made agai
 size_t bytesPerRow(int width)
 {
     return static_cast<size_t>(width) * (sizeof(int) + sizeof(float)) + sizeof(float) +
-           2 * sizeof(Vec3f) + 1;
+           3 * sizeof(Vec3f) + sizeof(float) + 1;
 }
 
 }  // namespace
@@ -58,11 +58,17 @@ bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
     values.logValue.resize(block.count);
     values.weight.resize(block.count);
     values.censored.assign(block.count, 0);
+    values.value.clear();
+    values.sampleWeight.clear();
     bool same = true;
     for (size_t i = 0; i < block.count; ++i) {
         const Sample& sample = block.samples[i];
+        if (traits_.unclipped) {
+            values.value.push_back(sample.f);
+            values.sampleWeight.push_back(sample.weight);
+        }
         for (int c = 0; c < 3; ++c) {
-            const Observed o = observe(sample.f[c], traits_, c, sample.weight);
+            const Observed o = observe(sample.f[c], sample.wi.z, traits_, c, sample.weight);
             values.logValue[i][c] = o.logValue;
             values.weight[i][c] = o.weight;
             same = same && o.weight == sample.weight;

@@ -24,6 +24,9 @@ struct RowGeometry {
 struct RowValues {
     std::vector<Vec3f> logValue, weight;
     std::vector<unsigned char> censored;  ///< bit c: channel c
+    /// Of unclipped noise alone: f, and the samples' own weights.
+    std::vector<Vec3f> value;
+    std::vector<float> sampleWeight;
 };
 
 using RowGeometries = std::vector<RowGeometry>;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
+constexpr int kNoisySteps = 6;   // what lies in the noise is found slowly
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
 constexpr int kMaxSteps = 24, kFineSteps = 4, kLastSteps = 2;
 constexpr int kRounds = 3;             // of choosing the smoothness of a sum
@@ -71,9 +72,11 @@ std::vector<int> choosingFolds(const SolveOptions& options)
     return folds;
 }
 
-StepOptions lastStep(const SolveOptions& options, double smoothness)
+StepOptions lastStep(const LeastSquares& problem, const SolveOptions& options, double smoothness)
 {
     StepOptions last;
+    // Of one term: its steps need no cost, which f / g - 1 has not.
+    last.unbiased = options.robust && isLinear(problem, options.metric) && problem.hasWholeNoise();
     last.smoothness = smoothness;
     last.metric = options.metric;
     last.robust = options.robust;
@@ -103,13 +106,14 @@ Solution settled(const LeastSquares& problem, const SolveOptions& options, Solut
     const bool fixed = options.smoothness > 0.0;
     for (int round = 0; round < kRounds; ++round) {
         const double before = near.smoothness;
-        StepOptions last = lastStep(options, before);
+        StepOptions last = lastStep(problem, options, before);
         last.damping = kFirstDamping;
         if (fixed)
             near.smoothness = options.smoothness;
         else
             near = bestNearby(problem, options, near.x, last);
-        near.x = descend(problem, std::move(near.x), lastStep(options, near.smoothness), steps);
+        near.x =
+            descend(problem, std::move(near.x), lastStep(problem, options, near.smoothness), steps);
         if (fixed || near.smoothness == before) break;
     }
     return near;
@@ -126,11 +130,12 @@ Solution solveSum(const LeastSquares& problem, const SolveOptions& options)
     plain.robust = false;
     SolveOptions part = plain;
     part.excludedFold = kNoFold;  // the thinned samples have none of it
-    const StepOptions first = lastStep(part, std::max(options.smoothness, kFirstSmoothness));
+    const StepOptions first =
+        lastStep(coarse, part, std::max(options.smoothness, kFirstSmoothness));
     Solution near{descend(coarse, coarse.flatState(), first, kMaxSteps), first.smoothness};
     near = settled(coarse, part, std::move(near), kMaxSteps);
-    near.x = descend(problem, prolonged(coarse, near.x, problem), lastStep(plain, near.smoothness),
-                     kFineSteps);
+    near.x = descend(problem, prolonged(coarse, near.x, problem),
+                     lastStep(problem, plain, near.smoothness), kFineSteps);
     return near;
 }
 
@@ -138,14 +143,14 @@ Solution solveSum(const LeastSquares& problem, const SolveOptions& options)
 Solution solveStart(const LeastSquares& problem, const SolveOptions& options)
 {
     const double strength = options.smoothness > 0.0 ? options.smoothness : kFirstSmoothness;
-    StepOptions step = lastStep(options, strength);
+    StepOptions step = lastStep(problem, options, strength);
     step.metric = Metric::log;
-    step.robust = false;
+    step.robust = step.unbiased = false;
     Solution near = problem.form().terms.size() == 1
                         ? Solution{problem.step(problem.flatState(), step), strength}
                         : solveSum(problem, options);
-    step = lastStep(options, near.smoothness);
-    step.robust = false;
+    step = lastStep(problem, options, near.smoothness);
+    step.robust = step.unbiased = false;
     if (options.metric != Metric::log)
         near.x = descend(problem, std::move(near.x), step, kMaxSteps);
     step.robust = options.robust;
@@ -153,7 +158,10 @@ Solution solveStart(const LeastSquares& problem, const SolveOptions& options)
     if (!isLinear(problem, options.metric))
         near.x = descend(problem, std::move(near.x), step, kRobustSteps);
     else
-        for (int i = 0; i < kRobustSteps; ++i) near.x = problem.step(near.x, step);
+        for (int i = 0; i < (problem.hasWholeNoise() ? kNoisySteps : kRobustSteps); ++i) {
+            near.x = problem.step(near.x, step);
+            step.unbiased = problem.hasWholeNoise();  // what is near may be made right
+        }
     return near;
 }
 
@@ -166,7 +174,7 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
                                ? Solution{problem.flatState(), options.smoothness}
                                : solveStart(problem, options);
     if (!direct) return settled(problem, options, start, kFineSteps);
-    const StepOptions last = lastStep(options, start.smoothness);
+    const StepOptions last = lastStep(problem, options, start.smoothness);
     if (options.smoothness > 0.0) return {problem.step(start.x, last), last.smoothness};
     auto choice = problem.stepWithBest(start.x, last, kSmoothnessLadder, choosingFolds(options));
     return {std::move(choice.x), choice.smoothness};
@@ -175,7 +183,7 @@ Solution solveWhole(const LeastSquares& problem, const SolveOptions& options)
 // The last steps from a solution that is near.
 Solution refined(const LeastSquares& problem, const SolveOptions& options, Solution near, int steps)
 {
-    StepOptions last = lastStep(options, near.smoothness);
+    StepOptions last = lastStep(problem, options, near.smoothness);
     const bool direct = isLinear(problem, options.metric);
     near.x = direct ? problem.step(near.x, last) : descend(problem, near.x, last, steps);
     return near;
@@ -210,7 +218,8 @@ Solution solveLarge(const LeastSquares& problem, const LeastSquares& coarse,
 
 Solution solve(const LeastSquares& problem, const SolveOptions& options)
 {
-    const bool needsStart = problem.isLarge() || problem.dependsOnState(lastStep(options, 0.0));
+    const bool needsStart =
+        problem.isLarge() || problem.dependsOnState(lastStep(problem, options, 0.0));
     if (needsStart && problem.rows() >= 2 * startRows(problem)) return solveMany(problem, options);
     if (!problem.isLarge()) return solveWhole(problem, options);
     return solveLarge(problem, problem.withForm(halved(problem.form())), options);

@@ -42,12 +42,14 @@ float quantile(std::vector<float>& values, double fraction)
     return *at;
 }
 
-Observed observe(float f, const DataTraits& traits, int channel, float sampleWeight)
+Observed observe(float f, float cosine, const DataTraits& traits, int channel, float sampleWeight)
 {
-    const float floor = traits.floor[channel];
+    const float floor = floorAt(traits, channel, cosine);
     if (traits.exact && floor > 0.0f) return {std::log2(std::max(f, floor)), sampleWeight, false};
-    if (f > 0.0f && f > 0.5f * floor)
-        return {std::log2(f), sampleWeight * (f * f) / (f * f + floor * floor), false};
+    if (f > 0.0f && f > 0.5f * floor) {
+        const float variance = (floor / f) * (floor / f);
+        return {std::log2(f), sampleWeight / (1.0f + variance), false};
+    }
     // Without an estimate of the floor a zero says nothing about how small f is.
     if (floor > 0.0f) return {std::log2(floor), 0.5f * sampleWeight, true};
     return {0.0f, 0.0f, true};
@@ -57,7 +59,14 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
 {
     DataTraits traits;
     traits.exact = exact;
-    traits.floor = exact ? floorOfFunction(samples) : estimateNoiseFloor(samples);
+    if (exact) {
+        traits.floor = floorOfFunction(samples);
+    } else {
+        const NoiseModel noise = estimateNoise(samples);
+        traits.floor = noise.sigma;
+        traits.floorOverCosine = noise.overCosine;
+        traits.unclipped = noise.unclipped;
+    }
     traits.sameWeights = true;
     traits.grey = exact && std::all_of(samples.begin(), samples.end(), [](const Sample& s) {
                       return s.f.x == s.f.y && s.f.y == s.f.z;
@@ -66,7 +75,7 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
     for (const Sample& s : samples) {
         bool usable = false;
         for (int c = 0; c < 3; ++c) {
-            const Observed o = observe(s.f[c], traits, c, s.weight);
+            const Observed o = observe(s.f[c], s.wi.z, traits, c, s.weight);
             if (o.censored) {
                 traits.sameWeights = false;
                 continue;

@@ -12,7 +12,10 @@
 namespace fbrdf {
 
 struct DataTraits {
-    Vec3f floor{0.0f};         ///< noise floor, 1/sr
+    Vec3f floor{0.0f};  ///< noise floor, 1/sr; see floorOverCosine
+    /// The noise is that of radiance: at incidence theta_i the floor is `floor` / cos theta_i.
+    bool floorOverCosine = false;
+    bool unclipped = false;    ///< noise goes below 0: it is seen whole
     Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
     Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
     bool exact = false;        ///< values of a function: below the floor they are held at it
@@ -20,6 +23,12 @@ struct DataTraits {
     bool grey = false;  ///< the channels of every probed sample are equal: one is solved for all
     size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
 };
+/// The noise floor of a channel at cos theta_i, 1/sr.
+inline float floorAt(const DataTraits& traits, int channel, float cosine)
+{
+    return traits.floorOverCosine ? traits.floor[channel] / cosine : traits.floor[channel];
+}
+
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
 /// Throws Error(fit) naming `source` when fewer than 5 samples have a value above the noise floor.
 DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source);
@@ -30,7 +39,8 @@ struct Observed {
     float weight;    ///< the sample's own times that of the noise; 0: says nothing
     bool censored;
 };
-Observed observe(float f, const DataTraits& traits, int channel, float sampleWeight);
+/// `cosine`: of theta_i.
+Observed observe(float f, float cosine, const DataTraits& traits, int channel, float sampleWeight);
 
 /// The value below which `fraction` of the values lie; 0 of none. Reorders them.
 float quantile(std::vector<float>& values, double fraction);

@@ -4,6 +4,7 @@
 #include "BenchSummary.h"
 #include "Commands.h"
 #include "Output.h"
+#include "Robustness.h"
 
 #include <fbrdf/brdf/Error.h>
 
@@ -17,7 +18,7 @@ struct BenchFitCommand {
     std::vector<std::string> sources;
     std::string forms = "hdpio:3900,hdpio:1400,io+hdpio:8192", peers = "all", csv;
     BenchOptions options;
-    bool resume = false, json = false;
+    bool resume = false, json = false, robustness = false;
 };
 
 std::string defaultDataDir()
@@ -65,6 +66,20 @@ std::vector<MaterialScores> allScores(const BenchFitCommand& command)
     return materials;
 }
 
+// Our forms alone, on worse and worse data; 1 where they lose more than they may.
+int runRobustness(BenchFitCommand& command)
+{
+    command.options.contenders = contendersFrom(command.forms, "none");
+    Progress progress(true);
+    std::vector<RobustScore> scores;
+    for (const std::string& source : expanded(command.sources))
+        for (RobustScore& score : robustness(source, command.options, progress))
+            scores.push_back(std::move(score));
+    progress.clear();
+    writeOut(command.json ? text(robustnessJson(scores)) : robustnessText(scores));
+    return allHold(scores) ? 0 : 1;
+}
+
 std::string leftOutText(const BenchFitCommand& command)
 {
     return command.peers == "all" && !peersLeftOut().empty() ? "left out: " + peersLeftOut() + "\n"
@@ -73,6 +88,7 @@ std::string leftOutText(const BenchFitCommand& command)
 
 int run(BenchFitCommand& command)
 {
+    if (command.robustness) return runRobustness(command);
     command.options.contenders = contendersFrom(command.forms, command.peers);
     command.options.peers.threads = command.options.fit.threads;
     command.options.peers.seed = command.options.fit.seed;
@@ -118,6 +134,8 @@ void addBenchFitCommand(CLI::App& app, Action& action)
         ->type_name("FILE");
     sub->add_flag("--resume", command->resume,
                   "keep the materials that the table of --csv has for all of the contenders");
+    sub->add_flag("--robustness", command->robustness,
+                  "instead: what our forms lose to noise, zeros, spikes and few samples");
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

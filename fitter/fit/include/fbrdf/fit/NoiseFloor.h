@@ -5,10 +5,20 @@
 
 namespace fbrdf {
 
-/// Sigma of the noise per channel, in 1/sr; 0 for data without a trace of noise. Negative values
-/// are noise seen from its other side: their rms is sigma. Where noise was clipped to exact zeros,
-/// as many positive values are noise again as zeros were found (noise is symmetric about 0): sigma
-/// follows from the median of those.
+/// What is added to the values of a measurement.
+struct NoiseModel {
+    Vec3f sigma{0.0f};        ///< per channel, in 1/sr; 0 for data without a trace of noise
+    bool overCosine = false;  ///< sigma is that of f cos theta_i: of radiance, and not of f
+    bool unclipped = false;   ///< there are negative values: the noise is seen whole
+};
+
+/// Negative values are noise seen from its other side: the median of their magnitudes gives sigma.
+/// Whether they belong to f or to f cos theta_i is decided by the likelihood of half normals. Where
+/// noise was clipped to exact zeros, as many positive values are noise again as zeros were found
+/// (noise is symmetric about 0): sigma follows from the median of those.
+NoiseModel estimateNoise(const std::vector<Sample>& samples);
+
+/// Its sigma, as a level of f: with overCosine that of normal incidence.
 Vec3f estimateNoiseFloor(const std::vector<Sample>& samples);
 
 }  // namespace fbrdf

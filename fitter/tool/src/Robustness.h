@@ -1,0 +1,36 @@
+// Robustness.h - what fits lose in the picture when their data get worse: noise, zeros, spikes, few
+// samples.
+#pragma once
+#include "BenchFit.h"
+
+#include <string>
+#include <vector>
+
+namespace fbrdf::tool {
+
+/// One way of making data worse, and how much a fit may lose by it on average.
+struct Trouble {
+    std::string name;    ///< "noise", "a tenth", "1,458 samples"
+    double mayLose = 0;  ///< dB of PSNR of the standard sphere
+    std::vector<Sample> (*apply)(const std::vector<Sample>& samples, uint64_t seed) = nullptr;
+};
+const std::vector<Trouble>& troubles();
+
+struct RobustScore {
+    std::string material, form;
+    double clean = 0;          ///< dB, PSNR of the fit to the data as they are
+    std::vector<double> lost;  ///< dB against it, one a trouble
+};
+
+/// Each of our forms fitted to a source as it is and in trouble. The samples are the source's own,
+/// or 131,072 of a function that has none. Throws Error(input) for a source without a function: no
+/// picture says what is true.
+std::vector<RobustScore> robustness(const std::string& source, const BenchOptions& options,
+                                    Progress& progress);
+
+/// Mean losses of a form within what each trouble allows.
+bool allHold(const std::vector<RobustScore>& scores);
+std::string robustnessText(const std::vector<RobustScore>& scores);
+Json robustnessJson(const std::vector<RobustScore>& scores);
+
+}  // namespace fbrdf::tool
