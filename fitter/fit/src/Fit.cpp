@@ -20,7 +20,7 @@ Form formFor(const Job& job)
     const FitOptions& options = job.options;
     if (options.formData) return *options.formData;
     if (options.resolution > 0) return makeForm(options.form, options.resolution);
-    return makeFormFor(options.form, job.feed.rows,
+    return makeFormFor(options.form, decidingSamples(job),
                        options.maxBytes * (options.sharedShape ? 3 : 1), options.storage);
 }
 

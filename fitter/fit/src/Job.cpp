@@ -39,6 +39,11 @@ Job makeJob(Feed feed, const FitOptions& options, const std::string& source)
     return job;
 }
 
+size_t decidingSamples(const Job& job)
+{
+    return job.traits.floor == Vec3f(0.0f) ? 2 * job.feed.rows : job.feed.rows;
+}
+
 Job partOf(const Job& job, std::vector<Sample> part)
 {
     Job result = job;

@@ -23,6 +23,9 @@ Feed readFeed(const Source& source, const FitOptions& options);
 /// `options` must outlive the job. Throws Error(fit) naming `source` for too few samples.
 Job makeJob(Feed feed, const FitOptions& options, const std::string& source);
 
+/// Samples as sizes of forms count them: one without a trace of noise decides as much as two.
+size_t decidingSamples(const Job& job);
+
 /// The job on a part of its samples, or the job itself when `part` is empty.
 Job partOf(const Job& job, std::vector<Sample> part);
 /// Bytes of the material that the job makes of a form.

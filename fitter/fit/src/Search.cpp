@@ -94,8 +94,8 @@ private:
             const Form form = makeForm(name, all_.options.resolution);
             return isWithin(form) ? std::optional(form) : std::nullopt;
         }
-        return largestFormFor(name, all_.feed.rows, budget() * (all_.options.sharedShape ? 3 : 1),
-                              all_.options.storage);
+        return largestFormFor(name, decidingSamples(all_),
+                              budget() * (all_.options.sharedShape ? 3 : 1), all_.options.storage);
     }
 
     bool isWithin(const Form& form) const { return bytesOf(all_, form) <= budget(); }
@@ -165,7 +165,7 @@ private:
 
     bool decides(const std::optional<Form>& form) const
     {
-        return form && formTexels(*form) * kSamplesPerTexel <= all_.feed.rows;
+        return form && formTexels(*form) * kSamplesPerTexel <= decidingSamples(all_);
     }
 
     void grow(Candidate& best)
