@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # anisotropic.sh - prints how well anisotropic models are held: picture error of the standard sphere
-# of each, bytes, and the average and the least of all. Two look-ups in any pass (form gg+pqpr).
+# of each, bytes, and the average and the least of all. Two look-ups in any pass: gg+pqpr needs no
+# more straight into the target, pqp+pqpr (cylinders, whose diffuse part is not a product of two
+# angles) with an accumulation surface a term.
 # Usage: fitter/anisotropic.sh [path of fbrdf] [further options of fbrdf batch]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,11 +19,14 @@ trap 'rm -rf "$folder"' EXIT
     printf 'plastic-%s\t%s,f0=0.04,kd=0.3\n' "${alpha/:/-}" "$lobe"
   done
   printf 'ashikhmin-shirley\tashikhmin-shirley:nu=10,nv=100,ks=0.5\n'
-  printf 'poulin-fournier\tpoulin-fournier:kd=0.3,ks=0.3\n'
-} > "$folder/list"
-"$fbrdf" batch "$folder/list" -o "$folder" --form gg+pqpr --resolution 64 "${@:2}" --quiet
+} > "$folder/lobes"
+printf 'poulin-fournier\tpoulin-fournier:kd=0.3,ks=0.3\n' > "$folder/cylinders"
+"$fbrdf" batch "$folder/lobes" -o "$folder/1" --form gg+pqpr --resolution 64 "${@:2}" --quiet
+"$fbrdf" batch "$folder/cylinders" -o "$folder/2" --form pqp+pqpr --resolution 48 \
+  --metric cuberoot --lookups 3 "${@:2}" --quiet
 # Sources in quotes have commas of their own.
-sed 's/"[^"]*"//g' "$folder/results.csv" | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-  { p = $column["psnr_linear"]; sum += p; if (NR == 2 || p < least) least = p
+sed 's/"[^"]*"//g' "$folder"/[12]/results.csv | awk -F, '
+  $1 == "name" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+  { p = $column["psnr_linear"]; sum += p; if (++count == 1 || p < least) least = p
     printf "%-24s %6d bytes %7.2f dB\n", $column["name"], $column["bytes"], p }
-  END { printf "average %.2f dB, least %.2f dB\n", sum / (NR - 1), least }'
+  END { printf "average %.2f dB, least %.2f dB\n", sum / count, least }'

@@ -98,6 +98,16 @@ TEST(InfoCommand, KnowsTheAlbedoOfAModel)
     }
 }
 
+TEST(InfoCommand, SaysWhatAReciprocalFormCanReach)
+{
+    FBRDF_NEEDS_DATA("rgl_iso_rgb/paper_white_rgb.bsdf");
+    const std::string file = test::dataPath("rgl_iso_rgb/paper_white_rgb.bsdf");
+    const auto json = jsonFrom(runTool({"info", file, "--json"}));
+    EXPECT_GT(json["reciprocity"].get<double>(), 0.01);
+    EXPECT_NEAR(json["reciprocal_psnr"].get<double>(), 35.9, 0.1);
+    EXPECT_TRUE(jsonFrom(runTool({"info", "lambert", "--json"}))["reciprocal_psnr"].is_null());
+}
+
 TEST(InfoCommand, TheTextIsForPeople)
 {
     const TemporaryDir folder;

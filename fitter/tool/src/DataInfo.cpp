@@ -5,6 +5,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/fit/NoiseFloor.h>
+#include <fbrdf/fit/StandardSphere.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,10 +41,23 @@ void measureSamples(const Source& source, DataInfo& info)
     }
 }
 
+double psnrOfReciprocalMean(const BrdfFunction& brdf, int threads)
+{
+    const auto mean = [&brdf](const Vec3d& wo, const Vec3d& wi) {
+        return 0.5 * (brdf(wo, wi) + brdf(wi, wo));
+    };
+    return imageErrors(renderStandardSphere(mean, 256, threads),
+                       renderStandardSphere(brdf, 256, threads))
+        .psnrLinear;
+}
+
 void measureFunction(const Source& source, int threads, DataInfo& info)
 {
+    constexpr double kReciprocal = 1e-3;  // below what any material of ours resolves
     info.reciprocity = physicsErrors(source.evaluate, threads).reciprocity;
     info.reciprocityNote = "over the uniform set";
+    if (*info.reciprocity > kReciprocal)
+        info.reciprocalPsnr = psnrOfReciprocalMean(source.evaluate, threads);
     info.albedo = albedoTable(source.evaluate, threads);
 }
 
@@ -90,9 +104,12 @@ std::string samplesText(const DataInfo& info)
 
 std::string reciprocityText(const DataInfo& info)
 {
-    return info.reciprocity ? fmt::format("{:.3g}  (median |ln f(a, b) / f(b, a)| {})",
-                                          *info.reciprocity, info.reciprocityNote)
-                            : "unknown: " + info.reciprocityNote;
+    if (!info.reciprocity) return "unknown: " + info.reciprocityNote;
+    const std::string text = fmt::format("{:.3g}  (median |ln f(a, b) / f(b, a)| {})",
+                                         *info.reciprocity, info.reciprocityNote);
+    return info.reciprocalPsnr
+               ? text + fmt::format("; its reciprocal mean: {:.1f} dB", *info.reciprocalPsnr)
+               : text;
 }
 
 }  // namespace
@@ -123,6 +140,7 @@ Json jsonOf(const DataInfo& info)
     if (info.sampled) json["samples"] = samplesJson(info);
     json["reciprocity"] = info.reciprocity ? jsonOf(*info.reciprocity) : Json();
     json["reciprocity_note"] = info.reciprocityNote;
+    json["reciprocal_psnr"] = info.reciprocalPsnr ? jsonOf(*info.reciprocalPsnr) : Json();
     if (info.function) json["directional_albedo"] = jsonOf(info.albedo);
     return json;
 }

@@ -19,7 +19,10 @@ struct DataInfo {
     Vec3f floor{0.0f}, least{0.0f}, most{0.0f};
     std::optional<double> reciprocity;  ///< median |ln f(a, b) / f(b, a)|
     std::string reciprocityNote;        ///< over which pairs, or why there is none
-    std::vector<AlbedoAt> albedo;       ///< of a function
+    /// dB on the standard sphere of the mean of f(a, b) and f(b, a): about what a reciprocal form
+    /// can reach at most. None for samples, and where f is reciprocal.
+    std::optional<double> reciprocalPsnr;
+    std::vector<AlbedoAt> albedo;  ///< of a function
 };
 
 DataInfo dataInfo(const Source& source, int threads);
