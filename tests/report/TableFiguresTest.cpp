@@ -39,6 +39,21 @@ TEST(TablePicture, LinearTablesAreSrgbEncoded)
     EXPECT_EQ(pictureOf(table, shownRange(table)).rgba[0], 128);
 }
 
+TEST(TablePicture, SignedTablesHaveZeroInTheMiddle)
+{
+    Table table;
+    table.domain = GridDomain{{{3, {}}, {1, {}}}};
+    table.storage = Storage::signedHalf;
+    table.channels = 1;
+    table.texels = {-2.0f, 0.0f, 1.0f};
+    const ShownRange range = shownRange(table);
+    EXPECT_EQ(range.low, -2.0);
+    EXPECT_EQ(range.high, 2.0);
+    EXPECT_EQ(pictureOf(table, range).rgba[0], 0);
+    EXPECT_EQ(pictureOf(table, range).rgba[4], 128);
+    EXPECT_EQ(pictureOf(table, range).rgba[8], 191);
+}
+
 TEST(TablePicture, AConstantTableIsMidGrey)
 {
     Table table = gridTable(Storage::half);

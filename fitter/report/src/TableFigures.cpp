@@ -27,7 +27,7 @@ void forEachReachedTexel(const Table& table, const Visit& visit)
 double shown(const Table& table, const ShownRange& range, int index, int channel)
 {
     const auto value = static_cast<double>(table.texel(index, channel));
-    if (!isLog(table.storage)) return srgbFromLinear(value);
+    if (table.storage == Storage::linear8) return srgbFromLinear(value);
     return range.high > range.low ? (value - range.low) / (range.high - range.low) : 0.5;
 }
 
@@ -180,7 +180,9 @@ std::string sizeText(const Domain& domain)
 std::string captionOf(const Table& table)
 {
     const ShownRange range = shownRange(table);
-    const std::string what = isLog(table.storage) ? "log<sub>2</sub> F" : "F, sRGB-encoded";
+    const std::string what = isLog(table.storage)                   ? "log<sub>2</sub> F"
+                             : table.storage == Storage::signedHalf ? "F, of either sign"
+                                                                    : "F, sRGB-encoded";
     const bool isCurve = dimensionCount(table.domain) == 1;
     const std::string scale =
         isCurve
@@ -215,13 +217,17 @@ std::string drawingOf(const Material& material, size_t index)
 
 ShownRange shownRange(const Table& table)
 {
-    if (!isLog(table.storage)) return {0.0, 1.0};
+    if (table.storage == Storage::linear8) return {0.0, 1.0};
     std::vector<double> values;
     forEachReachedTexel(table, [&](int, int, int, int index) {
         for (int c = 0; c < table.channels; ++c)
             values.push_back(static_cast<double>(table.texel(index, c)));
     });
     std::sort(values.begin(), values.end());
+    if (table.storage == Storage::signedHalf) {
+        const double most = std::max(-values.front(), values.back());
+        return {-most, most};
+    }
     const bool isCurve = dimensionCount(table.domain) == 1;
     const double last = static_cast<double>(values.size() - 1);
     const auto outside = isCurve ? size_t{0} : static_cast<size_t>(kClipped * last);

@@ -9,7 +9,7 @@
 namespace fbrdf {
 
 /// The values that a picture of a table shows from black to white: log2 F for log tables, F for
-/// linear ones.
+/// linear ones, and for signed ones F with 0 in the middle.
 struct ShownRange {
     double low = 0, high = 1;
 };
@@ -20,7 +20,7 @@ constexpr double kClipped = 0.01;
 ShownRange shownRange(const Table& table);
 
 /// One pixel a texel, slices of 3D tables below each other. Log tables: display value (log2 F -
-/// low) / (high - low); linear tables: sRGB of F. Texels outside the disc are transparent.
+/// low) / (high - low); signed tables the same of F; linear tables: sRGB of F. Texels outside the disc are transparent.
 Picture pictureOf(const Table& table, const ShownRange& range);
 
 /// A figure for each table: disc maps with rings of zenith angle, angle grids with axes in degrees,
