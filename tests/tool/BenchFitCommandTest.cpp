@@ -64,8 +64,8 @@ TEST(BenchFitCommand, ComparesSingularValuesAndWrittenFactorsAsForms)
 
 TEST(BenchFitCommand, PrintsWhatWorseDataCost)
 {
-    const auto run = runTool({"bench-fit", "--robustness", "ggx:alpha=0.4,kd=0.2", "--forms",
-                              "hdio:1400", "--json"});
+    const auto run = runTool(
+        {"bench-fit", "--robustness", "ggx:alpha=0.4,kd=0.2", "--forms", "hdio:1400", "--json"});
     const auto json = nlohmann::json::parse(run.out);
     ASSERT_EQ(json["materials"].size(), 1u);
     EXPECT_GT(json["materials"][0]["clean"].get<double>(), 45.0);

@@ -18,8 +18,8 @@ struct Stats {
     std::string techniqueDrawn, whyReplaced;  ///< what the runtime took, and why not `technique`;
                                               ///< empty on the CPU, and where it is the same
     double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
-    std::vector<std::string> materials;  ///< names
-    std::string evaluated;               ///< "source" or "material": what the BRDF values came from
+    std::vector<std::string> materials;               ///< names
+    std::string evaluated;  ///< "source" or "material": what the BRDF values came from
     int width = 0, height = 0, coveredPixels = 0;
     int passes = 0, drawCalls = 0;  ///< of the object that needed most; of all objects
     int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
