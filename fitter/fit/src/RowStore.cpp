@@ -9,10 +9,11 @@ namespace {
 
 constexpr size_t kKeptBytes = size_t{384} << 20;  // of rows; more are made again in every pass
 
-size_t bytesPerRow(int width)
+size_t bytesPerRow(int width, bool unclipped)
 {
+    const size_t values = unclipped ? sizeof(Vec3f) + sizeof(float) : 0;
     return static_cast<size_t>(width) * (sizeof(int) + sizeof(float)) + sizeof(float) +
-           3 * sizeof(Vec3f) + sizeof(float) + 1;
+           2 * sizeof(Vec3f) + 1 + values;
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& tr
       geometry_(std::move(known)),
       sameWeights_(traits.sameWeights)
 {
-    if (!feed.held || feed.rows * bytesPerRow(maker.width()) > kKeptBytes) return;
+    if (!feed.held || feed.rows * bytesPerRow(maker.width(), traits.unclipped) > kKeptBytes) return;
     values_.resize(blocks());
     const auto made = geometry_ ? nullptr : std::make_shared<RowGeometries>(blocks());
     std::vector<char> same(blocks());
