@@ -1,7 +1,7 @@
 // Linked into every program that is built with the address sanitizer. Mesa closes its drivers at
 // exit, and then the leak checker can neither walk their thread-local storage nor name what they
-// leaked; OSMesa keeps a few structures for the life of the process. Of what was freed 16 MB are kept,
-// not 256: a program in constant memory shall be seen to be one.
+// leaked; OSMesa keeps a few structures for the life of the process. Of what was freed 16 MB are
+// kept, not 256: a program in constant memory shall be seen to be one.
 #include <cstdlib>
 
 extern "C" {

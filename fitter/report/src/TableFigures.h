@@ -20,7 +20,8 @@ constexpr double kClipped = 0.01;
 ShownRange shownRange(const Table& table);
 
 /// One pixel a texel, slices of 3D tables below each other. Log tables: display value (log2 F -
-/// low) / (high - low); signed tables the same of F; linear tables: sRGB of F. Texels outside the disc are transparent.
+/// low) / (high - low); signed tables the same of F; linear tables: sRGB of F. Texels outside the
+/// disc are transparent.
 Picture pictureOf(const Table& table, const ShownRange& range);
 
 /// A figure for each table: disc maps with rings of zenith angle, angle grids with axes in degrees,
