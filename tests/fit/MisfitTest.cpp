@@ -113,8 +113,9 @@ Source scatteredOf(const BrdfFunction& brdf, double noise)
     source.samples = samplesAt(source, uniformPairs(kCount), 1);
     source.evaluate = {};
     std::mt19937 random(3);
-    std::normal_distribution<float> normal(0.0f, static_cast<float>(noise));
-    for (Sample& s : source.samples) s.f *= 1.0f + std::max(-0.9f, normal(random));
+    std::normal_distribution<float> normal;
+    for (Sample& s : source.samples)
+        s.f *= 1.0f + std::max(-0.9f, static_cast<float>(noise) * normal(random));
     return source;
 }
 
