@@ -11,6 +11,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -338,8 +340,9 @@ protected:
     {
         if (!hasCommand("xvfb-run")) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
     }
-    const std::string xvfb_ =
-        "xvfb-run -a -s '-screen 0 800x600x24 -noreset' env -u WAYLAND_DISPLAY";
+    const std::string xvfb_ = "xvfb-run -a -n " +
+                              std::to_string(20200 + getpid() % 20000) +  // no other test's
+                              " -s '-screen 0 800x600x24 -noreset' env -u WAYLAND_DISPLAY";
 };
 
 TEST_F(ViewerWindow, DrawsFramesClosesAndAgreesWithTheReference)
