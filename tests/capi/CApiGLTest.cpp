@@ -167,19 +167,9 @@ TEST_P(CApiGL, FaultsAreResultsAndLogLines)
     EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_GL);
 }
 
-TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
+/// Nowhere until a hook brings it into view, by what its extra array holds.
+fbrdf_result makeLiftedQuad(fbrdf_renderer* renderer, abi::Mesh& out)
 {
-    Lines lines;
-    const auto desc = rendererDesc(lines);
-    abi::Renderer renderer;
-    abi::Brdf brdf;
-    abi::Material material;
-    abi::Mesh mesh;
-    abi::Hooks hooks;
-    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
-    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
-    // Nowhere until the hook brings it into view, by what the extra array holds.
     const float positions[12] = {-2, -2, 50, 2, -2, 50, 2, 2, 50, -2, 2, 50},
                 normals[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
                 shift[16] = {50, 0, 0, 0, 50, 0, 0, 0, 50, 0, 0, 0, 50, 0, 0, 0};
@@ -193,11 +183,18 @@ TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
     shape.indices = indices;
     shape.extra_count = 1;
     shape.extra = extra;
-    ASSERT_EQ(mesh.create(fbrdf_mesh_create, renderer.get(), &shape), FBRDF_OK);
-    struct Host {
-        const GladGLContext& gl;
-        int calls;
-    } host{gl(), 0};
+    return out.create(fbrdf_mesh_create, renderer, &shape);
+}
+
+/// What set_uniforms is called with.
+struct HookHost {
+    const GladGLContext& gl;
+    int calls;
+};
+
+/// Brings the quad into view, and halves one of two lights.
+fbrdf_hooks_desc liftAndShade(HookHost& host)
+{
     auto given = abi::describe<fbrdf_hooks_desc>();
     given.vertex =
         "FBRDF_ATTRIBUTE vec4 fbrdfExtra0;\n"
@@ -209,10 +206,28 @@ TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
     given.shadow_uniforms = 1;
     given.user = &host;
     given.set_uniforms = [](void* user, uint32_t program) {
-        Host& h = *static_cast<Host*>(user);
+        HookHost& h = *static_cast<HookHost*>(user);
         h.gl.Uniform1f(h.gl.GetUniformLocation(program, "shade"), 0.5f);
         ++h.calls;
     };
+    return given;
+}
+
+TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    abi::Brdf brdf;
+    abi::Material material;
+    abi::Mesh mesh;
+    abi::Hooks hooks;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
+    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
+    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
+    ASSERT_EQ(makeLiftedQuad(renderer.get(), mesh), FBRDF_OK);
+    HookHost host{gl(), 0};
+    auto given = liftAndShade(host);
     ASSERT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_OK);
 
     Offscreen offscreen = makeOffscreen(kSize);

@@ -127,9 +127,9 @@ fbrdf_result brdfOf(Host& host, uint32_t form, float texel)
     return none.create(fbrdf_brdf_create, &desc, &log);
 }
 
-const std::vector<Fault>& faults()
+std::vector<Fault> faultsOfTheContext()
 {
-    static const std::vector<Fault> all{
+    return {
         {"NoLoader", FBRDF_ERROR_GL, "loader",
          [](Host& h) {
              auto desc = h.desc();
@@ -146,36 +146,6 @@ const std::vector<Fault>& faults()
          [](Host& h) {
              h.hooks->hidden = {"glUseProgram"};
              return h.plain();
-         }},
-        {"AShaderThatDoesNotCompile", FBRDF_ERROR_GL, "compile",
-         [](Host& h) {
-             h.hooks->corruptShaders = true;
-             return h.plain();
-         }},
-        {"AProgramThatDoesNotLink", FBRDF_ERROR_GL, "link",
-         [](Host& h) {
-             h.hooks->spoilPrograms = true;
-             return h.plain();
-         }},
-        {"AnIncompleteFramebuffer", FBRDF_ERROR_GL, "complete",
-         [](Host& h) {
-             h.hooks->real.GenFramebuffers(1, &h.draw.framebuffer);
-             const fbrdf_result result = h.drawn();
-             h.hooks->real.DeleteFramebuffers(1, &h.draw.framebuffer);
-             return result;
-         }},
-        {"NoTextureUnitsLeft", FBRDF_ERROR_GL, "textures in one pass",
-         [](Host& h) {
-             auto desc = h.desc();
-             GLint units = 0;
-             h.hooks->real.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-             desc.first_texture_unit = static_cast<uint32_t>(units - 1);
-             return h.created(desc);
-         }},
-        {"ATargetOfNoSize", FBRDF_ERROR_GL, "0x16",
-         [](Host& h) {
-             h.draw.width = 0;
-             return h.drawn();
          }},
         {"ALostContext", FBRDF_ERROR_GL, "context",
          [](Host& h) {
@@ -202,6 +172,61 @@ const std::vector<Fault>& faults()
              h.context->makeCurrent();
              return result;
          }},
+        {"OutOfMemory", FBRDF_ERROR_GL, "out of memory",
+         [](Host& h) {
+             h.hooks->errorAfter = 1;
+             h.hooks->nextError = GL_OUT_OF_MEMORY;
+             abi::Mesh mesh;
+             return h.makeMesh(h.renderer.get(), mesh);
+         }},
+    };
+}
+
+std::vector<Fault> faultsOfPrograms()
+{
+    return {
+        {"AShaderThatDoesNotCompile", FBRDF_ERROR_GL, "compile",
+         [](Host& h) {
+             h.hooks->corruptShaders = true;
+             return h.plain();
+         }},
+        {"AProgramThatDoesNotLink", FBRDF_ERROR_GL, "link",
+         [](Host& h) {
+             h.hooks->spoilPrograms = true;
+             return h.plain();
+         }},
+        {"NoTextureUnitsLeft", FBRDF_ERROR_GL, "textures in one pass",
+         [](Host& h) {
+             auto desc = h.desc();
+             GLint units = 0;
+             h.hooks->real.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+             desc.first_texture_unit = static_cast<uint32_t>(units - 1);
+             return h.created(desc);
+         }},
+    };
+}
+
+std::vector<Fault> faultsOfTargets()
+{
+    return {
+        {"AnIncompleteFramebuffer", FBRDF_ERROR_GL, "complete",
+         [](Host& h) {
+             h.hooks->real.GenFramebuffers(1, &h.draw.framebuffer);
+             const fbrdf_result result = h.drawn();
+             h.hooks->real.DeleteFramebuffers(1, &h.draw.framebuffer);
+             return result;
+         }},
+        {"ATargetOfNoSize", FBRDF_ERROR_GL, "0x16",
+         [](Host& h) {
+             h.draw.width = 0;
+             return h.drawn();
+         }},
+    };
+}
+
+std::vector<Fault> faultsOfData()
+{
+    return {
         {"NanInAMaterial", FBRDF_ERROR_INPUT, "finite",
          [](Host& h) { return brdfOf(h, FBRDF_HDIO, kNan); }},
         {"AFormOfALaterVersion", FBRDF_ERROR_ARGUMENT, "form: found 77",
@@ -222,15 +247,7 @@ const std::vector<Fault>& faults()
              EXPECT_EQ(h.stats.lights_dropped, 1u);
              return result;
          }},
-        {"OutOfMemory", FBRDF_ERROR_GL, "out of memory",
-         [](Host& h) {
-             h.hooks->errorAfter = 1;
-             h.hooks->nextError = GL_OUT_OF_MEMORY;
-             abi::Mesh mesh;
-             return h.makeMesh(h.renderer.get(), mesh);
-         }},
     };
-    return all;
 }
 
 class FaultTable : public GlTest {};
@@ -238,7 +255,11 @@ class FaultTable : public GlTest {};
 TEST_P(FaultTable, EachIsAResultALineAndNoMore)
 {
     expectMessages();
-    for (const Fault& fault : faults()) {
+    std::vector<Fault> all;
+    for (const auto& some :
+         {faultsOfTheContext(), faultsOfPrograms(), faultsOfTargets(), faultsOfData()})
+        all.insert(all.end(), some.begin(), some.end());
+    for (const Fault& fault : all) {
         SCOPED_TRACE(fault.name);
         Hooks hooks(context().loader());
         Offscreen offscreen = makeOffscreen(kSize);

@@ -167,14 +167,9 @@ TEST_F(Es, TakesHooksAndNormalMaps)
     EXPECT_LE(deviationOf(found, exact, {1e-3, 1.0 / 255.0}).share, 1.0);
 }
 
-TEST_F(Es, PutsStateBack)
+/// State that a host may have and the renderer must change.
+void setHostState(const GladGLContext& gl)
 {
-    gl::Renderer renderer(options());
-    const auto gpu = renderer.createMaterial(testMaterials()[0]);
-    const auto mesh = renderer.createMesh(sphereMesh(8));
-    Offscreen offscreen(es_->loader(), {kSize, kSize, OffscreenFormat::rgba8});
-    offscreen.clear();
-    const GladGLContext gl = loadGl(es_->loader());
     gl.Enable(GL_CULL_FACE);
     gl.Enable(GL_BLEND);
     gl.Enable(GL_SCISSOR_TEST);
@@ -189,48 +184,61 @@ TEST_F(Es, PutsStateBack)
     gl.ActiveTexture(GL_TEXTURE3);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 2);
     gl.EnableVertexAttribArray(1);
-    const auto snapshot = [&gl] {
-        std::vector<GLint> state;
-        for (const GLenum name : {GL_CULL_FACE,
-                                  GL_BLEND,
-                                  GL_SCISSOR_TEST,
-                                  GL_STENCIL_TEST,
-                                  GL_DITHER,
-                                  GL_DEPTH_TEST,
-                                  GL_BLEND_SRC_RGB,
-                                  GL_BLEND_DST_RGB,
-                                  GL_BLEND_SRC_ALPHA,
-                                  GL_BLEND_DST_ALPHA,
-                                  GL_BLEND_EQUATION_RGB,
-                                  GL_DEPTH_FUNC,
-                                  GL_DEPTH_WRITEMASK,
-                                  GL_COLOR_WRITEMASK,
-                                  GL_VIEWPORT,
-                                  GL_SCISSOR_BOX,
-                                  GL_ACTIVE_TEXTURE,
-                                  GL_UNPACK_ALIGNMENT,
-                                  GL_CURRENT_PROGRAM,
-                                  GL_ARRAY_BUFFER_BINDING,
-                                  GL_ELEMENT_ARRAY_BUFFER_BINDING,
-                                  GL_FRAMEBUFFER_BINDING,
-                                  GL_RENDERBUFFER_BINDING,
-                                  GL_TEXTURE_BINDING_2D}) {
-            GLint value[4] = {};
-            gl.GetIntegerv(name, value);
-            state.insert(state.end(), value, value + 4);
-        }
-        for (GLuint i = 0; i < 8; ++i) {
-            GLint enabled = 0;
-            gl.GetVertexAttribiv(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
-            state.push_back(enabled);
-        }
-        return state;
-    };
-    const auto before = snapshot();
+}
+
+std::vector<GLint> hostState(const GladGLContext& gl)
+{
+    std::vector<GLint> state;
+    for (const GLenum name : {GL_CULL_FACE,
+                              GL_BLEND,
+                              GL_SCISSOR_TEST,
+                              GL_STENCIL_TEST,
+                              GL_DITHER,
+                              GL_DEPTH_TEST,
+                              GL_BLEND_SRC_RGB,
+                              GL_BLEND_DST_RGB,
+                              GL_BLEND_SRC_ALPHA,
+                              GL_BLEND_DST_ALPHA,
+                              GL_BLEND_EQUATION_RGB,
+                              GL_DEPTH_FUNC,
+                              GL_DEPTH_WRITEMASK,
+                              GL_COLOR_WRITEMASK,
+                              GL_VIEWPORT,
+                              GL_SCISSOR_BOX,
+                              GL_ACTIVE_TEXTURE,
+                              GL_UNPACK_ALIGNMENT,
+                              GL_CURRENT_PROGRAM,
+                              GL_ARRAY_BUFFER_BINDING,
+                              GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                              GL_FRAMEBUFFER_BINDING,
+                              GL_RENDERBUFFER_BINDING,
+                              GL_TEXTURE_BINDING_2D}) {
+        GLint value[4] = {};
+        gl.GetIntegerv(name, value);
+        state.insert(state.end(), value, value + 4);
+    }
+    for (GLuint i = 0; i < 8; ++i) {
+        GLint enabled = 0;
+        gl.GetVertexAttribiv(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+        state.push_back(enabled);
+    }
+    return state;
+}
+
+TEST_F(Es, PutsStateBack)
+{
+    gl::Renderer renderer(options());
+    const auto gpu = renderer.createMaterial(testMaterials()[0]);
+    const auto mesh = renderer.createMesh(sphereMesh(8));
+    Offscreen offscreen(es_->loader(), {kSize, kSize, OffscreenFormat::rgba8});
+    offscreen.clear();
+    const GladGLContext gl = loadGl(es_->loader());
+    setHostState(gl);
+    const auto before = hostState(gl);
     const auto stats = renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
                                      {{gpu.get(), mesh.get()}}, lights(), {Technique::batched, 4});
     renderer.createMesh(sphereMesh(8));
-    EXPECT_EQ(snapshot(), before);
+    EXPECT_EQ(hostState(gl), before);
     EXPECT_EQ(stats.itemsFailed, 0);
     const auto pixels = offscreen.readPixels();
     EXPECT_GT(*std::max_element(pixels.begin(), pixels.end()), 0.1f);
