@@ -183,7 +183,8 @@ constexpr Bench kBenches[] = {{"merl", benchMerl},
 int main(int argc, char** argv)
 {
     CLI::App app(
-        "Seconds of fits, reading apart; the most anonymous memory; cpu counts reading as well.");
+        "Seconds of fits and processor seconds of all threads, reading and errors apart; the most "
+        "anonymous memory.");
     fbrdf::Settings settings;
     app.add_option("--only", settings.only, "merl, scattered, columns, growth, peers; default all")
         ->delimiter(',');

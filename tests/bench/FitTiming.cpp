@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 
 namespace fbrdf {
@@ -21,11 +20,6 @@ long anonymousKilobytes()
             return value;
         }
     return 0;
-}
-
-double cpuSeconds()
-{
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 }  // namespace
@@ -58,9 +52,8 @@ Timing timed(const Source& source, FitOptions options)
 {
     options.heldOut = false;
     const AnonymousPeak peak;
-    const double before = cpuSeconds();
     const FitResult result = fitMaterial(source, options);
-    return {result.summary.seconds, cpuSeconds() - before, peak.megabytes()};
+    return {result.summary.seconds, result.summary.processorSeconds, peak.megabytes()};
 }
 
 Timing best(int repeat, const Source& source, const FitOptions& options)

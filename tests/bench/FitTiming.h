@@ -25,7 +25,7 @@ private:
 
 struct Timing {
     double seconds = 0.0;    ///< of the fit alone
-    double cpu = 0.0;        ///< of the process, reading and errors on the samples included
+    double cpu = 0.0;        ///< of processors, for the same
     double megabytes = 0.0;  ///< AnonymousPeak
 
     Timing& operator+=(const Timing& other);

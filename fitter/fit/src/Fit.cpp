@@ -114,11 +114,13 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     FitSummary& summary = result.summary;
     summary.readSeconds = readClock.seconds();
     const Clock clock;
+    const ProcessorClock processors;
     const Job job = makeJob(std::move(feed), options, source.name);
     Fitted fitted = fitAny(source, job, summary.trials);
     if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);
     fitted.material.name = source.name;
     summary.seconds = clock.seconds();
+    summary.processorSeconds = processors.seconds();
     summary.noiseFloor = job.traits.floor;
     summary.smoothness = fitted.smoothness;
     measure(source, job, fitted, summary);

@@ -103,9 +103,8 @@ private:
     struct Row;
     struct Texels;
     struct Pass;
-    template <class Entry>
-    struct NormalRowBuffer;
-    struct ChannelSystems;
+    struct NormalRows;
+    struct SharedSystems;
     using States = std::vector<State>;
 
     /// Calls visit(part, block, scratch) for the blocks of this process, the parts at the same
@@ -122,23 +121,20 @@ private:
                     const StepOptions& options, const Vec3f& scale, const Visit& visit) const;
     Vec3f tukeyScale(const State& x, const StepOptions& options) const;
     std::vector<Pass> passes(const StepOptions& options, size_t groups) const;
-    template <class Entry, class Add>
-    void forEachNormalRow(const Row& row, const Pass& pass, NormalRowBuffer<Entry>& buffer,
-                          const Add& add) const;
-    template <class Visit>
-    auto withEntries(const Pass& pass, const Visit& visit) const;
-    template <class Entry>
-    void addRows(const State& x, const StepOptions& options, const Pass& pass,
-                 const std::vector<int>& folds, std::vector<std::vector<NormalSums>>& parts) const;
+    struct RowOptions;
+    void repeatForChannels(const RowGeometry& geometry, NormalRows& made) const;
+    void describeRows(const RowGeometry& geometry, const Pass& pass, NormalRows& made) const;
+    void makeNormalRows(const RowStore::Block& block, const RowOptions& with,
+                        NormalRows& made) const;
     std::vector<NormalSums> sums(const State& x, const StepOptions& options, const Pass& pass,
                                  const std::vector<int>& folds) const;
-    std::vector<ChannelSystems> systems(const State& x, const StepOptions& options,
-                                        const Pass& pass, const std::vector<int>& folds) const;
+    std::vector<SharedSystems> systems(const State& x, const StepOptions& options, const Pass& pass,
+                                       const std::vector<int>& folds) const;
     std::string gridKey(const StepOptions& options, const Pass& pass,
                         const std::vector<int>& folds) const;
-    std::vector<ChannelSystems> allSystems(const State& x, const StepOptions& options,
-                                           const std::vector<int>& folds) const;
-    void takeStep(State& x, const ChannelSystems& system, size_t which, double strength,
+    std::vector<SharedSystems> allSystems(const State& x, const StepOptions& options,
+                                          const std::vector<int>& folds) const;
+    void takeStep(State& x, const SharedSystems& system, size_t which, double strength,
                   double damping) const;
     /// How far a texel moves that a step asks to move by so many octaves: a term with a small share
     /// asks for leaps that its share after the leap does not bear out.

@@ -28,45 +28,48 @@ void addSmoothness(LaneVector& result, const LaneVector& p, const Smoothness& sm
 struct LeastSquares::GradientProblem {
     const LeastSquares& problem;
     const StepOptions& options;
-    Vec3f scale;
-    Texels texels;
-    Pass pass;
+    RowOptions with;
+    std::vector<NormalRows> kept;  ///< one a block, where the rows' geometry is kept too
     std::vector<Lanes> strengths;  ///< of smoothness, one a table
     LaneVector diagonal, right, ridge;
 
     GradientProblem(const LeastSquares& p, const State& x, const StepOptions& o)
         : problem(p),
           options(o),
-          scale(o.robust ? p.tukeyScale(x, o) : Vec3f(1.0f)),
-          texels(p, x),
-          pass(p.layout_.sharedShape() ? Pass{0, 1, kLanes} : Pass{0, 3, kLanes})
+          with{o, o.robust ? p.tukeyScale(x, o) : Vec3f(1.0f), Texels(p, x),
+               p.layout_.sharedShape() ? Pass{0, 1, kLanes} : Pass{0, 3, kLanes},
+               groupsOf({}, o.excludedFold)}
     {
         const size_t n = p.unknowns();
-        const LaneVector sums = accumulated(2 * n, [n](const auto& row, LaneVector& sum) {
-            for (size_t k = 0; k < row.width; ++k) {
-                const auto u = static_cast<size_t>(row.unknown[k]);
-                Lanes entry{};  // an unknown may stand in a row twice
-                for (size_t j = 0; j < row.width; ++j)
-                    for (size_t l = 0; row.unknown[j] == row.unknown[k] && l < kLanes; ++l)
-                        entry[l] += laneOf(row.entry[j], l);
-                for (size_t l = 0; l < kLanes; ++l) {
-                    const double scaled = row.weight[l] * laneOf(row.entry[k], l);
-                    sum[u][l] += scaled * entry[l];
-                    sum[n + u][l] += scaled * row.residual[l];
-                }
-            }
-        });
+        if (p.store_->geometry()) kept.resize(p.store_->blocks());
+        const LaneVector sums =
+            accumulated(2 * n, [n](const NormalRows& made, double* sum, double* scratch) {
+                double* const both[2] = {sum, sum + kLanes * n};
+                rowKernels().diagonal(made.rows, made.entryLanes, both, scratch);
+            });
         diagonal.assign(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(n));
         right.assign(sums.begin() + static_cast<std::ptrdiff_t>(n), sums.end());
         addSmoothnessOf(x);
-        if (!p.dependsOnState(o)) texels = Texels(p, p.flatState());
+        // From here on only weights count: where nothing depends on the state, the one that costs
+        // least will do.
+        if (!p.dependsOnState(o)) with.texels = Texels(p, p.flatState());
     }
 
+    /// Sums over all rows: add(rows, the part's sums, scratch of the kernels).
     template <class Add>
-    LaneVector accumulated(size_t size, const Add& add) const
+    LaneVector accumulated(size_t size, const Add& add)
     {
         std::vector<LaneVector> parts(kParts, LaneVector(size, Lanes{}));
-        problem.withEntries(pass, [&](auto one) { addRows<decltype(one)>(add, parts); });
+        std::vector<NormalRows> passing(kParts);
+        std::vector<std::vector<double>> kernelScratch(kParts);
+        problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
+            NormalRows& rows = kept.empty() ? passing[part] : kept[block];
+            if (rows.group.empty())
+                problem.makeNormalRows(problem.store_->block(block, scratch), with, rows);
+            kernelScratch[part].resize(static_cast<size_t>(rows.rows.width) * kLanes);
+            add(rows, parts[part].data()->data(), kernelScratch[part].data());
+            if (kept.empty()) rows.group.clear();
+        });
         std::vector<double> total(kLanes * size, 0.0);
         for (const LaneVector& part : parts)
             for (size_t u = 0; u < size; ++u)
@@ -78,27 +81,13 @@ struct LeastSquares::GradientProblem {
         return result;
     }
 
-    template <class Entry, class Add>
-    void addRows(const Add& add, std::vector<LaneVector>& parts) const
-    {
-        problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-            NormalRowBuffer<Entry> buffer(static_cast<size_t>(problem.maker_.width()) +
-                                          problem.form_.terms.size());
-            problem.forEachRow(block, scratch, texels, options, scale, [&](const Row& row, int) {
-                problem.forEachNormalRow(row, pass, buffer, [&](const NormalRow<Entry>& normal) {
-                    add(normal, parts[part]);
-                });
-            });
-        });
-    }
-
     void addSmoothnessOf(const State& x)
     {
         const size_t n = problem.unknowns();
         LaneVector state(n, Lanes{});
         strengths.assign(problem.form_.tables.size(), Lanes{});
         ridge.assign(n, Lanes{});
-        for (size_t l = 0; l < pass.channels; ++l) {
+        for (size_t l = 0; l < with.pass.channels; ++l) {
             std::vector<double> lane(n);
             for (size_t u = 0; u < n; ++u) {
                 lane[u] = diagonal[u][l];
@@ -126,19 +115,12 @@ struct LeastSquares::GradientProblem {
         addSmoothness(right, state, problem.smoothness_, strengths, -1.0);
     }
 
-    LaneVector operator()(const LaneVector& p) const
+    LaneVector operator()(const LaneVector& p)
     {
-        LaneVector result = accumulated(p.size(), [&p](const auto& row, LaneVector& sum) {
-            Lanes along{};
-            for (size_t k = 0; k < row.width; ++k)
-                for (size_t l = 0; l < kLanes; ++l)
-                    along[l] += laneOf(row.entry[k], l) * p[static_cast<size_t>(row.unknown[k])][l];
-            for (size_t l = 0; l < kLanes; ++l) along[l] *= row.weight[l];
-            for (size_t k = 0; k < row.width; ++k)
-                for (size_t l = 0; l < kLanes; ++l)
-                    sum[static_cast<size_t>(row.unknown[k])][l] +=
-                        laneOf(row.entry[k], l) * along[l];
-        });
+        LaneVector result =
+            accumulated(p.size(), [&p](const NormalRows& made, double* sum, double* scratch) {
+                rowKernels().apply(made.rows, made.entryLanes, p.data()->data(), sum, scratch);
+            });
         addSmoothness(result, p, problem.smoothness_, strengths, 1.0);
         for (size_t u = 0; u < p.size(); ++u)
             for (size_t l = 0; l < kLanes; ++l) result[u][l] += ridge[u][l] * p[u][l];
@@ -153,7 +135,7 @@ State LeastSquares::conjugateGradientStep(const State& x, const StepOptions& opt
     solveByConjugateGradients(gradient, gradient.diagonal, gradient.right, {options_.tolerance},
                               delta);
     State next = x;
-    for (size_t l = 0; l < gradient.pass.channels; ++l)
+    for (size_t l = 0; l < gradient.with.pass.channels; ++l)
         for (size_t u = 0; u < unknowns(); ++u) next[l * unknowns() + u] += bounded(delta[u][l]);
     return next;
 }

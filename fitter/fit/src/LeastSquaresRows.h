@@ -4,6 +4,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fbrdf {
@@ -42,12 +43,30 @@ struct LeastSquares::Pass {
     size_t first, channels, matrices;
 };
 
-template <class Entry>
-struct LeastSquares::NormalRowBuffer {
-    std::vector<int> unknown;
-    std::vector<Entry> entry;
+/// The rows of one block as kernels take them: one a sample, with a shared shape one a channel.
+/// Storage that is used again from block to block.
+struct LeastSquares::NormalRows {
+    std::vector<int> unknown;   ///< of a shared shape: with levels
+    std::vector<float> weight;  ///< likewise
+    std::vector<int> termEnd;
+    std::vector<float> share, sampleWeight, residual;
+    std::vector<unsigned char> group;
+    KernelRows rows{};
+    int entryLanes = 1;
+};
 
-    explicit NormalRowBuffer(size_t width) : unknown(width), entry(width) {}
+/// Which sums a sample adds to, by its fold.
+using FoldGroups = std::array<unsigned char, kFolds>;
+/// 0: in no fold of `folds`; then those of each fold; kNoGroup: excluded.
+FoldGroups groupsOf(const std::vector<int>& folds, int excluded);
+
+/// What rows of normal equations are made of besides the data.
+struct LeastSquares::RowOptions {
+    const StepOptions& options;
+    Vec3f scale;  ///< of robust weights
+    Texels texels;
+    Pass pass;
+    FoldGroups groups;
 };
 
 // phi(f), phi(g) and d phi / d log2 g of the metrics; c is cos theta_i.
@@ -162,66 +181,6 @@ void LeastSquares::forEachRow(size_t block, RowStore::Scratch& scratch, const Te
         if (everyFold || fold != options.excludedFold)
             visit(rowAt(rows, i, texels, options, scale, share.data()), fold);
     }
-}
-
-// What a texel of term t has in the row of a channel, or of channels side by side.
-inline void setEntry(double& entry, const Vec3f& share, size_t channel, double weight)
-{
-    entry = static_cast<double>(share[static_cast<int>(channel)]) * weight;
-}
-inline void setEntry(Lanes& entry, const Vec3f& share, size_t, double weight)
-{
-    entry = {static_cast<double>(share.x) * weight, static_cast<double>(share.y) * weight,
-             static_cast<double>(share.z) * weight, 0.0};
-}
-
-// A row of the normal equations a sample; with a shared shape one a channel, levels included.
-template <class Entry, class Add>
-void LeastSquares::forEachNormalRow(const Row& row, const Pass& pass,
-                                    NormalRowBuffer<Entry>& buffer, const Add& add) const
-{
-    const auto width = static_cast<size_t>(maker_.width());
-    const bool shared = layout_.sharedShape();
-    NormalRow<Entry> normal{row.unknown,
-                            buffer.entry.data(),
-                            width,
-                            static_cast<size_t>(maker_.bandedFirst()),
-                            static_cast<size_t>(maker_.bandedLast()),
-                            Lanes{},
-                            Lanes{}};
-    for (size_t c = pass.first; c < (shared ? 3 : pass.first + 1); ++c) {
-        bool counts = false;
-        for (size_t l = 0; l < pass.channels; ++l) {
-            const auto channel = static_cast<int>(c + l);
-            normal.weight[l] = static_cast<double>(row.sampleWeight[channel]);
-            normal.residual[l] = static_cast<double>(row.residual[channel]);
-            counts = counts || normal.weight[l] > 0.0;
-        }
-        if (!counts) continue;
-        size_t k = 0;
-        for (size_t t = 0; t < form_.terms.size(); ++t)
-            for (; k < static_cast<size_t>(maker_.termEnd()[t]); ++k)
-                setEntry(buffer.entry[k], row.share[t], c, static_cast<double>(row.weight[k]));
-        if (shared) {
-            std::copy(row.unknown, row.unknown + width, buffer.unknown.begin());
-            for (size_t t = 0; t < form_.terms.size(); ++t, ++k) {
-                buffer.unknown[k] = layout_.levelOf(t, static_cast<int>(c));
-                setEntry(buffer.entry[k], row.share[t], c, 1.0);
-            }
-            normal.unknown = buffer.unknown.data();
-            normal.width = k;
-        }
-        add(normal);
-    }
-}
-
-// Calls visit(one) with a value of the type of the entries that a pass needs: channels that share
-// a row have the same where nothing but the texels decides.
-template <class Visit>
-auto LeastSquares::withEntries(const Pass& pass, const Visit& visit) const
-{
-    if (pass.channels == 1 || form_.terms.size() == 1) return visit(double{});
-    return visit(Lanes{});
 }
 
 }  // namespace fbrdf

@@ -13,9 +13,10 @@ constexpr size_t kMostSideBySide = size_t{256} << 20;
 
 }  // namespace
 
-/// One channel: a system and its right-hand side without each fold, and the whole last.
-struct LeastSquares::ChannelSystems {
-    size_t channel;
+/// Channels with one matrix: a system and right-hand sides (unknowns x channels) without each fold,
+/// and the whole last.
+struct LeastSquares::SharedSystems {
+    size_t first, channels;
     std::vector<std::shared_ptr<const SmoothSystem>> systems;
     std::vector<std::vector<double>> right;
 };
@@ -38,38 +39,26 @@ std::vector<LeastSquares::Pass> LeastSquares::passes(const StepOptions& options,
     return {{0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
 }
 
-// Group 0: the rows in no fold of `folds`; then those of each fold.
-template <class Entry>
-void LeastSquares::addRows(const State& x, const StepOptions& options, const Pass& pass,
-                           const std::vector<int>& folds,
-                           std::vector<std::vector<NormalSums>>& parts) const
-{
-    const Vec3f scale = options.robust ? tukeyScale(x, options) : Vec3f(1.0f);
-    const Texels texels(*this, x);
-    const BorderedShape shape = shapeOf(layout_);
-    forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-        NormalRowBuffer<Entry> buffer(static_cast<size_t>(maker_.width()) + form_.terms.size());
-        forEachRow(block, scratch, texels, options, scale, [&](const Row& row, int fold) {
-            const auto found = std::find(folds.begin(), folds.end(), fold);
-            const auto index = static_cast<size_t>(found - folds.begin());
-            NormalSums& group = parts[part][found == folds.end() ? 0 : 1 + index];
-            if (group.empty()) group = NormalSums(shape, pass.matrices);
-            forEachNormalRow(row, pass, buffer,
-                             [&group](const NormalRow<Entry>& normal) { group.add(normal); });
-        });
-    });
-}
-
 // The sums of each group.
 std::vector<NormalSums> LeastSquares::sums(const State& x, const StepOptions& options,
                                            const Pass& pass, const std::vector<int>& folds) const
 {
-    std::vector<std::vector<NormalSums>> parts(kParts, std::vector<NormalSums>(folds.size() + 1));
-    withEntries(pass, [&](auto one) { addRows<decltype(one)>(x, options, pass, folds, parts); });
+    const RowOptions with{options, options.robust ? tukeyScale(x, options) : Vec3f(1.0f),
+                          Texels(*this, x), pass, groupsOf(folds, options.excludedFold)};
+    std::vector<std::vector<NormalSums>> parts(kParts);
+    std::vector<NormalRows> rows(kParts);
+    std::vector<std::vector<double>> kernelScratch(kParts);
+    forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
+        if (parts[part].empty())
+            parts[part].assign(folds.size() + 1, NormalSums(shapeOf(layout_), pass.matrices));
+        makeNormalRows(store_->block(block, scratch), with, rows[part]);
+        addRows(rows[part].rows, rows[part].entryLanes, parts[part], kernelScratch[part]);
+    });
     const BorderedShape shape = shapeOf(layout_);
     std::vector<NormalSums> groups(folds.size() + 1, NormalSums(shape, pass.matrices));
     for (size_t g = 0; g < groups.size(); ++g) {
         for (auto& part : parts) {
+            if (part.empty()) continue;
             groups[g] += part[g];
             part[g] = NormalSums();
         }
@@ -106,10 +95,10 @@ NormalSums without(const std::vector<NormalSums>& groups, size_t left)
 
 }  // namespace
 
-std::vector<LeastSquares::ChannelSystems> LeastSquares::systems(const State& x,
-                                                                const StepOptions& options,
-                                                                const Pass& pass,
-                                                                const std::vector<int>& folds) const
+std::vector<LeastSquares::SharedSystems> LeastSquares::systems(const State& x,
+                                                               const StepOptions& options,
+                                                               const Pass& pass,
+                                                               const std::vector<int>& folds) const
 {
     const std::string key = gridKey(options, pass, folds);
     auto known = key.empty() ? nullptr : options_.cache->systems(key);
@@ -123,23 +112,24 @@ std::vector<LeastSquares::ChannelSystems> LeastSquares::systems(const State& x,
         known = std::make_shared<const GridSystems>(form_, totals);
         options_.cache->keepSystems(key, known);
     }
-    std::vector<ChannelSystems> channels(pass.channels);
-    for (size_t l = 0; l < pass.channels; ++l)
-        channels[l] = {pass.first + l, {}, std::vector<std::vector<double>>(systemCount)};
-    const size_t matrices = known ? 0 : pass.matrices == 1 ? 1 : pass.channels;
-    std::vector<std::shared_ptr<const SmoothSystem>> made(matrices * systemCount);
-    parallelTasks(made.size(), threads_, [&](size_t i) {
-        made[i] = std::make_shared<const SmoothSystem>(
-            totals[i % systemCount].matrix(i / systemCount), smoothness_);
-    });
-    for (size_t l = 0; l < pass.channels; ++l)
-        for (size_t k = 0; k < systemCount; ++k) {
-            channels[l].right[k] = totals[k].right(l);
-            channels[l].systems.push_back(
-                known ? std::shared_ptr<const SmoothSystem>(known, known->systems[k].get())
-                      : made[(matrices == 1 ? 0 : l) * systemCount + k]);
+    const size_t matrices = pass.matrices == kLanes ? pass.channels : 1,
+                 together = pass.channels / matrices;
+    std::vector<SharedSystems> shared(matrices);
+    for (size_t m = 0; m < matrices; ++m)
+        shared[m] = {pass.first + m * together, together,
+                     std::vector<std::shared_ptr<const SmoothSystem>>(systemCount),
+                     std::vector<std::vector<double>>(systemCount)};
+    parallelTasks(matrices * systemCount, threads_, [&](size_t i) {
+        const size_t k = i % systemCount, m = i / systemCount;
+        for (size_t l = m * together; l < (m + 1) * together; ++l) {
+            const auto right = totals[k].right(l);
+            shared[m].right[k].insert(shared[m].right[k].end(), right.begin(), right.end());
         }
-    return channels;
+        shared[m].systems[k] =
+            known ? std::shared_ptr<const SmoothSystem>(known, known->systems[k].get())
+                  : std::make_shared<const SmoothSystem>(totals[k].matrix(m), smoothness_);
+    });
+    return shared;
 }
 
 // Of systems with equal weights of all samples on a known grid, which other fits may meet again;
@@ -154,23 +144,23 @@ std::string LeastSquares::gridKey(const StepOptions& options, const Pass& pass,
     return key;
 }
 
-std::vector<LeastSquares::ChannelSystems> LeastSquares::allSystems(
+std::vector<LeastSquares::SharedSystems> LeastSquares::allSystems(
     const State& x, const StepOptions& options, const std::vector<int>& folds) const
 {
-    std::vector<ChannelSystems> all;
+    std::vector<SharedSystems> all;
     for (const Pass& pass : passes(options, folds.size() + 1))
-        for (ChannelSystems& channel : systems(x, options, pass, folds))
-            all.push_back(std::move(channel));
+        for (SharedSystems& shared : systems(x, options, pass, folds))
+            all.push_back(std::move(shared));
     return all;
 }
 
-void LeastSquares::takeStep(State& x, const ChannelSystems& channel, size_t which, double strength,
+void LeastSquares::takeStep(State& x, const SharedSystems& shared, size_t which, double strength,
                             double damping) const
 {
-    double* column = x.data() + channel.channel * unknowns();
-    const std::vector<double> step =
-        channel.systems[which]->step(channel.right[which], column, strength, damping, form_.name);
-    for (size_t u = 0; u < step.size(); ++u) column[u] += bounded(step[u]);
+    double* columns = x.data() + shared.first * unknowns();
+    const std::vector<double> step = shared.systems[which]->step(
+        shared.right[which], columns, shared.channels, strength, damping, form_.name);
+    for (size_t u = 0; u < step.size(); ++u) columns[u] += bounded(step[u]);
 }
 
 void LeastSquares::repeatGrey(State& x) const
@@ -184,9 +174,9 @@ State LeastSquares::step(const State& x, const StepOptions& options) const
     if (isLarge()) return conjugateGradientStep(x, options);
     // Where nothing depends on the state, the one that costs least will do.
     State next = dependsOnState(options) || options.damping > 0.0 ? x : flatState();
-    const auto channels = allSystems(next, options, {});
-    parallelTasks(channels.size(), threads_, [&](size_t i) {
-        takeStep(next, channels[i], 0, options.smoothness, options.damping);
+    const auto all = allSystems(next, options, {});
+    parallelTasks(all.size(), threads_, [&](size_t i) {
+        takeStep(next, all[i], 0, options.smoothness, options.damping);
     });
     repeatGrey(next);
     return next;
@@ -196,20 +186,20 @@ LeastSquares::Choice LeastSquares::stepWithBest(const State& x, const StepOption
                                                 const std::vector<double>& strengths,
                                                 const std::vector<int>& folds) const
 {
-    const auto channels = allSystems(x, options, folds);
+    const auto all = allSystems(x, options, folds);
     std::vector<States> states(folds.size(), States(strengths.size(), x));
     const size_t trials = folds.size() * strengths.size();
-    parallelTasks(trials * channels.size(), threads_, [&](size_t i) {
+    parallelTasks(trials * all.size(), threads_, [&](size_t i) {
         const size_t k = i % trials / strengths.size(), s = i % strengths.size();
-        takeStep(states[k][s], channels[i / trials], k, strengths[s], options.damping);
+        takeStep(states[k][s], all[i / trials], k, strengths[s], options.damping);
     });
     for (States& fold : states)
         for (State& state : fold) repeatGrey(state);
     const std::vector<double> errors = foldErrors(states, folds);
     const size_t best = smoothestNearLeast(errors, strengths);
     Choice choice{x, strengths[best]};
-    parallelTasks(channels.size(), threads_, [&](size_t i) {
-        takeStep(choice.x, channels[i], folds.size(), choice.smoothness, options.damping);
+    parallelTasks(all.size(), threads_, [&](size_t i) {
+        takeStep(choice.x, all[i], folds.size(), choice.smoothness, options.damping);
     });
     repeatGrey(choice.x);
     return choice;

@@ -4,6 +4,7 @@
 // a dense rest. For hdio, 1024 banded and 136 other unknowns, that is an eighth of the numbers of a
 // dense matrix and a thirtieth of the work to factor it.
 #pragma once
+#include "RowKernel.h"
 #include "Rows.h"
 #include "Solver.h"
 
@@ -12,30 +13,10 @@
 
 namespace fbrdf {
 
-constexpr size_t kLanes = 4;  ///< R, G, B and one that pads: what vector units like
+constexpr size_t kLanes = kRowLanes;
 using Lanes = std::array<double, kLanes>;
 
 BorderedShape shapeOf(const Layout& layout);
-
-/// A row b with its weight w and residual r, a lane a channel. Entry: double where all lanes have
-/// the same b, else Lanes.
-template <class Entry>
-struct NormalRow {
-    const int* unknown;
-    const Entry* entry;  ///< b
-    size_t width;
-    size_t bandedFirst, bandedLast;  ///< the entries of banded unknowns
-    Lanes weight, residual;
-};
-
-inline double laneOf(double entry, size_t)
-{
-    return entry;
-}
-inline double laneOf(const Lanes& entry, size_t lane)
-{
-    return entry[lane];
-}
 
 /// Sums of w b b^T and w b r over rows.
 class NormalSums {
@@ -45,14 +26,14 @@ public:
     NormalSums(const BorderedShape& shape, size_t matrices);
     bool empty() const { return right_.empty(); }
 
-    template <class Entry>
-    void add(const NormalRow<Entry>& row);
     NormalSums& operator+=(const NormalSums& other);
 
     /// The system of one lane.
     BorderedMatrix matrix(size_t lane) const;
     std::vector<double> right(size_t lane) const;
 
+    const BorderedShape& shape() const { return shape_; }
+    size_t matrixLanes() const { return matrixLanes_; }
     /// All sums, for adding them up over processes.
     std::vector<double>& matrixSums() { return matrix_; }
     std::vector<double>& rightSums() { return right_; }
@@ -63,5 +44,10 @@ private:
     std::vector<double> matrix_;  ///< as BorderedMatrix, lane contiguous
     std::vector<double> right_;   ///< unknowns x kLanes
 };
+
+/// Adds rows to the sums of their groups, all of one shape and as many matrices. `scratch`: of any
+/// size, kept by the caller from call to call.
+void addRows(const KernelRows& rows, int entryLanes, std::vector<NormalSums>& groups,
+             std::vector<double>& scratch);
 
 }  // namespace fbrdf

@@ -11,6 +11,11 @@ namespace {
 constexpr double kFirstOrder = 0.03;  // of a second difference: decides where there is no curvature
 constexpr double kRidge = 1e-11;      // of the mean diagonal: fixes the gauge between factors
 
+size_t indexOf(const SmoothnessRow& row, int entry)
+{
+    return static_cast<size_t>(row.unknown[entry]);
+}
+
 }  // namespace
 
 Smoothness::Smoothness(const Form& form, const Layout& layout)
@@ -74,21 +79,24 @@ std::shared_ptr<const Cholesky> SmoothSystem::factored(double strength, double d
     return kept_.emplace(strength, std::move(cholesky)).first->second;
 }
 
-std::vector<double> SmoothSystem::step(std::vector<double> right, const double* x, double strength,
-                                       double damping, const std::string& form) const
+std::vector<double> SmoothSystem::step(std::vector<double> right, const double* x, size_t columns,
+                                       double strength, double damping,
+                                       const std::string& form) const
 {
-    for (const SmoothnessRow& row : smoothness_.rows) {
-        double bend = 0.0;
-        for (int b = 0; b < row.count; ++b) bend += row.weight[b] * x[row.unknown[b]];
-        bend *= strength * scales_[static_cast<size_t>(row.table)];
-        for (int a = 0; a < row.count; ++a)
-            right[static_cast<size_t>(row.unknown[a])] -= bend * row.weight[a];
-    }
+    const size_t n = data_.shape.unknowns();
+    for (size_t c = 0; c < columns; ++c)
+        for (const SmoothnessRow& row : smoothness_.rows) {
+            double bend = 0.0;
+            for (int b = 0; b < row.count; ++b) bend += row.weight[b] * x[c * n + indexOf(row, b)];
+            bend *= strength * scales_[static_cast<size_t>(row.table)];
+            for (int a = 0; a < row.count; ++a)
+                right[c * n + indexOf(row, a)] -= bend * row.weight[a];
+        }
     const auto cholesky = factored(strength, damping);
     if (!cholesky->ok())
         throw Error(ErrorKind::fit, form,
                     "the samples leave the system singular; expected directions that vary");
-    cholesky->solve(right.data(), 1);
+    cholesky->solve(right.data(), columns);
     return right;
 }
 

@@ -27,10 +27,10 @@ public:
     /// `smoothness` must outlive the object.
     SmoothSystem(BorderedMatrix data, const Smoothness& smoothness);
 
-    /// The step from x (unknowns) for the data's right-hand side. Throws Error(fit) naming `form`
-    /// where the system is singular beyond repair.
-    std::vector<double> step(std::vector<double> right, const double* x, double strength,
-                             double damping, const std::string& form) const;
+    /// The steps from x for the data's right-hand sides, both unknowns x columns, column
+    /// contiguous. Throws Error(fit) naming `form` where the system is singular beyond repair.
+    std::vector<double> step(std::vector<double> right, const double* x, size_t columns,
+                             double strength, double damping, const std::string& form) const;
     /// From now on factorizations without damping are kept: for systems that many fits share.
     void keepFactors() { keeps_ = true; }
 

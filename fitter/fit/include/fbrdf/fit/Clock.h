@@ -1,6 +1,8 @@
-// Clock.h - wall-clock time since it was made, in seconds; never runs backwards.
+// Clock.h - seconds since it was made: by the clock on the wall, which never runs backwards, and of
+// processors.
 #pragma once
 #include <chrono>
+#include <ctime>
 
 namespace fbrdf {
 
@@ -13,6 +15,15 @@ public:
 
 private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What all threads of the process spent: of one fit, where nothing else runs beside it.
+class ProcessorClock {
+public:
+    double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+
+private:
+    std::clock_t start_ = std::clock();
 };
 
 }  // namespace fbrdf

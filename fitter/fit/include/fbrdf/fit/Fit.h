@@ -81,10 +81,11 @@ struct Trial {
 };
 
 struct FitSummary {
-    double readSeconds = 0;  ///< making or reading the samples
-    double seconds = 0;      ///< fitting alone: no reading, no reporting
-    size_t used = 0;         ///< samples with at least one channel above the floor
-    size_t belowFloor = 0;   ///< channel values censored
+    double readSeconds = 0;       ///< making or reading the samples
+    double seconds = 0;           ///< fitting alone: no reading, no reporting
+    double processorSeconds = 0;  ///< likewise, of all threads of the process
+    size_t used = 0;              ///< samples with at least one channel above the floor
+    size_t belowFloor = 0;        ///< channel values censored
     Vec3f noiseFloor{0.0f};
     double smoothness = 0;  ///< the strength used
     double conserved = 1;   ///< what the material was multiplied by for the sake of energy
