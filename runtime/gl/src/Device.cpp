@@ -99,6 +99,8 @@ Capabilities detected(const Functions& gl)
     c.maxTextureUnits = integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
     c.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
     c.max3dTextureSize = gl.hasVolumes() ? integer(gl, GL_MAX_3D_TEXTURE_SIZE) : 0;
+    c.maxCubeSize = integer(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    c.seamlessCubes = gl.has(32, 30);
     c.maxUniformVectors = uniformVectors(gl);
     c.coreProfile = isCoreProfile(gl);
     c.framebufferObjects = gl.has(30, 20) || gl.ARB_framebuffer_object;
@@ -120,6 +122,7 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     wanted.framebufferObjects = wanted.framebufferObjects && found.framebufferObjects;
     wanted.vertexArrays = wanted.vertexArrays && found.vertexArrays;
     wanted.debug = wanted.debug && found.debug;
+    wanted.seamlessCubes = wanted.seamlessCubes && found.seamlessCubes;
     wanted.bufferTextures = wanted.bufferTextures && found.bufferTextures && wanted.glsl >= 140;
     wanted.maxArrayLayers = std::min(wanted.maxArrayLayers, found.maxArrayLayers);
     wanted.coreProfile = found.coreProfile;

@@ -122,10 +122,12 @@ void Executor::setMatrices(const Drawable& item, const Program& program)
 
 void Executor::bindTables(const GpuMaterial& material, const Program& program)
 {
-    for (size_t i = 0; i < program.tableUnits.size(); ++i)
-        if (program.tableUnits[i] >= 0)
-            state_.bindTexture(program.tableUnits[i], material.tables()[i].target,
-                               material.tables()[i].texture.name());
+    for (size_t i = 0; i < program.tableUnits.size(); ++i) {
+        if (program.tableUnits[i] < 0) continue;
+        const GpuTable& table = material.tables()[i];
+        state_.bindTexture(program.tableUnits[i], table.target, table.texture.name());
+        if (table.target == GL_TEXTURE_CUBE_MAP) state_.filterAcrossEdges();
+    }
 }
 
 void Executor::setLights(const Pass& pass, const Program& program)

@@ -25,8 +25,9 @@ Material layoutOf(const Material& material)
 
 }  // namespace
 
-GpuLibrary::GpuLibrary(DevicePtr device, const std::vector<Material>& materials, const Check& check)
-    : device_(std::move(device)), places_(materials.size())
+GpuLibrary::GpuLibrary(DevicePtr device, const std::vector<Material>& materials,
+                       const MaterialOptions& options, const Check& check)
+    : device_(std::move(device)), options_(options), places_(materials.size())
 {
     std::vector<std::vector<const Material*>> members;
     for (size_t i = 0; i < materials.size(); ++i) {
@@ -44,10 +45,19 @@ GpuLibrary::GpuLibrary(DevicePtr device, const std::vector<Material>& materials,
     for (const auto& group : members) groups_.push_back(made(group, check));
 }
 
+/// Why a material of the form has no others beside it; empty where it may.
+std::string GpuLibrary::whyAlone(const Form& form) const
+{
+    if (options_.lookUp != LookUp::native)
+        return std::string("found ") + lookUpName(options_.lookUp) +
+               " maps asked for, expected native ones: only those have one size";
+    return whyNotPacked(form, device_->capabilities);
+}
+
 /// Materials of the form that one group holds.
 size_t GpuLibrary::capacity(const Form& form) const
 {
-    if (!whyNotPacked(form, device_->capabilities).empty()) return 1;
+    if (!whyAlone(form).empty()) return 1;
     return static_cast<size_t>(std::min(device_->capabilities.maxArrayLayers,
                                         device_->maxBufferTexels / parameterLayout(form).stride));
 }
@@ -55,11 +65,11 @@ size_t GpuLibrary::capacity(const Form& form) const
 GpuLibrary::Group GpuLibrary::made(const std::vector<const Material*>& members, const Check& check)
 {
     const Material& first = *members.front();
-    const std::string why = whyNotPacked(first.form, device_->capabilities);
+    const std::string why = whyAlone(first.form);
     if (reason_.empty()) reason_ = why;
     Group group{layoutOf(first), nullptr, members.size()};
     group.gpu = why.empty() ? std::make_unique<GpuMaterial>(device_, members)
-                            : std::make_unique<GpuMaterial>(device_, first);
+                            : std::make_unique<GpuMaterial>(device_, first, options_);
     check(*group.gpu);
     return group;
 }

@@ -13,7 +13,8 @@ public:
 
     /// Throws Error(input) for an invalid material, naming its index, Error(gl) where GL cannot
     /// hold them.
-    GpuLibrary(DevicePtr device, const std::vector<Material>& materials, const Check& check);
+    GpuLibrary(DevicePtr device, const std::vector<Material>& materials,
+               const MaterialOptions& options, const Check& check);
 
     void replace(size_t index, const Material& material, const Check& check);
 
@@ -35,9 +36,11 @@ private:
         size_t members = 0;
     };
     Group made(const std::vector<const Material*>& members, const Check& check);
+    std::string whyAlone(const Form& form) const;
     size_t capacity(const Form& form) const;
 
     DevicePtr device_;
+    MaterialOptions options_;
     std::vector<Group> groups_;
     std::vector<Place> places_;  ///< of each material
     std::string reason_;

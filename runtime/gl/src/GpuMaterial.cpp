@@ -44,16 +44,29 @@ const void* texelsOf(const TextureImage& image)
                                             : static_cast<const void*>(image.words.data());
 }
 
-void checkTexels(const Capabilities& c, const Table& table, const TextureImage& image, bool volume)
+GLenum targetOf(const Table& table, const TextureImage& image)
 {
+    if (image.encoding.lookUp == LookUp::cube) return GL_TEXTURE_CUBE_MAP;
+    return dimensionCount(table.domain) == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+}
+
+int largestSide(const Capabilities& c, GLenum target)
+{
+    if (target == GL_TEXTURE_CUBE_MAP) return c.maxCubeSize;
+    return target == GL_TEXTURE_3D ? c.max3dTextureSize : c.maxTextureSize;
+}
+
+void checkTexels(const Capabilities& c, const Table& table, const TextureImage& image)
+{
+    const GLenum target = targetOf(table, image);
     if (image.type == TexelType::unorm16 && !c.unorm16Textures)
         throw Error(ErrorKind::gl, "table '" + table.name + "'",
                     "found neither half float nor 16-bit textures, expected "
                     "OES_texture_half_float and OES_texture_half_float_linear");
-    if (volume && c.max3dTextureSize == 0)
+    if (target == GL_TEXTURE_3D && c.max3dTextureSize == 0)
         throw Error(ErrorKind::gl, "table '" + table.name + "'",
                     "found three dimensions, expected two: OpenGL ES 2.0 has no volumes");
-    const int limit = volume ? c.max3dTextureSize : c.maxTextureSize;
+    const int limit = largestSide(c, target);
     const int largest = *std::max_element(image.size.begin(), image.size.end());
     if (largest > limit)
         throw Error(ErrorKind::gl, "table '" + table.name + "'",
@@ -73,9 +86,35 @@ void setSampling(const Functions& gl, GLenum target)
     gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
+void upload(const Functions& gl, GLenum target, const TextureImage& image)
+{
+    const Format format = formatOf(image.type, gl);
+    const GLsizei width = image.size[0], height = image.size[1];
+    const auto* texels = static_cast<const unsigned char*>(texelsOf(image));
+    const auto upload2d = [&](GLenum face, const void* from) {
+        gl.TexImage2D(face, 0, format.internal, width, height, 0, GL_RGB, format.type, from);
+    };
+    if (target == GL_TEXTURE_3D)
+        return gl.TexImage3D(target, 0, format.internal, width, height, image.size[2], 0, GL_RGB,
+                             format.type, texels);
+    if (target == GL_TEXTURE_2D) return upload2d(target, texels);
+    const size_t channel = image.type == TexelType::float32 ? sizeof(float) : sizeof(uint16_t);
+    for (GLenum face = 0; face < 6; ++face)
+        upload2d(
+            GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
+            texels + face * 3 * channel * static_cast<size_t>(width) * static_cast<size_t>(height));
+}
+
+/// A disc of gamma 1 is one already.
+bool isParabolic(const Table& table)
+{
+    const auto* disc = std::get_if<DiscDomain>(&table.domain);
+    return disc && disc->gamma == 1.0;
+}
+
 }  // namespace
 
-GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
+GpuMaterial::GpuMaterial(DevicePtr device, const Material& material, const MaterialOptions& options)
     : device_(std::move(device)),
       id_(device_->nextMaterial++),
       name_(material.name.empty() ? material.form.name : material.name),
@@ -85,6 +124,7 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
 {
     validate(material, "material '" + name_ + "'");
     const UploadGuard guard(*device_);
+    std::vector<double> errors(material.tables.size(), 0.0);
     for (size_t i = 0; i < material.tables.size(); ++i) {
         const Table& table = material.tables[i];
         if (form_.tables[i].uniform) {
@@ -92,33 +132,55 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material)
             tables_.emplace_back();
             tables_.back().knots = uniformKnots(table);
         } else {
-            addTexture(table);
+            const TextureImage image = imageOf(table, static_cast<int>(i), options);
+            errors[i] = image.error;
+            addTexture(table, image);
         }
     }
+    setLookUpError(errors);
     checkErrors(*device_, "material '" + name_ + "'");
 }
 
-void GpuMaterial::addTexture(const Table& table)
+TextureImage GpuMaterial::imageOf(const Table& table, int index, const MaterialOptions& options)
+{
+    const Capabilities& c = device_->capabilities;
+    const bool asAsked =
+        options.lookUp == LookUp::parabolic && options.mapSize == 0 && isParabolic(table);
+    if (options.lookUp == LookUp::native || asAsked) return textureImage(table, c);
+    const std::string why = whyNotRecombined(form_, index, table.storage);
+    if (why.empty())
+        return textureImage(
+            recombined(table, {options.lookUp, options.mapSize,
+                               options.lookUp == LookUp::cube ? c.maxCubeSize : c.maxTextureSize,
+                               c.seamlessCubes}),
+            c);
+    whyNative_ += (whyNative_.empty() ? "" : "; ") + why;
+    return textureImage(table, c);
+}
+
+/// Of a product the sum of its factors', of a sum of products the largest.
+void GpuMaterial::setLookUpError(const std::vector<double>& tableErrors)
+{
+    for (const Term& term : form_.terms) {
+        double sum = 0.0;
+        for (const Factor& factor : term.factors)
+            sum += tableErrors[static_cast<size_t>(factor.table)];
+        lookUpError_ = std::max(lookUpError_, sum);
+    }
+}
+
+void GpuMaterial::addTexture(const Table& table, const TextureImage& image)
 {
     const Functions& gl = device_->gl;
-    const TextureImage image = textureImage(table, device_->capabilities);
-    const bool volume = dimensionCount(table.domain) == 3;
-    checkTexels(device_->capabilities, table, image, volume);
+    checkTexels(device_->capabilities, table, image);
     GpuTable result;
     result.texture = createObject(device_, ObjectKind::texture);
-    result.target = volume ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+    result.target = targetOf(table, image);
     result.lower = image.lower;
     result.extent = image.extent;
     gl.BindTexture(result.target, result.texture.name());
     setSampling(gl, result.target);
-    const Format format = formatOf(image.type, gl);
-    const void* texels = texelsOf(image);
-    if (volume)
-        gl.TexImage3D(GL_TEXTURE_3D, 0, format.internal, image.size[0], image.size[1],
-                      image.size[2], 0, GL_RGB, format.type, texels);
-    else
-        gl.TexImage2D(GL_TEXTURE_2D, 0, format.internal, image.size[0], image.size[1], 0, GL_RGB,
-                      format.type, texels);
+    upload(gl, result.target, image);
     label(*device_, ObjectKind::texture, result.texture, name_ + ":" + table.name);
     encodings_.push_back(image.encoding);
     tables_.push_back(std::move(result));
@@ -149,7 +211,7 @@ void GpuMaterial::addArray(const Table& table, size_t layers)
     }
     const Functions& gl = device_->gl;
     TextureImage image = textureImage(table, device_->capabilities);
-    checkTexels(device_->capabilities, table, image, false);
+    checkTexels(device_->capabilities, table, image);
     // The range of one layer may be [0, 1], that of the next may not.
     image.encoding.ranged = image.type == TexelType::unorm16;
     encodings_.push_back(image.encoding);

@@ -21,7 +21,7 @@ struct GpuTable {
 class GpuMaterial {
 public:
     /// Throws Error(input) for an invalid material, Error(gl) where GL cannot hold a table.
-    GpuMaterial(DevicePtr device, const Material& material);
+    GpuMaterial(DevicePtr device, const Material& material, const MaterialOptions& options = {});
     /// Packs materials of one layout (sameLayout), valid, at least one.
     GpuMaterial(DevicePtr device, const std::vector<const Material*>& layers);
 
@@ -35,12 +35,17 @@ public:
     const std::string& name() const { return name_; }
     const Form& form() const { return form_; }
     bool hasSigns() const { return hasSigns_; }
+    /// See Renderer.h.
+    const std::string& whyNative() const { return whyNative_; }
+    double lookUpError() const { return lookUpError_; }
     const std::vector<TableEncoding>& encodings() const { return encodings_; }
     const std::vector<GpuTable>& tables() const { return tables_; }
     const std::vector<Vec3f>& scales() const { return scales_; }
 
 private:
-    void addTexture(const Table& table);
+    TextureImage imageOf(const Table& table, int index, const MaterialOptions& options);
+    void addTexture(const Table& table, const TextureImage& image);
+    void setLookUpError(const std::vector<double>& tableErrors);
     void addArray(const Table& table, size_t layers);
     void setLayer(size_t layer, const Material& material);
     void uploadParameters();
@@ -50,6 +55,8 @@ private:
     std::string name_;
     Form form_;
     bool hasSigns_ = false;
+    std::string whyNative_;
+    double lookUpError_ = 0.0;
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;

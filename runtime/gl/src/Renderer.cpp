@@ -28,11 +28,16 @@ const Capabilities& Renderer::capabilities() const
     return state_->device->capabilities;
 }
 
-std::shared_ptr<GpuMaterial> Renderer::createMaterial(const Material& material)
+std::shared_ptr<GpuMaterial> Renderer::createMaterial(const Material& material,
+                                                      const MaterialOptions& options)
 {
     state_->checkAlive();
     discardHostErrors(*state_->device);
-    auto result = std::make_shared<GpuMaterial>(state_->device, material);
+    auto result = std::make_shared<GpuMaterial>(state_->device, material, options);
+    if (!result->whyNative().empty())
+        state_->device->log(Severity::warning, "material '" + result->name() + "' has no " +
+                                                   lookUpName(options.lookUp) + " maps of " +
+                                                   result->whyNative());
     prepare(*result, {}, 1);
     return result;
 }
@@ -55,11 +60,12 @@ std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)
     return std::make_shared<GpuHooks>(state_->device, hooks);
 }
 
-std::shared_ptr<GpuLibrary> Renderer::createLibrary(const std::vector<Material>& materials)
+std::shared_ptr<GpuLibrary> Renderer::createLibrary(const std::vector<Material>& materials,
+                                                    const MaterialOptions& options)
 {
     state_->checkAlive();
     discardHostErrors(*state_->device);
-    return std::make_shared<GpuLibrary>(state_->device, materials,
+    return std::make_shared<GpuLibrary>(state_->device, materials, options,
                                         [this](const GpuMaterial& made) { prepare(made, {}, 1); });
 }
 
@@ -76,6 +82,16 @@ void Renderer::replaceMaterial(GpuLibrary& library, int index, const Material& m
     discardHostErrors(*state_->device);
     library.replace(static_cast<size_t>(index), material,
                     [this](const GpuMaterial& made) { prepare(made, {}, 1); });
+}
+
+const std::string& whyNative(const GpuMaterial& material)
+{
+    return material.whyNative();
+}
+
+double lookUpError(const GpuMaterial& material)
+{
+    return material.lookUpError();
 }
 
 const std::string& whyApart(const GpuLibrary& library)

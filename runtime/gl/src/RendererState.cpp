@@ -57,6 +57,7 @@ Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
     wanted.signs = material.hasSigns();
+    wanted.recombination = material.lookUpError();
     Plan plan = planPasses(material.form(), wanted, capabilities);
     const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
     if (target && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&

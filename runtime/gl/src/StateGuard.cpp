@@ -265,7 +265,8 @@ StateGuard::SavedUnit StateGuard::savedUnit(GLenum name) const
             gl_.hasVolumes() ? integer(gl_, GL_TEXTURE_BINDING_3D) : 0,
             gl_.version >= 31 ? integer(gl_, GL_TEXTURE_BINDING_BUFFER) : 0,
             gl_.hasSamplers() ? integer(gl_, GL_SAMPLER_BINDING) : 0,
-            gl_.hasArrays() ? integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY) : 0};
+            gl_.hasArrays() ? integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY) : 0,
+            integer(gl_, GL_TEXTURE_BINDING_CUBE_MAP)};
 }
 
 void StateGuard::setScissor(const PixelRect* rect)
@@ -299,13 +300,25 @@ void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
     gl_.BindTexture(target, texture);
 }
 
+// OpenGL ES 3.0 always does. Only where it is needed: hooks of the host may read cube maps of its
+// own.
+void StateGuard::filterAcrossEdges()
+{
+    if (seamlessSet_ || gl_.es || !device_.capabilities.seamlessCubes) return;
+    seamless_ = mode_ == StateMode::restore && isOn(gl_, GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    seamlessSet_ = true;
+    gl_.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+}
+
 void StateGuard::restoreTextures() const
 {
+    if (seamlessSet_ && !seamless_) gl_.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     for (const SavedUnit& saved : units_) {
         gl_.ActiveTexture(saved.unit);
         gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(saved.texture2d));
         if (gl_.hasVolumes()) gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(saved.texture3d));
         if (gl_.hasArrays()) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(saved.textureArray));
+        gl_.BindTexture(GL_TEXTURE_CUBE_MAP, unsignedOf(saved.textureCube));
         if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(saved.textureBuffer));
         if (gl_.hasSamplers()) gl_.BindSampler(saved.unit - GL_TEXTURE0, unsignedOf(saved.sampler));
     }

@@ -26,11 +26,14 @@ public:
     void setScissor(const PixelRect* rect);
     /// Binds to a unit (counted from the device's first), saving what was there at first touch.
     void bindTexture(int unit, GLenum target, GLuint texture);
+    /// Where the context can, cube maps are filtered across the edges of their faces.
+    void filterAcrossEdges();
 
 private:
     struct SavedUnit {
         GLenum unit = 0;
-        GLint texture2d = 0, texture3d = 0, textureBuffer = 0, sampler = 0, textureArray = 0;
+        GLint texture2d = 0, texture3d = 0, textureBuffer = 0, sampler = 0, textureArray = 0,
+              textureCube = 0;
     };
     void saveBindings();
     void saveFixed();
@@ -61,6 +64,7 @@ private:
     GLfloat viewport_[4] = {};
     GLint scissorBox_[4] = {};
     bool scissorSet_ = false;  ///< the box was changed
+    bool seamlessSet_ = false, seamless_ = false;
     GLdouble depthRange_[2] = {0.0, 1.0}, clearDepth_ = 1.0;
     GLboolean depthMask_ = GL_TRUE;
     bool blend_ = false, depthTest_ = false, scissor_ = false;

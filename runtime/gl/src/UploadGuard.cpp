@@ -44,6 +44,7 @@ UploadGuard::~UploadGuard()
         gl_.PixelTransferf(kTransfer[i].name, transfer_[i]);
     if (gl_.hasUnpackBuffer()) gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, unsignedOf(unpackBuffer_));
     gl_.BindTexture(GL_TEXTURE_2D, unsignedOf(texture2d_));
+    gl_.BindTexture(GL_TEXTURE_CUBE_MAP, unsignedOf(textureCube_));
     if (gl_.hasVolumes()) gl_.BindTexture(GL_TEXTURE_3D, unsignedOf(texture3d_));
     if (gl_.hasArrays()) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, unsignedOf(textureArray_));
     if (gl_.version >= 31) gl_.BindTexture(GL_TEXTURE_BUFFER, unsignedOf(textureBuffer_));
@@ -84,6 +85,7 @@ void UploadGuard::save()
         }
     if (gl_.hasUnpackBuffer()) unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
     texture2d_ = integer(gl_, GL_TEXTURE_BINDING_2D);
+    textureCube_ = integer(gl_, GL_TEXTURE_BINDING_CUBE_MAP);
     if (gl_.hasVolumes()) texture3d_ = integer(gl_, GL_TEXTURE_BINDING_3D);
     if (gl_.hasArrays()) textureArray_ = integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY);
     if (gl_.version >= 31) textureBuffer_ = integer(gl_, GL_TEXTURE_BINDING_BUFFER);

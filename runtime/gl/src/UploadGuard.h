@@ -28,9 +28,9 @@ private:
     const Functions& gl_;
     GLint unpack_[kUnpackStates] = {4};  // alignment, then zeros: GL's defaults
     std::vector<GLfloat> transfer_;      // as saved; what is set are GL's defaults
-    GLint unpackBuffer_ = 0, texture2d_ = 0, texture3d_ = 0, textureArray_ = 0, textureBuffer_ = 0,
-          arrayBuffer_ = 0, elementBuffer_ = 0, vertexArray_ = 0, framebuffer_ = 0,
-          renderbuffer_ = 0;
+    GLint unpackBuffer_ = 0, texture2d_ = 0, texture3d_ = 0, textureCube_ = 0, textureArray_ = 0,
+          textureBuffer_ = 0, arrayBuffer_ = 0, elementBuffer_ = 0, vertexArray_ = 0,
+          framebuffer_ = 0, renderbuffer_ = 0;
 };
 
 }  // namespace fbrdf::gl

@@ -10,10 +10,13 @@
 // A code of an sRGB curve is 1.055 x^(1/2.4) - 0.055, so a relative error r of x <= 1 moves it by
 // at most x dcode/dx r <= 1.055 / 2.4 r; the tone map, x (1 + x / 16) / (1 + x), does not raise r,
 // as its elasticity 1 + x / (16 + x) - x / (1 + x) is at most 1.
+// A recombined map changes a product by a factor of at most 2^e, wherever its factors are
+// multiplied, and so a sum of products; a curve makes of that what it makes of r = 2^e - 1.
 #include <fbrdf/plan/Plan.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fbrdf {
 namespace {
@@ -39,8 +42,10 @@ ErrorBound writing(ColourFormat format)
 
 }  // namespace
 
-ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target)
+ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target, double recombination)
 {
+    const double replaced = std::exp2(recombination) - 1.0;
+    bool curved = false;
     std::array<ErrorBound, 4> surfaces{};
     for (const Pass& pass : passes) {
         ErrorBound& held = surfaces[static_cast<size_t>(pass.writes)];
@@ -48,14 +53,19 @@ ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target)
             writing(pass.writes == Surface::target ? target : ColourFormat::rgba32f);
         ErrorBound value{kEvaluation, 0.0};
         if (pass.reads) value.relative += surfaces[static_cast<size_t>(*pass.reads)].relative;
-        if (isCurved(pass.transfer)) value = {0.0, kCurveSlope * value.relative + kEvaluation};
+        if (isCurved(pass.transfer)) {
+            curved = true;
+            value = {0.0, kCurveSlope * (value.relative + replaced) + kEvaluation};
+        }
         if (pass.blend == Blend::replace) held = value;
         if (pass.blend == Blend::add) held.relative = std::max(held.relative, value.relative);
         if (pass.blend == Blend::multiply) held.relative += value.relative;
         held.relative += rounding.relative;
         held.absolute += rounding.absolute;
     }
-    return surfaces[static_cast<size_t>(Surface::target)];
+    ErrorBound result = surfaces[static_cast<size_t>(Surface::target)];
+    if (!curved) result.relative += replaced * (1.0 + result.relative);
+    return result;
 }
 
 }  // namespace fbrdf

@@ -400,7 +400,7 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     Plan plan = isCurved(request.transfer) ? planCurved(form, request, capabilities)
                                            : planStraight(form, request, capabilities);
     plan.technique = request.technique;
-    plan.error = errorBound(plan.passes, request.target);
+    plan.error = errorBound(plan.passes, request.target, request.recombination);
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 

@@ -46,6 +46,9 @@ void validate(const PlanRequest& request)
     if (request.maxLookups < 0)
         refuse("found a limit of " + std::to_string(request.maxLookups) +
                " look-ups, expected 0 (none) or more");
+    if (!(request.recombination >= 0.0))
+        refuse("found a recombination error of " + std::to_string(request.recombination) +
+               ", expected 0 or more");
 }
 
 }  // namespace fbrdf

@@ -10,6 +10,7 @@
 precision highp float;
 precision highp int;
 precision highp sampler2D;
+precision highp samplerCube;
 #if __VERSION__ >= 300
 precision highp sampler3D;
 #endif
@@ -21,6 +22,7 @@ precision highp sampler3D;
 #define FBRDF_COLOUR_OUTPUT out vec4 fbrdfColour;
 #define FBRDF_TEXTURE2(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
+#define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
 #else
 #define FBRDF_ATTRIBUTE attribute
@@ -30,5 +32,6 @@ precision highp sampler3D;
 #define fbrdfColour gl_FragColor
 #define FBRDF_TEXTURE2(map, coordinate) texture2D(map, coordinate)
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
+#define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
 #endif

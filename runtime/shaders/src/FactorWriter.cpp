@@ -52,17 +52,25 @@ std::string viewAxisName(const Factor& factor, size_t axis)
     return "theta_o" + std::to_string(factor.table) + "_" + std::to_string(axis);
 }
 
+/// Texture coordinate of a factor over one direction.
+std::string directionCoordinate(const DiscDomain& native, const TableEncoding& encoding,
+                                const Direction& direction)
+{
+    if (encoding.lookUp == LookUp::cube) return directionExpression(direction);
+    const DiscDomain disc =
+        encoding.lookUp == LookUp::parabolic ? DiscDomain::fitting(encoding.mapSize, 1.0) : native;
+    const double size = disc.size;
+    return "(fbrdfDisc(" + number(size) + ", " + number(disc.gamma) + ", " + number(disc.radius) +
+           ", " + directionExpression(direction) + ") + 0.5) * " + number(1.0 / size);
+}
+
 /// Texture coordinate of a factor: (position + 1/2) / size.
 std::string coordinate(const FragmentContext& c, const Factor& factor)
 {
     const TableSpec& table = tableOf(c, factor);
-    if (const auto* disc = std::get_if<DiscDomain>(&table.domain)) {
-        const double size = disc->size;
-        return "(fbrdfDisc(" + number(size) + ", " + number(disc->gamma) + ", " +
-               number(disc->radius) + ", " +
-               directionExpression(std::get<Direction>(factor.argument)) + ") + 0.5) * " +
-               number(1.0 / size);
-    }
+    if (const auto* disc = std::get_if<DiscDomain>(&table.domain))
+        return directionCoordinate(*disc, encodingOf(c, factor),
+                                   std::get<Direction>(factor.argument));
     const auto& axes = std::get<GridDomain>(table.domain).axes;
     const auto& angles = std::get<std::vector<Angle>>(factor.argument);
     std::string text = axes.size() == 3 ? "vec3(" : "vec2(";
@@ -76,12 +84,11 @@ std::string coordinate(const FragmentContext& c, const Factor& factor)
 
 std::string textureFetch(const FragmentContext& c, const Factor& factor)
 {
-    const bool volume = domainSize(tableOf(c, factor).domain)[2] > 1;
-    const auto* grid = std::get_if<GridDomain>(&tableOf(c, factor).domain);
-    const bool three = volume || (grid && grid->axes.size() == 3);
+    const char* const fetch = encodingOf(c, factor).lookUp == LookUp::cube ? "FBRDF_TEXTURE_CUBE"
+                              : dimensionCount(tableOf(c, factor).domain) == 3 ? "FBRDF_TEXTURE3"
+                                                                               : "FBRDF_TEXTURE2";
     const std::string at = coordinate(c, factor);
-    return std::string(three ? "FBRDF_TEXTURE3" : "FBRDF_TEXTURE2") + "(fbrdfTable" +
-           std::to_string(factor.table) + ", " +
+    return std::string(fetch) + "(fbrdfTable" + std::to_string(factor.table) + ", " +
            (c.packed ? "vec3(" + at + ", float(fbrdfMaterial))" : at) + ").rgb";
 }
 

@@ -191,6 +191,13 @@ void checkEs100(const FragmentContext& c)
     });
 }
 
+std::string samplerType(const FragmentContext& c, const Factor& factor)
+{
+    if (encodingOf(c, factor).lookUp == LookUp::cube) return "samplerCube";
+    if (dimensionCount(tableOf(c, factor).domain) == 3) return "sampler3D";
+    return c.packed ? "sampler2DArray" : "sampler2D";
+}
+
 }  // namespace
 
 std::string uniformDeclarations(const FragmentContext& c)
@@ -207,12 +214,7 @@ std::string uniformDeclarations(const FragmentContext& c)
                          std::to_string(texelCount(table.domain)) + "];\n");
             return;
         }
-        const bool three = dimensionCount(table.domain) == 3;
-        lines.insert(std::string("uniform ") +
-                     (three      ? "sampler3D"
-                      : c.packed ? "sampler2DArray"
-                                 : "sampler2D") +
-                     " fbrdfTable" + k + ";\n");
+        lines.insert("uniform " + samplerType(c, factor) + " fbrdfTable" + k + ";\n");
         if (encodingOf(c, factor).ranged && !c.packed)
             lines.insert("uniform vec3 fbrdfLower" + k + ", fbrdfExtent" + k + ";\n");
     });

@@ -57,6 +57,12 @@ void encodeOverRange(TextureImage& image, const Table& table)
     });
 }
 
+void encodeHalf(TextureImage& image, const Table& table)
+{
+    image.type = TexelType::half;
+    image.words = converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });
+}
+
 void encodeFloat(TextureImage& image, const Table& table)
 {
     image.type = TexelType::float32;
@@ -78,11 +84,31 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
     } else if (!capabilities.floatTextures) {
         encodeOverRange(image, table);
     } else if (bytesPerChannel(table.storage) <= 2 || !capabilities.unorm16Textures) {
-        image.type = TexelType::half;
-        image.words =
-            converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });
+        encodeHalf(image, table);
     } else {
         encodeFloat(image, table);
+    }
+    return image;
+}
+
+TextureImage textureImage(const DirectionMap& map, const Capabilities& capabilities)
+{
+    TextureImage image;
+    image.size = domainSize(map.table.domain);
+    image.encoding.lookUp = map.lookUp;
+    image.encoding.mapSize = map.size();
+    image.error = map.error;
+    if (capabilities.softwareSampling && capabilities.floatTextures) {
+        encodeFloat(image, map.table);
+    } else if (capabilities.unorm16Textures || !capabilities.floatTextures) {
+        encodeOverRange(image, map.table);
+        image.error +=
+            double(std::max({image.extent.x, image.extent.y, image.extent.z})) / double(kWords) / 2;
+    } else {
+        encodeHalf(image, map.table);
+        float largest = 0.0f;
+        for (const float texel : map.table.texels) largest = std::max(largest, std::abs(texel));
+        image.error += double(largest) * 0x1p-11;
     }
     return image;
 }

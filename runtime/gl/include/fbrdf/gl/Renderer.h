@@ -8,6 +8,7 @@
 // contexts and threads may live side by side. No GL header is included here, so this one can follow
 // or precede any.
 #pragma once
+#include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/plan/Capabilities.h>
 #include <fbrdf/plan/Light.h>
@@ -89,6 +90,15 @@ struct Hooks {
     /// empty. Its textures are bound by the host before the draw, to units outside of those that
     /// the renderer uses.
     std::function<void(uint32_t program)> setUniforms;
+};
+
+/// How a material is uploaded.
+struct MaterialOptions {
+    /// Of the maps over one direction. Others stay native, which whyNative tells: cube and
+    /// parabolic maps cost a shader less arithmetic and more memory, and differ from the tables
+    /// between their texels, which lookUpError and every error bound include.
+    LookUp lookUp = LookUp::native;
+    int mapSize = 0;  ///< as DirectionMapRequest::size
 };
 
 class GpuMaterial;  ///< textures and programs of one Material
@@ -183,8 +193,9 @@ public:
 
     /// Uploads the tables and builds the program of Technique::single for one light, so that a
     /// material that GL cannot draw is refused here. Throws Error(input) for an invalid material,
-    /// Error(gl) where GL cannot hold it.
-    std::shared_ptr<GpuMaterial> createMaterial(const Material& material);
+    /// Error(gl) where GL cannot hold it, Error(usage) for options out of range.
+    std::shared_ptr<GpuMaterial> createMaterial(const Material& material,
+                                                const MaterialOptions& options = {});
     /// Throws Error(input) for arrays that do not agree, Error(gl) where GL cannot hold them.
     std::shared_ptr<GpuMesh> createMesh(const MeshData& mesh);
 
@@ -194,8 +205,9 @@ public:
     /// Packs the maps of materials that differ in numbers only (sameLayout, PackedParameters.h)
     /// into texture arrays, so that one program and one bind draw them all; needs OpenGL 3.1. Where
     /// that cannot be, each material has textures of its own, see whyApart. Throws as
-    /// createMaterial, naming the index.
-    std::shared_ptr<GpuLibrary> createLibrary(const std::vector<Material>& materials);
+    /// createMaterial, naming the index. Recombined maps are not packed.
+    std::shared_ptr<GpuLibrary> createLibrary(const std::vector<Material>& materials,
+                                              const MaterialOptions& options = {});
     /// Another material in the place of one, of whatever layout. On failure, Error as of
     /// createMaterial, the library keeps the one it has.
     void replaceMaterial(GpuLibrary& library, int index, const Material& material);
@@ -229,6 +241,13 @@ public:
 private:
     std::unique_ptr<State> state_;
 };
+
+/// Why maps of a material are looked up natively although options said otherwise; empty where none
+/// are.
+const std::string& whyNative(const GpuMaterial& material);
+/// How far its products may be from those of its tables because maps are recombined, |log2|; 0
+/// where none are.
+double lookUpError(const GpuMaterial& material);
 
 /// Why materials of a library are not in arrays; empty where all are.
 const std::string& whyApart(const GpuLibrary& library);

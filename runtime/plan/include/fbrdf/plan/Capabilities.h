@@ -11,6 +11,8 @@ struct Capabilities {
     int maxTextureUnits = 8;     ///< samplers of one fragment shader
     int maxTextureSize = 2048;   ///< texels on a side
     int max3dTextureSize = 256;  ///< texels on a side
+    int maxCubeSize = 512;       ///< texels on a side of a face
+    bool seamlessCubes = false;  ///< cube maps are filtered across the edges of their faces
     int maxUniformVectors = 64;  ///< vec4 uniforms of a fragment shader: lights, knots and the rest
     bool coreProfile = false;    ///< fixed-function state does not exist
     bool framebufferObjects = false;

@@ -72,6 +72,9 @@ struct PlanRequest {
                             ///< target cannot: edges would read texels that nothing was drawn to)
     Transfer transfer = Transfer::linear;  ///< a curve comes after the sum over all passes
     bool signs = false;  ///< hasSigns(material): no pass but the last may clamp at 0
+    /// Of recombined maps (DirectionMap.h): how far the product of any term may be from that of its
+    /// tables, |log2|.
+    double recombination = 0.0;
 };
 
 /// Throws Error(usage) for a request out of range.
@@ -97,8 +100,10 @@ struct Plan {
     bool feasible() const { return reason.empty(); }
 };
 
-/// Of passes that draw into a target of a format; `other` counts as RGBA8.
-ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target);
+/// Of passes that draw into a target of a format; `other` counts as RGBA8. recombination: as of a
+/// PlanRequest.
+ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target,
+                      double recombination = 0.0);
 
 /// Lights that the uniforms of one pass can hold beside the knots of the form.
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);

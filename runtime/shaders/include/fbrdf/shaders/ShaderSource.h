@@ -14,6 +14,7 @@
 //   surface     fbrdfRead (sampler), fbrdfReadScale (vec2: 1 / size in pixels)
 // Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
+#include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/plan/Plan.h>
 
 #include <glm/mat4x4.hpp>
@@ -29,6 +30,9 @@ namespace fbrdf {
 struct TableEncoding {
     bool logarithmic = true;  ///< log2 F, added; otherwise F, multiplied
     bool ranged = false;      ///< lower + extent x texel
+    /// Of a table over one direction: the map that stands for it, a samplerCube where it is cube.
+    LookUp lookUp = LookUp::native;
+    int mapSize = 0;  ///< texels on a side of a parabolic map
 };
 
 /// What one program computes: a pass without its place in the plan.
