@@ -78,10 +78,14 @@ public:
 
     const gl::Renderer& renderer() const { return renderer_; }
 
+    /// form: with how its maps are looked up after it, "pqp cube".
     void measure(const std::string& form, int count, std::vector<AccuracyRow>& rows)
     {
-        const Material material = ggxMaterial(form);
-        const auto gpu = renderer_.createMaterial(material);
+        const size_t end = form.find(' ');
+        const Material material = ggxMaterial(form.substr(0, end));
+        gl::MaterialOptions options;
+        if (end != std::string::npos) options.lookUp = lookUpFromName(form.substr(end + 1));
+        const auto gpu = renderer_.createMaterial(material, options);
         auto lights = stageLights(count);
         auto radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
         // Nothing above 1, which RGBA8 would cut off.
@@ -138,7 +142,8 @@ bool Accuracy::holds() const
 
 Accuracy measureAccuracy(const Options& options)
 {
-    const std::vector<std::string> all{"hdio", "pqp", "pqpr", "io+hdio"};
+    const std::vector<std::string> all{"hdio",     "pqp",           "pqpr",     "io+hdio",
+                                       "pqp cube", "pqp parabolic", "pqpr cube"};
     const auto& forms = options.only.empty() ? all : options.only;
     const Stage stage = makeStage("sphere", 1.0);
     const truth::GeometryBuffer geometry = geometryOf(stage);
@@ -163,13 +168,13 @@ Accuracy measureAccuracy(const Options& options)
 std::string asText(const Accuracy& accuracy)
 {
     std::string text = fmt::format(
-        "{}, {}x{} pixels, against double\n{:<13} {:<8} {:<11} {:<8} {:>6} {:>6} {:>9} {:>9} "
+        "{}, {}x{} pixels, against double\n{:<13} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9} {:>9} "
         "{:>9} {:>9} {:>6}\n",
         accuracy.glRenderer, kSize, kSize, "version", "form", "technique", "format", "lights",
         "passes", "relative", "bound", "absolute", "bound", "share");
     for (const AccuracyRow& row : accuracy.rows)
         text += fmt::format(
-            "{:<13} {:<8} {:<11} {:<8} {:>6} {:>6} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
+            "{:<13} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
             "{:>6.2f}{}\n",
             row.version, row.form, row.technique, row.format, row.lights, row.passes,
             row.found.relative, row.bound.relative, row.found.absolute, row.bound.absolute,

@@ -26,8 +26,8 @@ struct Accuracy {
     bool holds() const;                ///< every row is within its bound
 };
 
-/// Rows for each of options.lights; options.only: forms. Throws Error(gl) where there is no usable
-/// GL, Error(usage) for an unknown form.
+/// Rows for each of options.lights; options.only: forms, "pqp cube" with recombined maps. Throws
+/// Error(gl) where there is no usable GL, Error(usage) for an unknown form.
 Accuracy measureAccuracy(const Options& options);
 
 std::string asText(const Accuracy& accuracy);

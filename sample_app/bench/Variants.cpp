@@ -15,9 +15,10 @@ struct Drawn {
     std::shared_ptr<gl::GpuMesh> mesh;
 };
 
-Draw drawWithRuntime(const Material& material, const gl::DrawOptions& options, const Scene& scene)
+Draw drawWithRuntime(const Material& material, LookUp lookUp, const gl::DrawOptions& options,
+                     const Scene& scene)
 {
-    const Drawn drawn{scene.renderer.createMaterial(material),
+    const Drawn drawn{scene.renderer.createMaterial(material, {lookUp}),
                       scene.renderer.createMesh(scene.stage.mesh)};
     scene.renderer.prepare(*drawn.material, options, static_cast<int>(scene.lights.size()));
     return [drawn, options, &scene] {
@@ -29,17 +30,19 @@ Draw drawWithRuntime(const Material& material, const gl::DrawOptions& options, c
     };
 }
 
-Variant runtimeVariant(const std::string& form, Technique technique)
+Variant runtimeVariant(const std::string& form, Technique technique, LookUp lookUp = LookUp::native)
 {
     gl::DrawOptions options;
     options.technique = technique;
-    const std::string name = form + " " + techniqueName(technique);
+    const bool isNative = lookUp == LookUp::native;
+    const std::string name = form + (isNative ? "" : std::string(" ") + lookUpName(lookUp)) + " " +
+                             techniqueName(technique);
     const std::string how = technique == Technique::batched
                                 ? std::to_string(options.lightsPerPass) + " lights a pass"
                             : technique == Technique::single ? "all lights in one pass"
                                                              : "at most two look-ups a pass";
-    return {name, how, [form, options](const Scene& scene) {
-                return drawWithRuntime(ggxMaterial(form), options, scene);
+    return {name, how, [form, lookUp, options](const Scene& scene) {
+                return drawWithRuntime(ggxMaterial(form), lookUp, options, scene);
             }};
 }
 
@@ -63,6 +66,8 @@ std::vector<Variant> allVariants()
         for (const Technique technique :
              {Technique::single, Technique::batched, Technique::twoLookup})
             variants.push_back(runtimeVariant(form, technique));
+    for (const LookUp lookUp : {LookUp::parabolic, LookUp::cube})
+        variants.push_back(runtimeVariant("pqp", Technique::single, lookUp));
     return variants;
 }
 

@@ -34,10 +34,11 @@ gl::DrawOptions drawOptions(Technique technique)
 
 }  // namespace
 
-GlScene::GlScene(gl::LoadFunction load, World& world) : renderer_(rendererOptions(load))
+GlScene::GlScene(gl::LoadFunction load, World& world, LookUp lookUp)
+    : renderer_(rendererOptions(load))
 {
     for (MaterialSlot& slot : world.materials)
-        materials_.push_back(renderer_.createMaterial(slot.material()));
+        materials_.push_back(renderer_.createMaterial(slot.material(), {lookUp}));
     replaceMesh(world.mesh);
 }
 

@@ -49,7 +49,7 @@ Picture drawHeadless(const Options& options, World& world)
     HeadlessOptions contextOptions;
     contextOptions.backend = options.backend;
     const HeadlessContext context(contextOptions);
-    GlScene scene(context.loader(), world);
+    GlScene scene(context.loader(), world, options.lookUp);
     Offscreen offscreen(context.loader(), {options.width, options.height});
     FrameTimer timer(context.loader());
     const gl::Target target{offscreen.framebuffer(), options.width, options.height};

@@ -14,7 +14,7 @@ constexpr int kMostLights = 65536;
 
 /// What CLI11 fills and what still has to be understood.
 struct Texts {
-    std::string backend, technique, camera, size;
+    std::string backend, technique, lookUp, camera, size;
 };
 
 void describeScene(CLI::App& app, Options& options, Texts& texts)
@@ -46,6 +46,9 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--technique", texts.technique,
                    "single, batched, two-lookup; on the CPU: vertex (true BRDF at the vertices), "
                    "reference (true BRDF at every pixel, in double)");
+    app.add_option("--look-up", texts.lookUp,
+                   "Maps over one direction: native (default), or recombined into parabolic or "
+                   "cube maps");
     app.add_option("--size", texts.size, "Pixels (default 512x512)")->type_name("WxH");
     app.add_option("--exposure", options.exposure, "Factor of radiance in PNG and window")
         ->check(CLI::PositiveNumber)
@@ -63,6 +66,7 @@ void understand(const Texts& texts, Options& options)
 {
     if (!texts.backend.empty()) options.backend = backendFromName(texts.backend);
     if (!texts.technique.empty()) options.technique = scene::viewTechniqueFromName(texts.technique);
+    if (!texts.lookUp.empty()) options.lookUp = lookUpFromName(texts.lookUp);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
     if (!texts.size.empty()) {
         const Size size = sizeFromText(texts.size);

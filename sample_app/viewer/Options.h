@@ -1,5 +1,6 @@
 // Options.h - the command line of fbrdf-viewer.
 #pragma once
+#include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/headless/Context.h>
 #include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/Controls.h>
@@ -21,6 +22,7 @@ struct Options {
     int lightCount = 5;
     uint32_t seed = 0;
     scene::ViewTechnique technique = scene::ViewTechnique::single;
+    LookUp lookUp = LookUp::native;
     std::optional<scene::Camera> camera;
     int width = 512, height = 512;
     float exposure = 1.0f;

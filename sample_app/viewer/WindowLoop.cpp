@@ -53,7 +53,7 @@ public:
           panel_(window_.handle()),
           timer_(GlfwWindow::loader()),
           toneMapper_(GlfwWindow::loader()),
-          scene_(GlfwWindow::loader(), world),
+          scene_(GlfwWindow::loader(), world, options.lookUp),
           stats_(statsOf(options, world))
     {
         window_.setFilter(

@@ -111,6 +111,61 @@ TEST_P(CApiGL, AnEngineDrawsByItselfWithTheFunctions)
     gl().DeleteProgram(program);
 }
 
+TEST_P(CApiGL, MapsAreRecombinedOnRequest)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
+    std::vector<float> p, q(3 * 16 * 16, -1.0f);
+    for (int i = 0; i < 16 * 16; ++i)
+        for (int c = 0; c < 3; ++c) p.push_back(0.05f * static_cast<float>(i % 16 + c));
+    const float* const tables[] = {p.data(), q.data()};
+    auto pqp = abi::describe<fbrdf_brdf_desc>();
+    pqp.form = FBRDF_PQP;
+    pqp.size[0] = 16;
+    pqp.table_count = 2;
+    pqp.tables = tables;
+    abi::Brdf brdf, plain;
+    ASSERT_EQ(brdf.create(fbrdf_brdf_create, &pqp, &desc.log), FBRDF_OK);
+    ASSERT_EQ(plain.create(plain_brdf, &desc.log), FBRDF_OK);
+    abi::Material material;
+    auto cube = abi::describe<fbrdf_material_desc>();
+    const auto make = [&](const fbrdf_brdf* of) {
+        return material.create(fbrdf_material_create_as, renderer.get(), of,
+                               static_cast<const fbrdf_material_desc*>(&cube));
+    };
+    ASSERT_EQ(make(brdf.get()), FBRDF_OK);
+    EXPECT_EQ(fbrdf_material_look_up_error(material.get()), 0.0f);
+    cube.look_up = FBRDF_LOOK_UP_CUBE;
+    cube.map_size = 32;
+    ASSERT_EQ(make(brdf.get()), FBRDF_OK);
+    const float error = fbrdf_material_look_up_error(material.get());
+    EXPECT_GT(error, 0.0f);
+    EXPECT_LT(error, 0.25f);
+    EXPECT_STREQ(fbrdf_material_why_native(material.get()), "");
+    EXPECT_TRUE(lines.empty());
+    // Its look-up outlives its BRDF.
+    ASSERT_EQ(fbrdf_material_replace(material.get(), plain.get()), FBRDF_OK);
+    EXPECT_NE(std::string(fbrdf_material_why_native(material.get())).find("angles"),
+              std::string::npos);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].severity, FBRDF_WARNING);
+    ASSERT_EQ(fbrdf_material_replace(material.get(), brdf.get()), FBRDF_OK);
+    EXPECT_EQ(fbrdf_material_look_up_error(material.get()), error);
+    for (const auto& [lookUp, size] : {std::pair<uint32_t, uint32_t>{3, 0}, {2, 31}, {1, ~0u}}) {
+        cube.look_up = lookUp;
+        cube.map_size = size;
+        EXPECT_EQ(make(brdf.get()), FBRDF_ERROR_ARGUMENT) << lookUp << " " << size;
+    }
+    EXPECT_EQ(material.create(fbrdf_material_create_as, renderer.get(),
+                              static_cast<const fbrdf_brdf*>(brdf.get()),
+                              static_cast<const fbrdf_material_desc*>(nullptr)),
+              FBRDF_ERROR_ARGUMENT);
+    EXPECT_STREQ(fbrdf_material_why_native(nullptr), "");
+    EXPECT_EQ(fbrdf_material_look_up_error(nullptr), 0.0f);
+}
+
 TEST_P(CApiGL, FaultsAreResultsAndLogLines)
 {
     Lines lines;

@@ -63,14 +63,15 @@ protected:
     }
 
     /// The largest part of what the bound allows, over techniques.
-    double worstShare(gl::Renderer& renderer, const Material& material, OffscreenFormat format)
+    double worstShare(gl::Renderer& renderer, const Material& material, OffscreenFormat format,
+                      const gl::MaterialOptions& materialOptions = {})
     {
         const gl::MeshData mesh = sphereMesh(16);
         const auto radiance = reference(material, mesh);
         const auto exact =
             storedImage(radiance, Transfer::linear, format == OffscreenFormat::rgba8);
         es_->makeCurrent();
-        const auto gpu = renderer.createMaterial(material);
+        const auto gpu = renderer.createMaterial(material, materialOptions);
         const auto gpuMesh = renderer.createMesh(mesh);
         double worst = 0.0;
         for (const auto technique : {Technique::single, Technique::batched, Technique::twoLookup}) {
@@ -122,6 +123,21 @@ TEST_F(Es, DrawsEveryFormAndTechnique)
     }
     EXPECT_GT(worst, 0.1);
     EXPECT_GE(drawn, c.glMajor >= 3 ? 14 : 6);
+}
+
+TEST_F(Es, DrawsRecombinedMapsWithinTheirBound)
+{
+    for (const bool isFloat : {true, false}) {
+        gl::RendererOptions wanted = options();
+        wanted.capabilities = gl::Renderer(wanted).capabilities();
+        wanted.capabilities->softwareSampling &= isFloat;
+        gl::Renderer renderer(wanted);
+        for (const LookUp lookUp : {LookUp::parabolic, LookUp::cube})
+            for (const auto format : {OffscreenFormat::rgba32f, OffscreenFormat::rgba8})
+                if (format == OffscreenFormat::rgba8 || renderer.capabilities().floatTargets)
+                    worstShare(renderer, noiseMaterial(formPqpr(8, 0.5, 6), Storage::log8), format,
+                               {lookUp, 64});
+    }
 }
 
 TEST_F(Es, TakesHooksAndNormalMaps)

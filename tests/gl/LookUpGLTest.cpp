@@ -12,7 +12,7 @@
 namespace fbrdf::test {
 namespace {
 
-constexpr int kSize = 48;
+constexpr int kSize = 32;
 constexpr LookUp kRecombined[] = {LookUp::parabolic, LookUp::cube};
 
 /// p(wo) q(h) p(wi) [r(theta_d)] of smooth lobes, so that maps of 64 texels are within percents.
@@ -63,14 +63,16 @@ protected:
 
     /// The largest share of the bound, over techniques.
     double worstShare(gl::Renderer& renderer, const Material& material,
-                      const gl::MaterialOptions& options, const gl::GpuMesh& mesh)
+                      const gl::MaterialOptions& options, const gl::GpuMesh& mesh,
+                      const std::vector<Technique>& techniques = {
+                          Technique::single, Technique::batched, Technique::twoLookup})
     {
-        const auto lights = testLights(5);
+        const auto lights = testLights(3);
         const auto exact = referenceImage(material, geometry_, lights, perspectiveView());
         const auto gpu = renderer.createMaterial(material, options);
         EXPECT_EQ(gl::whyNative(*gpu), "");
         double worst = 0.0;
-        for (const auto technique : {Technique::single, Technique::batched, Technique::twoLookup}) {
+        for (const auto technique : techniques) {
             const Drawn drawn = drawItems(renderer, kSize, perspectiveView(), {{gpu.get(), &mesh}},
                                           lights, {technique, 2});
             EXPECT_EQ(drawn.stats.whyReplaced, "");
@@ -96,14 +98,12 @@ TEST_P(LookUpMaps, AreWithinWhatThePlanStates)
 {
     double worst = 0.0;
     for (const LookUp lookUp : kRecombined)
-        for (const Form& form :
-             {formPqp(16, 0.5), formPqp(16, 1.0), formPqpr(16, 0.5, 16), otherDirections()})
-            for (const Storage storage : {Storage::log8, Storage::half}) {
-                if (lookUp == LookUp::parabolic && form.name == "other") continue;
-                worst = std::max(
-                    worst, worstShare(*renderer_, lobes(form, storage), {lookUp, 64}, *gpuMesh_));
-            }
-    EXPECT_GT(worst, 0.1) << "a bound that nothing comes near says nothing";
+        for (const Form& form : {formPqp(16, 0.5), formPqpr(16, 0.5, 16), otherDirections()}) {
+            // Discs of gamma 1 are parabolic maps.
+            if (lookUp == LookUp::parabolic && form.name == "other") continue;
+            worst = std::max(worst, worstShare(*renderer_, lobes(form), {lookUp, 64}, *gpuMesh_));
+        }
+    EXPECT_GT(worst, 0.2) << "a bound that nothing comes near says nothing";
 }
 
 TEST_P(LookUpMaps, AreWithinItWithTexelsOfEveryKind)
@@ -117,7 +117,7 @@ TEST_P(LookUpMaps, AreWithinItWithTexelsOfEveryKind)
         gl::Renderer renderer(options);
         const auto mesh = renderer.createMesh(mesh_);
         for (const LookUp lookUp : kRecombined)
-            worstShare(renderer, lobes(formPqp(16, 1.0)), {lookUp, 32}, *mesh);
+            worstShare(renderer, lobes(formPqp(16, 1.0)), {lookUp, 32}, *mesh, {Technique::single});
     }
 }
 
@@ -130,7 +130,8 @@ TEST_P(LookUpMaps, AreWithinItInEveryVersionOfShaders)
         options.capabilities->glsl = glsl;
         gl::Renderer renderer(options);
         const auto mesh = renderer.createMesh(mesh_);
-        worstShare(renderer, lobes(formPqpr(16, 0.5, 16)), {LookUp::cube, 32}, *mesh);
+        worstShare(renderer, lobes(formPqpr(16, 0.5, 16)), {LookUp::cube, 32}, *mesh,
+                   {Technique::twoLookup});
     }
 }
 

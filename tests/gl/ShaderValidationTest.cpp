@@ -32,8 +32,18 @@ std::vector<TableEncoding> encodingsOf(const Material& material)
     return encodings;
 }
 
+/// With every disc a cube map.
+std::vector<TableEncoding> cubeEncodings(const Material& material)
+{
+    std::vector<TableEncoding> encodings = encodingsOf(material);
+    for (size_t i = 0; i < encodings.size(); ++i)
+        if (isDisc(material.tables[i].domain)) encodings[i].lookUp = LookUp::cube;
+    return encodings;
+}
+
 /// Fragment shaders of all passes that any technique, limit and target leads to.
-void addSources(const Material& material, int glsl, std::map<std::string, std::string>& sources)
+void addSources(const Material& material, const std::vector<TableEncoding>& encodings, int glsl,
+                std::map<std::string, std::string>& sources)
 {
     for (const Technique technique : {Technique::single, Technique::batched, Technique::twoLookup})
         for (const int lights : {0, 1, 20})
@@ -42,8 +52,8 @@ void addSources(const Material& material, int glsl, std::map<std::string, std::s
                     const PlanRequest request{technique, lights, 8, lookups, target, true};
                     const Plan plan = planPasses(material.form, request, capable());
                     for (const Pass& pass : plan.passes) {
-                        const auto text = fragmentSource(material.form, encodingsOf(material),
-                                                         programSpec(pass, 2000), glsl);
+                        const auto text =
+                            fragmentSource(material.form, encodings, programSpec(pass, 2000), glsl);
                         sources.emplace(text, std::to_string(sources.size()) + ".frag");
                     }
                 }
@@ -78,7 +88,10 @@ TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
     size_t count = 0;
     for (const int glsl : {120, 140, 150, 330, 450, 300}) {
         std::map<std::string, std::string> sources;
-        for (const Material& material : test::testMaterials()) addSources(material, glsl, sources);
+        for (const Material& material : test::testMaterials())
+            addSources(material, encodingsOf(material), glsl, sources);
+        const Material pqp = test::testMaterials().front();
+        addSources(pqp, cubeEncodings(pqp), glsl, sources);
         std::string files = write("surface.vert", vertexSource(glsl));
         for (const auto& [text, name] : sources) files += " " + write(name, text);
         count += sources.size();
@@ -114,7 +127,8 @@ TEST_F(ShaderValidation, Es100TakesWhatItCanAndNamesWhatItCannot)
             continue;
         }
         ++taken;
-        addSources(material, 100, sources);
+        addSources(material, encodingsOf(material), 100, sources);
+        addSources(material, cubeEncodings(material), 100, sources);
         std::string files = write("surface.vert", vertexSource(100));
         for (const auto& [text, name] : sources) files += " " + write(name, text);
         EXPECT_EQ(validate(files), 0) << material.name;
@@ -210,7 +224,8 @@ TEST_F(ShaderValidation, LinksTheStages)
     for (const int glsl :
          {140, 330, 450, 100, 300}) {  // glslang links neither GLSL 1.20 varyings nor built-ins
         std::map<std::string, std::string> sources;
-        addSources(test::testMaterials().front(), glsl, sources);
+        const Material material = test::testMaterials().front();
+        addSources(material, encodingsOf(material), glsl, sources);
         const std::string vertex = write("surface.vert", vertexSource(glsl));
         for (const auto& [text, name] : sources)
             EXPECT_EQ(validate("-l " + vertex + " " + write(name, text)), 0) << text;
@@ -220,7 +235,8 @@ TEST_F(ShaderValidation, LinksTheStages)
 TEST_F(ShaderValidation, RejectsABrokenProgram)
 {
     std::map<std::string, std::string> sources;
-    addSources(test::testMaterials().front(), 330, sources);
+    const Material material = test::testMaterials().front();
+    addSources(material, encodingsOf(material), 330, sources);
     std::string text = sources.begin()->first;
     text.replace(text.find("vec4(total"), 4, "vec3");
     EXPECT_NE(validate(write("broken.frag", text)), 0);

@@ -116,6 +116,27 @@ TEST_P(State, MakingThingsPutsBackWhatItFindsAndIsNotDisturbedByIt)
     }
 }
 
+TEST_P(State, CubeMapsPutBackWhatTheyFindAndAreNotDisturbedByIt)
+{
+    const auto mesh = renderer_->createMesh(knotMesh(48, 8));
+    Offscreen offscreen = makeOffscreen(kSize);
+    std::vector<float> expected;
+    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+        std::shared_ptr<gl::GpuMaterial> material;
+        expectKept(seed, [&] {
+            material = renderer_->createMaterial(testMaterials()[0], {LookUp::cube, 8});
+        });
+        offscreen.clear();
+        expectKept(seed, [&] {
+            renderer_->draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                            {{material.get(), mesh.get()}}, testLights(3));
+        });
+        const auto pixels = offscreen.readPixels();
+        if (seed == 0) expected = pixels;
+        ASSERT_EQ(pixels, expected) << "seed " << seed;
+    }
+}
+
 TEST_P(State, LibrariesPutBackWhatTheyFindAndAreNotDisturbedByIt)
 {
     const auto mesh = renderer_->createMesh(knotMesh(48, 8));

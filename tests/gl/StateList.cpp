@@ -43,6 +43,7 @@ constexpr NamedState kSwitches[] = {FBRDF_NAMED(GL_CULL_FACE),
                                     FBRDF_SINCE(33, GL_RASTERIZER_DISCARD),
                                     FBRDF_SINCE(33, GL_FRAMEBUFFER_SRGB),
                                     FBRDF_SINCE(33, GL_PRIMITIVE_RESTART),
+                                    FBRDF_SINCE(33, GL_TEXTURE_CUBE_MAP_SEAMLESS),
                                     FBRDF_SINCE(33, GL_DEPTH_CLAMP),
                                     FBRDF_SINCE(45, GL_PRIMITIVE_RESTART_FIXED_INDEX)};
 constexpr NamedState kCompatibilitySwitches[] = {

@@ -26,7 +26,7 @@ protected:
     void picture(gl::Renderer& renderer, Offscreen& offscreen)
     {
         const auto mesh = renderer.createMesh(knotMesh(48, 8));
-        const auto material = renderer.createMaterial(testMaterials()[4]);
+        const auto material = renderer.createMaterial(testMaterials()[4], {LookUp::cube, 8});
         renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
                       {{material.get(), mesh.get()}}, testLights(3), {Technique::twoLookup, 8, 0});
     }
@@ -106,12 +106,13 @@ const std::vector<std::string>& published()
     static const std::vector<std::string> names = {
         "GL_CULL_FACE", "GL_DEPTH", "GL_STENCIL_TEST", "GL_SCISSOR", "GL_COLOR_LOGIC_OP",
         "GL_DITHER", "GL_POLYGON", "GL_SAMPLE", "GL_CLIP", "GL_RASTERIZER_DISCARD",
-        "GL_FRAMEBUFFER_SRGB", "GL_PRIMITIVE_RESTART", "GL_ALPHA_TEST", "GL_BLEND",
-        "GL_COLOR_WRITEMASK", "GL_ACTIVE_TEXTURE", "GL_CURRENT_PROGRAM", "GL_VERTEX_ARRAY_BINDING",
-        "GL_ARRAY_BUFFER", "GL_ELEMENT_ARRAY_BUFFER", "GL_DRAW_FRAMEBUFFER", "GL_DRAW_BUFFER0",
-        "GL_RENDERBUFFER", "GL_PIXEL_UNPACK_BUFFER", "GL_VIEWPORT", "GL_UNPACK", "GL_RED_",
-        "GL_GREEN_", "GL_BLUE_", "GL_MAP_COLOR", "GL_CLAMP_FRAGMENT_COLOR", "unit ", "blend",
-        "buffer ", "viewport 0", "attribute ",
+        "GL_FRAMEBUFFER_SRGB", "GL_PRIMITIVE_RESTART", "GL_TEXTURE_CUBE_MAP_SEAMLESS",
+        "GL_ALPHA_TEST", "GL_BLEND", "GL_COLOR_WRITEMASK", "GL_ACTIVE_TEXTURE",
+        "GL_CURRENT_PROGRAM", "GL_VERTEX_ARRAY_BINDING", "GL_ARRAY_BUFFER",
+        "GL_ELEMENT_ARRAY_BUFFER", "GL_DRAW_FRAMEBUFFER", "GL_DRAW_BUFFER0", "GL_RENDERBUFFER",
+        "GL_PIXEL_UNPACK_BUFFER", "GL_VIEWPORT", "GL_UNPACK", "GL_RED_", "GL_GREEN_", "GL_BLUE_",
+        "GL_MAP_COLOR", "GL_CLAMP_FRAGMENT_COLOR", "unit ", "blend", "buffer ", "viewport 0",
+        "attribute ",
         // Of the active unit, which changes:
         "GL_TEXTURE_2D"};
     return names;

@@ -33,6 +33,7 @@ StateScrambler::StateScrambler(const GladGLContext& gl, bool core) : gl_(gl), co
     gl.GenTextures(4, textures3d_);
     gl.GenTextures(1, texturesBuffer_);
     gl.GenTextures(2, texturesArray_);
+    gl.GenTextures(2, texturesCube_);
     if (gl.VERSION_3_3) gl.GenSamplers(2, samplers_);
     gl.GenBuffers(4, buffers_);
     gl.GenVertexArrays(2, arrays_);
@@ -61,6 +62,7 @@ StateScrambler::~StateScrambler()
     gl_.DeleteTextures(4, textures3d_);
     gl_.DeleteTextures(1, texturesBuffer_);
     gl_.DeleteTextures(2, texturesArray_);
+    gl_.DeleteTextures(2, texturesCube_);
     if (gl_.VERSION_3_3) gl_.DeleteSamplers(2, samplers_);
     gl_.DeleteVertexArrays(2, arrays_);
     gl_.DeleteBuffers(4, buffers_);
@@ -185,6 +187,7 @@ void StateScrambler::setBindings(Source& source)
         if (gl_.VERSION_3_0)
             gl_.BindTexture(GL_TEXTURE_2D_ARRAY,
                             source.pick({0u, texturesArray_[0], texturesArray_[1]}));
+        gl_.BindTexture(GL_TEXTURE_CUBE_MAP, source.pick({0u, texturesCube_[0], texturesCube_[1]}));
         if (gl_.VERSION_3_1)
             gl_.BindTexture(GL_TEXTURE_BUFFER, source.pick({0u, texturesBuffer_[0]}));
         if (gl_.VERSION_3_3) gl_.BindSampler(i, source.pick({0u, samplers_[0], samplers_[1]}));

@@ -31,8 +31,8 @@ private:
     const GladGLContext& gl_;
     bool core_;
     GLuint textures2d_[4] = {}, textures3d_[4] = {}, texturesBuffer_[1] = {},
-           texturesArray_[2] = {}, samplers_[2] = {}, buffers_[4] = {}, arrays_[2] = {},
-           framebuffers_[2] = {}, renderbuffers_[3] = {}, program_ = 0;
+           texturesArray_[2] = {}, texturesCube_[2] = {}, samplers_[2] = {}, buffers_[4] = {},
+           arrays_[2] = {}, framebuffers_[2] = {}, renderbuffers_[3] = {}, program_ = 0;
 };
 
 }  // namespace fbrdf::test

@@ -408,6 +408,11 @@ TEST(Plan, RefusesRequestsOutOfRange)
     request = {};
     request.maxLookups = -2;
     expectUsage(request);
+    for (const double error : {-0.1, std::nan("")}) {
+        request = {};
+        request.recombination = error;
+        expectUsage(request);
+    }
 }
 
 // The tester: a plan that is wrong in one of the ways that matter must not pass the simulation.
@@ -472,6 +477,24 @@ TEST(Precision, GrowsByOneRoundingAPass)
     const ErrorBound curved = bound(4, ColourFormat::rgba8, Transfer::srgb);
     EXPECT_EQ(curved.relative, 0.0);
     EXPECT_LT(curved.absolute, 1.1 / 255.0);
+}
+
+TEST(Precision, CountsRecombinedMapsOnce)
+{
+    PlanRequest request = twoLookup(4);
+    const auto bound = [&request] { return planPasses(formPqp(4, 1.0), request, modern()).error; };
+    const ErrorBound native = bound();
+    request.recombination = 0.5;
+    const double factor = std::sqrt(2.0);
+    EXPECT_NEAR(bound().relative, factor * (1.0 + native.relative) - 1.0, 1e-12);
+    EXPECT_EQ(bound().recombination, 0.5);
+    request.transfer = Transfer::srgb;
+    const double curved = bound().absolute;
+    request.recombination = 0.0;
+    // What a code of x <= 1 can move by, both ways.
+    const double up = srgbFromLinear(1.0) - srgbFromLinear(1.0 / factor);
+    EXPECT_GE(curved - bound().absolute, up);
+    EXPECT_LT(curved - bound().absolute, 1.5 * up);
 }
 
 TEST(Precision, NothingMultipliesInPlaceWhereFactorsAreClamped)

@@ -65,9 +65,9 @@ TEST_F(Viewer, HelpNamesEveryOption)
     const ProgramResult result = runViewer("--help");
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err, "");
-    for (const char* option :
-         {"--headless", "--backend", "--material", "--mesh", "--lights", "--light-count", "--seed",
-          "--technique", "--camera", "--size", "--exposure", "--out", "--stats", "--frames"})
+    for (const char* option : {"--headless", "--backend", "--material", "--mesh", "--lights",
+                               "--light-count", "--seed", "--technique", "--look-up", "--camera",
+                               "--size", "--exposure", "--out", "--stats", "--frames"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
@@ -77,6 +77,7 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         {"--nonsense", "--nonsense"},
         {"stray", "stray"},
         {"--technique fast", "--technique: found 'fast'"},
+        {"--look-up dual", "look-up: found 'dual'"},
         {"--headless --backend metal", "metal"},
         {"--backend egl", "--headless"},
         {"--size 10", "--size: found '10'"},

@@ -33,6 +33,7 @@ struct fbrdf_renderer {
 struct fbrdf_material {
     fbrdf::capi::SharedPtr shared;
     std::shared_ptr<fbrdf::gl::GpuMaterial> gpu;
+    fbrdf::gl::MaterialOptions options;
     std::map<uint64_t, std::string> functions;  ///< handed out, by version and lights
 };
 

@@ -1,6 +1,8 @@
 #include "Boundary.h"
 #include "Files.h"
 
+#include <algorithm>
+
 using namespace fbrdf::capi;
 
 namespace {
@@ -98,9 +100,32 @@ fbrdf::gl::Hooks hooksOf(const fbrdf_hooks_desc& desc)
     return hooks;
 }
 
+fbrdf::gl::MaterialOptions optionsOf(const fbrdf_material_desc& desc)
+{
+    fbrdf::gl::MaterialOptions options;
+    options.lookUp = enumerator(desc.look_up, fbrdf::LookUp::cube, "look_up");
+    // What an int does not hold is out of range, as the next number is.
+    options.mapSize = static_cast<int>(
+        std::min(desc.map_size, static_cast<uint32_t>(fbrdf::kLargestMapSize + 1)));
+    return options;
+}
+
+/// optionsOfCall: called where what it throws becomes a result.
+template <class Options>
+fbrdf_result createMaterial(fbrdf_renderer* renderer, const fbrdf_brdf* brdf, fbrdf_material** out,
+                            Options optionsOfCall)
+{
+    return created(renderer ? &renderer->shared->log : nullptr, out, [&] {
+        const SharedPtr& shared = required(renderer, "renderer").shared;
+        const fbrdf::gl::MaterialOptions options = optionsOfCall();
+        auto gpu = shared->renderer.createMaterial(required(brdf, "brdf").material, options);
+        return new fbrdf_material{shared, std::move(gpu), options, {}};
+    });
+}
+
 void replace(fbrdf_material& material, const fbrdf::Material& by)
 {
-    auto gpu = material.shared->renderer.createMaterial(by);
+    auto gpu = material.shared->renderer.createMaterial(by, material.options);
     material.functions.clear();
     material.gpu = std::move(gpu);
 }
@@ -152,11 +177,24 @@ void fbrdf_renderer_release(fbrdf_renderer* renderer)
 fbrdf_result fbrdf_material_create(fbrdf_renderer* renderer, const fbrdf_brdf* brdf,
                                    fbrdf_material** out)
 {
-    return created(renderer ? &renderer->shared->log : nullptr, out, [&] {
-        const SharedPtr& shared = required(renderer, "renderer").shared;
-        auto gpu = shared->renderer.createMaterial(required(brdf, "brdf").material);
-        return new fbrdf_material{shared, std::move(gpu), {}};
-    });
+    return createMaterial(renderer, brdf, out, [] { return fbrdf::gl::MaterialOptions{}; });
+}
+
+fbrdf_result fbrdf_material_create_as(fbrdf_renderer* renderer, const fbrdf_brdf* brdf,
+                                      const fbrdf_material_desc* desc, fbrdf_material** out)
+{
+    return createMaterial(renderer, brdf, out,
+                          [desc] { return optionsOf(descriptor(desc, sizeof *desc, "material")); });
+}
+
+const char* fbrdf_material_why_native(const fbrdf_material* material)
+{
+    return material ? fbrdf::gl::whyNative(*material->gpu).c_str() : "";
+}
+
+float fbrdf_material_look_up_error(const fbrdf_material* material)
+{
+    return material ? static_cast<float>(fbrdf::gl::lookUpError(*material->gpu)) : 0.0f;
 }
 
 fbrdf_result fbrdf_material_replace(fbrdf_material* material, const fbrdf_brdf* brdf)

@@ -118,7 +118,8 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
         stats.technique = plan.technique;
     }
     stats.error = {std::max(stats.error.relative, plan.error.relative),
-                   std::max(stats.error.absolute, plan.error.absolute)};
+                   std::max(stats.error.absolute, plan.error.absolute),
+                   std::max(stats.error.recombination, plan.error.recombination)};
     stats.passes = std::max(stats.passes, passes);
     stats.drawCalls += passes;
 }

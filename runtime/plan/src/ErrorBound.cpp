@@ -65,6 +65,7 @@ ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target, doub
     }
     ErrorBound result = surfaces[static_cast<size_t>(Surface::target)];
     if (!curved) result.relative += replaced * (1.0 + result.relative);
+    result.recombination = recombination;
     return result;
 }
 

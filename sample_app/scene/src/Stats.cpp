@@ -34,6 +34,7 @@ std::string statsToJson(const Stats& stats)
         {"gl_renderer", textOrNull(stats.glRenderer)},
         {"gl_version", textOrNull(stats.glVersion)},
         {"technique", stats.technique},
+        {"look_up", textOrNull(stats.lookUp)},
         {"technique_drawn", textOrNull(stats.techniqueDrawn)},
         {"why_replaced", textOrNull(stats.whyReplaced)},
         {"error_bound", {{"relative", stats.errorRelative}, {"absolute", stats.errorAbsolute}}},

@@ -38,6 +38,27 @@ FBRDF_API void fbrdf_renderer_release(fbrdf_renderer* renderer);
 
 FBRDF_API fbrdf_result fbrdf_material_create(fbrdf_renderer* renderer, const fbrdf_brdf* brdf,
                                              fbrdf_material** out);
+typedef enum fbrdf_look_up {
+    FBRDF_LOOK_UP_NATIVE = 0,    /* warped as the BRDF says */
+    FBRDF_LOOK_UP_PARABOLIC = 1, /* at (x, y) / (1 + z) */
+    FBRDF_LOOK_UP_CUBE = 2       /* at (x, y, z), in cube maps */
+} fbrdf_look_up;
+typedef struct fbrdf_material_desc {
+    uint32_t struct_size;
+    uint32_t look_up;  /* fbrdf_look_up, of the maps over one direction; others stay native */
+    uint32_t map_size; /* texels on a side, even, 2 to 2048; 0: as many as it needs, see
+                          fbrdf/brdf/DirectionMap.h */
+} fbrdf_material_desc;
+/* The same with its maps recombined; a BRDF that comes in its place has them so too. */
+FBRDF_API fbrdf_result fbrdf_material_create_as(fbrdf_renderer* renderer, const fbrdf_brdf* brdf,
+                                                const fbrdf_material_desc* desc,
+                                                fbrdf_material** out);
+/* Why maps stayed native; "" where none did. Until the BRDF is replaced. "" for NULL. */
+FBRDF_API const char* fbrdf_material_why_native(const fbrdf_material* material);
+/* How far recombined maps may be from those of the BRDF, |log2| of a product; draws count it in
+ * their error. 0 for NULL. */
+FBRDF_API float fbrdf_material_look_up_error(const fbrdf_material* material);
+
 /* Another BRDF in the place of the one it has; on failure it keeps that one. */
 FBRDF_API fbrdf_result fbrdf_material_replace(fbrdf_material* material, const fbrdf_brdf* brdf);
 /* The same from a file, for a host that saw it change. */

@@ -19,8 +19,9 @@ public:
     MaterialBinding& operator=(MaterialBinding&&) noexcept;
 
     /// Makes the program current, sets its uniforms, binds the textures from `firstUnit` on and
-    /// unbinds samplers there; leaves all that bound, and the active unit. Returns the number of
-    /// units. Throws Error(gl) where the units do not suffice.
+    /// unbinds samplers there; leaves all that bound, and the active unit. Cube maps are filtered
+    /// across their edges where the host enables GL_TEXTURE_CUBE_MAP_SEAMLESS. Returns the number
+    /// of units. Throws Error(gl) where the units do not suffice.
     int apply(int firstUnit) const;
 
 private:

@@ -88,6 +88,7 @@ void validate(const PlanRequest& request);
 /// is in ErrorBound.cpp.
 struct ErrorBound {
     double relative = 0.0, absolute = 0.0;
+    double recombination = 0.0;  ///< of the request: what recombined maps add to it, |log2|
 };
 
 struct Plan {

@@ -17,6 +17,7 @@ struct Stats {
     std::string technique, mesh;
     std::string techniqueDrawn, whyReplaced;  ///< what the runtime took, and why not `technique`;
                                               ///< empty on the CPU, and where it is the same
+    std::string lookUp;                       ///< asked for of maps over one direction
     double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
     std::vector<std::string> materials;               ///< names
     std::string evaluated;  ///< "source" or "material": what the BRDF values came from
@@ -29,9 +30,9 @@ struct Stats {
 };
 
 /// One object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
-/// technique_drawn, why_replaced (null where there is nothing to say), error_bound {relative,
-/// absolute}, evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped},
-/// max_lookups, accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
+/// look_up, technique_drawn, why_replaced (null where there is nothing to say), error_bound
+/// {relative, absolute}, evaluated, size, covered_pixels, passes, draw_calls, lights {given, used,
+/// dropped}, max_lookups, accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
 
 }  // namespace fbrdf::scene
