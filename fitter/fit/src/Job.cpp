@@ -95,34 +95,35 @@ Fitted fitForm(const Job& job, const Form& form)
 
 SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted)
 {
-    if (!job.feed.exact)
-        return heldOutOf(job, fitted.material.form, fitted.smoothness, job.folds).errors;
+    if (!job.feed.exact) {
+        HeldOut held;
+        holdOut(job, fitted.material.form, fitted.smoothness, job.folds, held);
+        return held.errors;
+    }
     const auto test = samplesAt(source, uniformPairs(kTestSamples, 0), job.options.threads);
     return sampleErrors(test, evaluateAt(fitted.material, test, job.options.threads),
                         job.traits.floor);
 }
 
-HeldOut heldOutOf(const Job& job, const Form& form, double smoothness, int folds)
+void holdOut(const Job& job, const Form& form, double smoothness, int folds, HeldOut& held)
 {
+    if (held.folds >= folds) return;
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));
-    HeldOut result;
-    std::vector<Sample> held;
-    std::vector<Vec3f> fitted;
-    for (int fold = 0; fold < folds; ++fold) {
+    for (; held.folds < folds; ++held.folds) {
         SolveOptions options = solveOptions(job);
         options.smoothness = smoothness;
-        options.excludedFold = fold;
+        options.excludedFold = held.folds;
         const Solution solution = solve(problem, options);
-        result.smoothness = solution.smoothness;
+        held.smoothness = solution.smoothness;
         const Material material = bake(form, problem.layout(), solution.x, job.options.storage);
-        const auto part = probeOf(job, FoldChoice::onlyOf(fold));
+        const auto part = probeOf(job, FoldChoice::onlyOf(held.folds));
         const auto values = evaluateAt(material, part, job.options.threads);
-        held.insert(held.end(), part.begin(), part.end());
-        fitted.insert(fitted.end(), values.begin(), values.end());
+        held.samples.insert(held.samples.end(), part.begin(), part.end());
+        held.fitted.insert(held.fitted.end(), values.begin(), values.end());
     }
-    if (!held.empty()) result.errors = sampleErrors(held, fitted, job.traits.floor);
-    return result;
+    if (!held.samples.empty())
+        held.errors = sampleErrors(held.samples, held.fitted, job.traits.floor);
 }
 
 }  // namespace fbrdf

@@ -48,13 +48,15 @@ SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& f
 /// At most kProbeSamples of the data: what errors are taken from.
 std::vector<Sample> probeOf(const Job& job, const FoldChoice& choice = FoldChoice::all());
 
-/// Errors on samples that took no part, and the smoothness of the last fit.
+/// Samples that took no part in the fits of a form, each of the first folds left out of one.
 struct HeldOut {
+    int folds = 0;
+    double smoothness = 0;  ///< of the last fit
+    std::vector<Sample> samples;
+    std::vector<Vec3f> fitted;
     SampleErrors errors;
-    double smoothness = 0;
 };
-/// Each of `folds` folds is left out of a fit of its own. `smoothness` 0: chosen in each of these
-/// fits.
-HeldOut heldOutOf(const Job& job, const Form& form, double smoothness, int folds);
+/// Goes on to `folds` folds. `smoothness` 0: chosen in each of these fits.
+void holdOut(const Job& job, const Form& form, double smoothness, int folds, HeldOut& held);
 
 }  // namespace fbrdf

@@ -16,7 +16,9 @@ constexpr size_t kTrialSamples = 32768;  // enough to tell forms apart
 constexpr size_t kAutoBytes = 32768;     // without --max-bytes
 constexpr size_t kMaxTrials = 32;        // before the finals; bounds the time
 constexpr size_t kFinalists = 3;
-constexpr double kNear = 1.15;  // of the best score: what a part of the samples cannot tell apart
+// Of the best score: what a part of the samples cannot tell apart, and what the choice of the
+// smoothness may change.
+constexpr double kNear = 1.15, kNearOfAll = 1.05;
 // The result's score is at most this much of the least of all trials: what saving bytes may cost.
 constexpr double kAllowed = 1.01;
 // Least fall of the errors that pays for another warp, and for texels: half as many again.
@@ -25,17 +27,32 @@ constexpr double kWorthWarp = 0.01, kWorthTexels = 0.05;
 constexpr double kFineScore = 2e-3, kFineCubeRoot = 5e-3;
 constexpr double kSizeStep = 1.5, kWarpStep = 1.4;
 
-struct Candidate {
-    Form form;
-    size_t trial = 0;  ///< its row
-    size_t bytes = 0;
+/// How a candidate stands.
+struct Marks {
     double score = 0;
     /// Mean logarithm of the score and of the error in the cube-root metric: the first says how
     /// well most directions are held, the second sees highlights.
     double merit = 0;
-    double smoothness = 0;
-    bool fine = false;
 };
+
+struct Candidate {
+    Form form;
+    size_t trial = 0;  ///< its row
+    size_t bytes = 0;
+    HeldOut held;
+    std::vector<Marks> marks;  ///< after each fold
+
+    double score() const { return marks.back().score; }
+    bool isFine() const { return score() < kFineScore && held.errors.cubeRootRms < kFineCubeRoot; }
+};
+
+// What the samples left out so far cannot tell apart, relative. The median of n normal errors is
+// known to 1.17 / sqrt(n); two candidates err on the same samples, and much alike.
+double slackOf(const HeldOut& held)
+{
+    constexpr double kSure = 4.0;
+    return kSure / std::sqrt(static_cast<double>(std::max<size_t>(1, held.samples.size())));
+}
 
 class Search {
 public:
@@ -46,11 +63,17 @@ public:
 
     size_t budget() const { return all_.options.maxBytes > 0 ? all_.options.maxBytes : kAutoBytes; }
 
+    /// Candidates race: who has fallen behind for certain is left out of the folds to come (Maron
+    /// and Moore 1994, "Hoeffding races").
     std::vector<Candidate> tryForms(const std::vector<std::string>& names)
     {
         std::vector<Candidate> candidates;
         for (const std::string& name : names)
-            if (const auto form = sized(name)) candidates.push_back(attempt(*form, "form", 0.0));
+            if (const auto form = sized(name)) candidates.push_back(start(*form, "form", 0.0));
+        for (int folds = 2; folds <= part_.folds; ++folds) {
+            leaveBehind(candidates);
+            for (Candidate& c : candidates) goOn(c, folds);
+        }
         return candidates;
     }
 
@@ -64,14 +87,12 @@ public:
     /// The best of some candidates: of those near the least score the smallest, then the best.
     Candidate pick(const std::vector<Candidate>& candidates) const
     {
-        const auto byScore = [](const Candidate& a, const Candidate& b) {
-            return a.score < b.score;
-        };
-        const double least = std::min_element(candidates.begin(), candidates.end(), byScore)->score;
+        const double least = leastScore(candidates);
         const Candidate* best = nullptr;
         for (const Candidate& c : candidates) {
-            if (c.score > least * kAllowed) continue;
-            if (!best || c.bytes < best->bytes || (c.bytes == best->bytes && c.score < best->score))
+            if (c.score() > least * kAllowed) continue;
+            if (!best || c.bytes < best->bytes ||
+                (c.bytes == best->bytes && c.score() < best->score()))
                 best = &c;
         }
         return *best;
@@ -81,9 +102,23 @@ public:
     Candidate final(const Source& source, const Form& form, Fitted& fitted)
     {
         const Clock clock;
+        Candidate candidate = added(form, "final");
         fitted = fitForm(all_, form);
-        return record(form, "final", {heldOutErrors(source, all_, fitted), fitted.smoothness},
-                      clock);
+        candidate.held.errors = heldOutErrors(source, all_, fitted);
+        record(candidate, clock.seconds());
+        return candidate;
+    }
+    /// The best, and the named that the trials do not tell from the best of them.
+    std::vector<Candidate> finalists(const Candidate& best, std::vector<Candidate> named) const
+    {
+        const double near =
+            leastScore(named) * (part_.feed.rows < all_.feed.rows ? kNear : kNearOfAll);
+        std::sort(named.begin(), named.end(), byScore);
+        std::vector<Candidate> result{best};
+        for (const Candidate& c : named)
+            if (result.size() < kFinalists && c.trial != best.trial && c.score() <= near)
+                result.push_back(c);
+        return result;
     }
 
 private:
@@ -100,17 +135,13 @@ private:
 
     bool isWithin(const Form& form) const { return bytesOf(all_, form) <= budget(); }
 
-    Candidate attempt(const Form& form, const std::string& stage, double smoothness)
+    static bool byScore(const Candidate& a, const Candidate& b) { return a.score() < b.score(); }
+    static double leastScore(const std::vector<Candidate>& candidates)
     {
-        const Clock clock;
-        return record(
-            form, stage,
-            heldOutOf(part_, form, all_.options.smoothness.value_or(smoothness), part_.folds),
-            clock);
+        return std::min_element(candidates.begin(), candidates.end(), byScore)->score();
     }
 
-    Candidate record(const Form& form, const std::string& stage, const HeldOut& held,
-                     const Clock& clock)
+    Candidate added(const Form& form, const std::string& stage)
     {
         Trial trial;
         trial.form = form.name;
@@ -118,29 +149,72 @@ private:
         trial.description = describe(form);
         trial.bytes = bytesOf(all_, form);
         trial.lookups = lookupsPerLight(form);
-        trial.seconds = clock.seconds();
-        trial.heldOut = held.errors;
-        trial.score = scoreOf(held.errors, all_.options.metric);
         trials_.push_back(trial);
+        return {form, trials_.size() - 1, trial.bytes, {}, {}};
+    }
+
+    void record(Candidate& candidate, double seconds)
+    {
         constexpr double kZero = 1e-12;  // a fit without any error has a logarithm too
-        return {form,
-                trials_.size() - 1,
-                trial.bytes,
-                trial.score,
-                0.5 * (std::log(trial.score + kZero) + std::log(held.errors.cubeRootRms + kZero)),
-                held.smoothness,
-                trial.score < kFineScore && held.errors.cubeRootRms < kFineCubeRoot};
+        const SampleErrors& errors = candidate.held.errors;
+        Trial& trial = trials_[candidate.trial];
+        trial.seconds += seconds;
+        trial.heldOut = errors;
+        trial.score = scoreOf(errors, all_.options.metric);
+        candidate.marks.push_back({trial.score, 0.5 * (std::log(trial.score + kZero) +
+                                                       std::log(errors.cubeRootRms + kZero))});
+    }
+
+    /// The first fold. `smoothness` 0: the fold chooses it, for those to come as well.
+    Candidate start(const Form& form, const std::string& stage, double smoothness)
+    {
+        Candidate candidate = added(form, stage);
+        candidate.held.smoothness = all_.options.smoothness.value_or(smoothness);
+        goOn(candidate, 1);
+        return candidate;
+    }
+
+    void goOn(Candidate& candidate, int folds)
+    {
+        const Clock clock;
+        holdOut(part_, candidate.form, candidate.held.smoothness, folds, candidate.held);
+        record(candidate, clock.seconds());
+    }
+
+    static void leaveBehind(std::vector<Candidate>& candidates)
+    {
+        const double most = leastScore(candidates) * (1.0 + slackOf(candidates.front().held));
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                        [most](const Candidate& c) { return c.score() > most; }),
+                         candidates.end());
+    }
+
+    /// The variant, unless a fold shows that its merit changes by more than `change` against
+    /// `reference`, or that it gives up the score.
+    std::optional<Candidate> attempt(const Form& variant, const std::string& stage,
+                                     const Candidate& reference, double change)
+    {
+        Candidate next = start(variant, stage, reference.held.smoothness);
+        for (int folds = 1;; ++folds) {
+            const Marks &ours = next.marks.back(),
+                        &theirs = reference.marks[static_cast<size_t>(folds - 1)];
+            const double slack = folds < part_.folds ? slackOf(next.held) : 0.0;
+            if (ours.merit > theirs.merit + change + slack ||
+                ours.score > theirs.score * kAllowed * (1.0 + slack))
+                return std::nullopt;
+            if (folds == part_.folds) return next;
+            goOn(next, folds + 1);
+        }
     }
 
     /// Takes the variant when it lowers the errors by `worth`, without giving up the score.
     bool take(Candidate& best, const std::optional<Form>& variant, const char* stage, double worth)
     {
-        if (!variant || best.fine || !isWithin(*variant) || trials_.size() >= kMaxTrials)
+        if (!variant || best.isFine() || !isWithin(*variant) || trials_.size() >= kMaxTrials)
             return false;
-        const Candidate next = attempt(*variant, stage, best.smoothness);
-        if (next.merit > best.merit + std::log(1.0 - worth) || next.score > best.score * kAllowed)
-            return false;
-        best = next;
+        auto next = attempt(*variant, stage, best, std::log(1.0 - worth));
+        if (!next) return false;
+        best = std::move(*next);
         return true;
     }
 
@@ -189,13 +263,13 @@ private:
     // Texels that change nothing are given back; what that costs must not add up.
     void shrink(Candidate& best)
     {
-        const double most = best.score * kAllowed, worst = best.merit + std::log(kAllowed);
+        const Candidate reference = best;
         for (const size_t table : maps(best.form))
             while (const auto smaller = resized(best.form, table, 1.0 / kSizeStep)) {
                 if (trials_.size() >= kMaxTrials) return;
-                const Candidate next = attempt(*smaller, "size", best.smoothness);
-                if (next.score > most || next.merit > worst) break;
-                best = next;
+                auto next = attempt(*smaller, "size", reference, std::log(kAllowed));
+                if (!next) break;
+                best = std::move(*next);
             }
     }
 
@@ -219,18 +293,6 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         add(3, {"gg+hdio+pqpr"});
     }
     return names;
-}
-
-std::vector<Candidate> finalists(const Candidate& best, std::vector<Candidate> named)
-{
-    std::sort(named.begin(), named.end(),
-              [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
-    std::vector<Candidate> result{best};
-    for (const Candidate& c : named)
-        if (result.size() < kFinalists && c.trial != best.trial &&
-            c.score <= kNear * named.front().score)
-            result.push_back(c);
-    return result;
 }
 
 }  // namespace
@@ -262,7 +324,7 @@ Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& tria
     search.improve(best);
     std::vector<Candidate> finals;
     std::vector<Fitted> fits;
-    for (const Candidate& c : finalists(best, named))
+    for (const Candidate& c : search.finalists(best, named))
         finals.push_back(search.final(source, c.form, fits.emplace_back()));
     const size_t chosen = search.pick(finals).trial;
     trials[chosen].chosen = true;

@@ -75,9 +75,9 @@ struct Trial {
     size_t bytes = 0;
     int lookups = 0;  ///< per light
     double seconds = 0;
-    SampleErrors heldOut;
-    double score = 0;     ///< the held-out error that decides: log_median, or that of the metric
-    bool chosen = false;  ///< the one that was fitted in the end
+    SampleErrors heldOut;  ///< of one that fell behind: on the folds until then
+    double score = 0;      ///< the held-out error that decides: log_median, or that of the metric
+    bool chosen = false;   ///< the one that was fitted in the end
 };
 
 struct FitSummary {
