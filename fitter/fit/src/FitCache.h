@@ -28,6 +28,9 @@ public:
     void keepRows(const std::string& key, std::shared_ptr<const RowGeometries> rows);
     std::shared_ptr<const GridSystems> systems(const std::string& key);
     void keepSystems(const std::string& key, std::shared_ptr<const GridSystems> systems);
+    /// LeastSquares::support of equal weights.
+    std::shared_ptr<const std::vector<double>> support(const std::string& key);
+    void keepSupport(const std::string& key, std::shared_ptr<const std::vector<double>> support);
 
 private:
     template <class Value>
@@ -41,6 +44,7 @@ private:
     std::mutex mutex_;
     Shelf<RowGeometries> rows_;
     Shelf<GridSystems> systems_;
+    Shelf<std::vector<double>> supports_;
     uint64_t clock_ = 0;
 };
 

@@ -39,49 +39,55 @@ Response responseInMetric(Metric metric, float c, float logF, float logG)
 }
 
 LeastSquares::Texels::Texels(const LeastSquares& problem, const State& x)
-    : values(problem.unknowns()), levels(problem.form_.terms.size(), Vec3f(0.0f))
+    : values(problem.unknowns() * kLanes), levels(problem.form_.terms.size() * kLanes)
 {
     const size_t n = problem.unknowns();
     const Layout& layout = problem.layout_;
-    if (!layout.sharedShape()) {
-        if (takeFlat(problem, x)) return;
-        for (size_t i = 0; i < n; ++i) values[i] = Vec3f(Vec3d(x[i], x[n + i], x[2 * n + i]));
-        return;
-    }
-    for (size_t i = 0; i < n; ++i) values[i] = Vec3f(static_cast<float>(x[i]));
-    for (size_t t = 0; t < levels.size(); ++t)
+    if (takeFlat(problem, x)) return;
+    const size_t columnStep = layout.sharedShape() ? 0 : n;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t c = 0; c < 3; ++c)
+            values[i * kLanes + c] = static_cast<float>(x[c * columnStep + i]);
+    for (size_t t = 0; layout.sharedShape() && t < problem.form_.terms.size(); ++t)
         for (int c = 0; c < 3; ++c)
-            levels[t][c] = static_cast<float>(x[static_cast<size_t>(layout.levelOf(t, c))]);
+            levels[t * kLanes + static_cast<size_t>(c)] =
+                static_cast<float>(x[static_cast<size_t>(layout.levelOf(t, c))]);
 }
 
 // Texels that are all equal say the same everywhere: weights of a factor sum to 1.
 bool LeastSquares::Texels::takeFlat(const LeastSquares& problem, const State& x)
 {
     const size_t n = problem.unknowns();
-    if (problem.form_.terms.size() > 1) return false;
+    if (problem.layout_.sharedShape() || problem.form_.terms.size() > 1) return false;
     for (size_t i = 0; i < x.size(); ++i)
         if (x[i] != x[i / n * n]) return false;
     values.clear();
-    levels[0] = static_cast<float>(problem.form_.terms[0].factors.size()) *
-                Vec3f(Vec3d(x[0], x[n], x[2 * n]));
+    const auto factors = static_cast<float>(problem.form_.terms[0].factors.size());
+    for (size_t c = 0; c < 3; ++c) levels[c] = factors * static_cast<float>(x[c * n]);
     return true;
 }
 
-Vec3f LeastSquares::Texels::predict(const std::vector<int>& termEnd, const int* unknown,
-                                    const float* weight, Vec3f* share) const
+void LeastSquares::predict(const RowGeometry& rows, size_t first, size_t count,
+                           const Texels& texels, Predicted& predicted) const
 {
-    size_t k = 0;
-    Vec3f sum(0.0f);
-    for (size_t t = 0; t < termEnd.size(); ++t) {
-        Vec3f logG = levels[t];
-        for (; k < static_cast<size_t>(termEnd[t]); ++k)
-            logG += weight[k] * values[static_cast<size_t>(unknown[k])];
-        if (termEnd.size() == 1) return logG;
-        share[t] = Vec3f(std::exp2(logG.x), std::exp2(logG.y), std::exp2(logG.z));
-        sum += share[t];
+    const auto width = static_cast<size_t>(maker_.width());
+    const size_t terms = form_.terms.size();
+    predicted.logG.resize(count * kLanes);
+    predicted.share.resize(terms > 1 ? count * terms * kLanes : 0);
+    if (texels.values.empty()) {
+        for (size_t k = 0; k < predicted.logG.size(); ++k)
+            predicted.logG[k] = texels.levels[k % kLanes];
+        return;
     }
-    for (size_t t = 0; t < termEnd.size(); ++t) share[t] /= sum;
-    return {std::log2(sum.x), std::log2(sum.y), std::log2(sum.z)};
+    KernelRows kernelRows{};
+    kernelRows.count = static_cast<std::ptrdiff_t>(count);
+    kernelRows.width = maker_.width();
+    kernelRows.unknown = rows.unknown.data() + first * width;
+    kernelRows.weight = rows.weight.data() + first * width;
+    kernelRows.termEnd = maker_.termEnd().data();
+    kernelRows.terms = static_cast<std::ptrdiff_t>(terms);
+    rowKernels().predict(kernelRows, {texels.values.data(), texels.levels.data()},
+                         predicted.logG.data(), predicted.share.data());
 }
 
 LeastSquares::LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed,
@@ -220,6 +226,18 @@ std::vector<double> LeastSquares::support() const
 {
     constexpr size_t kStreamRows = 262144;
     if (!feed_.held) return thinned(kStreamRows, kNoFold).support();
+    // Where every value counts, the pairs of directions tell.
+    if (cacheKey_.empty() || !store_->sameWeights()) return countedSupport();
+    auto known = options_.cache->support(cacheKey_);
+    if (!known) {
+        known = std::make_shared<const std::vector<double>>(countedSupport());
+        options_.cache->keepSupport(cacheKey_, known);
+    }
+    return *known;
+}
+
+std::vector<double> LeastSquares::countedSupport() const
+{
     const auto width = static_cast<size_t>(maker_.width());
     std::vector<std::vector<double>> parts(kParts, std::vector<double>(unknowns(), 0.0));
     forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
@@ -257,8 +275,9 @@ void LeastSquares::forEachLeftOut(const std::vector<int>& folds, const Visit& vi
         const RowStore::Block rows = store_->block(block, scratch);
         for (size_t i = 0; i < rows.geometry.count; ++i) {
             const uint64_t number = rows.geometry.first + i;
+            if (mixed(number ^ ~seed_) > lastRow) continue;
             const auto found = std::find(folds.begin(), folds.end(), foldOf(number, seed_));
-            if (found == folds.end() || mixed(number ^ ~seed_) > lastRow) continue;
+            if (found == folds.end()) continue;
             visit(part, rows, i, static_cast<size_t>(found - folds.begin()));
         }
     });
@@ -274,11 +293,11 @@ std::vector<double> LeastSquares::foldErrors(const std::vector<States>& states,
         for (const State& state : fold) texels.emplace_back(*this, state);
     const size_t strengths = states[0].size(), numbers = 2 * texels.size();
     std::vector<double> sums(kParts * numbers, 0.0);
-    std::vector<std::vector<Vec3f>> shares(kParts,
-                                           std::vector<Vec3f>(form_.terms.size(), Vec3f(1.0f)));
+    std::vector<Predicted> predicted(kParts);
     forEachLeftOut(folds, [&](size_t part, const RowStore::Block& rows, size_t i, size_t fold) {
         for (size_t k = fold * strengths; k < (fold + 1) * strengths; ++k) {
-            const Row row = rowAt(rows, i, texels[k], {}, Vec3f(1.0f), shares[part].data());
+            predict(rows.geometry, i, 1, texels[k], predicted[part]);
+            const Row row = rowAt(rows, i, predicted[part].logG.data(), {}, Vec3f(1.0f));
             double* sum = &sums[part * numbers + 2 * k];
             for (int c = 0; c < 3; ++c) {
                 const auto weight = static_cast<double>(row.sampleWeight[c]);

@@ -102,6 +102,7 @@ public:
 private:
     struct Row;
     struct Texels;
+    struct Predicted;
     struct Pass;
     struct NormalRows;
     struct SharedSystems;
@@ -113,12 +114,16 @@ private:
     void forEachBlock(const Visit& visit) const;
     float unbiasedAt(const RowStore::Block& rows, size_t i, int channel, float logG,
                      float& residual) const;
-    Row rowAt(const RowStore::Block& rows, size_t i, const Texels& texels,
-              const StepOptions& options, const Vec3f& scale, Vec3f* share) const;
+    /// Of rows [first, first + count) of a block.
+    void predict(const RowGeometry& rows, size_t first, size_t count, const Texels& texels,
+                 Predicted& predicted) const;
+    Row rowAt(const RowStore::Block& rows, size_t i, const float* logG, const StepOptions& options,
+              const Vec3f& scale) const;
     /// Calls visit(row, fold) for the samples that take part.
     template <class Visit>
     void forEachRow(size_t block, RowStore::Scratch& scratch, const Texels& texels,
                     const StepOptions& options, const Vec3f& scale, const Visit& visit) const;
+    std::vector<double> countedSupport() const;
     Vec3f tukeyScale(const State& x, const StepOptions& options) const;
     std::vector<Pass> passes(const StepOptions& options, size_t groups) const;
     struct RowOptions;

@@ -13,25 +13,25 @@ namespace fbrdf {
 // bits everywhere.
 constexpr size_t kParts = 4;
 
-/// A state as rows read it: floats, the channels of a texel side by side.
+/// A state as rows read it: floats, a lane a channel.
 struct LeastSquares::Texels {
-    std::vector<Vec3f> values;  ///< one an unknown; none where the levels say all
-    std::vector<Vec3f> levels;  ///< one a term; 0 without a shared shape
+    std::vector<float> values;  ///< unknowns x kLanes; none where the levels say all
+    std::vector<float> levels;  ///< terms x kLanes; 0 without a shared shape
 
     Texels(const LeastSquares& problem, const State& x);
-    /// log2 g of a row; share: one a term, what it contributes to g.
-    Vec3f predict(const std::vector<int>& termEnd, const int* unknown, const float* weight,
-                  Vec3f* share) const;
 
 private:
     bool takeFlat(const LeastSquares& problem, const State& x);
 };
 
+/// What a state says of rows, a lane a channel.
+struct LeastSquares::Predicted {
+    std::vector<float> logG;   ///< rows x kLanes: log2 g
+    std::vector<float> share;  ///< rows x terms x kLanes: what each term contributes to g
+};
+
 /// What a visitor of rows sees of one sample.
 struct LeastSquares::Row {
-    const int* unknown;
-    const float* weight;
-    const Vec3f* share;
     Vec3f residual;      ///< in the metric's own terms
     Vec3f sampleWeight;  ///< all in all; 0: the channel says nothing
     Vec3f noiseWeight;   ///< without metric and robustness
@@ -134,17 +134,12 @@ inline float LeastSquares::unbiasedAt(const RowStore::Block& rows, size_t i, int
     return rows.values.sampleWeight[i] / (1.0f + noise * noise);
 }
 
+/// logG: kLanes, as Predicted has them.
 inline LeastSquares::Row LeastSquares::rowAt(const RowStore::Block& rows, size_t i,
-                                             const Texels& texels, const StepOptions& options,
-                                             const Vec3f& scale, Vec3f* share) const
+                                             const float* logG, const StepOptions& options,
+                                             const Vec3f& scale) const
 {
-    const size_t from = i * static_cast<size_t>(maker_.width());
-    Row row{
-        &rows.geometry.unknown[from], &rows.geometry.weight[from], share, Vec3f(0.0f), Vec3f(0.0f),
-        rows.values.weight[i]};
-    const Vec3f logG = texels.values.empty()
-                           ? texels.levels[0]
-                           : texels.predict(maker_.termEnd(), row.unknown, row.weight, share);
+    Row row{Vec3f(0.0f), Vec3f(0.0f), rows.values.weight[i]};
     for (int c = 0; c < 3; ++c) {
         if (options.unbiased && traits_.floor[c] > 0.0f) {
             row.noiseWeight[c] = unbiasedAt(rows, i, c, logG[c], row.residual[c]);
@@ -174,12 +169,13 @@ void LeastSquares::forEachRow(size_t block, RowStore::Scratch& scratch, const Te
                               const Visit& visit) const
 {
     const RowStore::Block rows = store_->block(block, scratch);
-    std::vector<Vec3f> share(form_.terms.size(), Vec3f(1.0f));
+    Predicted predicted;
+    predict(rows.geometry, 0, rows.geometry.count, texels, predicted);
     const bool everyFold = options.excludedFold == kNoFold;
     for (size_t i = 0; i < rows.geometry.count; ++i) {
         const int fold = foldOf(rows.geometry.first + i, seed_);
         if (everyFold || fold != options.excludedFold)
-            visit(rowAt(rows, i, texels, options, scale, share.data()), fold);
+            visit(rowAt(rows, i, &predicted.logG[i * kLanes], options, scale), fold);
     }
 }
 

@@ -83,22 +83,23 @@ void LeastSquares::makeNormalRows(const RowStore::Block& block, const RowOptions
     made.group.assign(count, kNoGroup);
     made.sampleWeight.resize(count * kLanes);
     made.residual.resize(count * kLanes);
-    made.share.resize(terms > 1 ? count * terms * kLanes : 0);
+    made.share.assign(terms > 1 ? count * terms * kLanes : 0, 0.0f);
     const bool oneGroup = isOneGroup(with.groups);
-    std::vector<Vec3f> share(terms, Vec3f(1.0f));
+    Predicted predicted;
+    predict(block.geometry, 0, block.geometry.count, with.texels, predicted);
     for (size_t i = 0; i < block.geometry.count; ++i) {
         const auto fold =
             oneGroup ? size_t{0} : static_cast<size_t>(foldOf(block.geometry.first + i, seed_));
         if (with.groups[fold] == kNoGroup) continue;
-        const Row row = rowAt(block, i, with.texels, with.options, with.scale, share.data());
+        const Row row = rowAt(block, i, &predicted.logG[i * kLanes], with.options, with.scale);
         for (size_t c = 0; c < repeats; ++c) {
             const size_t at = i * repeats + c, first = with.pass.first + c;
             made.group[at] = with.groups[fold];
             setLanes(row.sampleWeight, first, with.pass.channels, &made.sampleWeight[at * kLanes]);
             setLanes(row.residual, first, with.pass.channels, &made.residual[at * kLanes]);
             for (size_t t = 0; terms > 1 && t < terms; ++t)
-                setLanes(share[t], first, with.pass.channels,
-                         &made.share[(at * terms + t) * kLanes]);
+                std::copy_n(&predicted.share[(i * terms + t) * kLanes + first], with.pass.channels,
+                            &made.share[(at * terms + t) * kLanes]);
         }
     }
     if (layout_.sharedShape()) repeatForChannels(block.geometry, made);

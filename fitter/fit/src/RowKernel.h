@@ -22,6 +22,12 @@ struct KernelRows {
     const unsigned char* group;              ///< count: whose sums the row adds to
 };
 
+/// A state as rows read it: texels and levels of terms, a lane a channel.
+struct KernelTexels {
+    const float* values;  ///< unknowns x kRowLanes
+    const float* levels;  ///< terms x kRowLanes
+};
+
 /// Where sums of w b b^T (as BorderedMatrix, lane contiguous) and of w b r (unknowns x kRowLanes)
 /// are made; one of each a group.
 struct KernelSums {
@@ -30,6 +36,12 @@ struct KernelSums {
 };
 
 struct RowKernels {
+    /// In place: log2 of normal numbers > 0.
+    void (*log2)(float* numbers, std::ptrdiff_t count);
+    /// logG: log2 g of rows, count x kRowLanes; share: what each term contributes to g, count x
+    /// terms x kRowLanes, of one term untouched. Of `rows` the geometry and the terms count. Terms
+    /// are cut off at 2^-126 and 2^126.
+    void (*predict)(const KernelRows& rows, const KernelTexels& texels, float* logG, float* share);
     /// entryLanes: 1 where all lanes have the same b, that of lane 0; matrixLanes: 0 (no matrix), 1
     /// (lane 0 for all) or kRowLanes. scratch: width x kRowLanes.
     void (*add)(const KernelRows& rows, const KernelSums& sums, int entryLanes, int matrixLanes,

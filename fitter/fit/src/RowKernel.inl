@@ -14,8 +14,13 @@ struct OneLane {
 struct FourLanes {
     typedef double Value __attribute__((vector_size(32), aligned(8), may_alias));
     typedef float Floats __attribute__((vector_size(16), aligned(4), may_alias));
+    typedef int Ints __attribute__((vector_size(16), aligned(4), may_alias));
+    typedef unsigned Words __attribute__((vector_size(16), aligned(4), may_alias));
 };
 using Four = FourLanes::Value;
+using FourFloats = FourLanes::Floats;
+using FourInts = FourLanes::Ints;
+using FourWords = FourLanes::Words;
 
 Four& lanesAt(double* numbers, Index index)
 {
@@ -27,7 +32,87 @@ const Four& lanesAt(const double* numbers, Index index)
 }
 void widen(const float* lanes, Four& wide)
 {
-    wide = __builtin_convertvector(*reinterpret_cast<const FourLanes::Floats*>(lanes), Four);
+    wide = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(lanes), Four);
+}
+
+FourFloats& lanesAt(float* numbers, Index index)
+{
+    return reinterpret_cast<FourFloats*>(numbers)[index];
+}
+const FourFloats& lanesAt(const float* numbers, Index index)
+{
+    return reinterpret_cast<const FourFloats*>(numbers)[index];
+}
+
+// 2^x, x = n + f with n whole and |f| <= 1/2: the series of 2^f to f^7, which leaves 6e-9 of it. x is
+// cut off at +-126, where floats are still normal.
+void exp2Of(const FourFloats& exponent, FourFloats& result)
+{
+    constexpr float kMost = 126.0f, kWhole = 12582912.0f;  // 1.5 2^23: adding it rounds to whole
+    const FourFloats most = FourFloats{} + kMost;
+    FourFloats x = exponent < most ? exponent : most;
+    x = x > -most ? x : -most;
+    const FourFloats shifted = x + kWhole, f = x - (shifted - kWhole);
+    const FourWords n = reinterpret_cast<const FourWords&>(shifted) << 23;
+    FourFloats sum = 1.5252734e-5f * f + 1.5403530e-4f;
+    sum = sum * f + 1.3333558e-3f;
+    sum = sum * f + 9.6181291e-3f;
+    sum = sum * f + 5.5504109e-2f;
+    sum = sum * f + 2.4022651e-1f;
+    sum = sum * f + 6.9314718e-1f;
+    sum = sum * f + 1.0f;
+    reinterpret_cast<FourWords&>(result) = reinterpret_cast<const FourWords&>(sum) + n;
+}
+
+// log2 x of normal x = 2^n m, m in [sqrt(1/2), sqrt(2)): log2 m = 2 / ln 2 artanh s, s = (m - 1) /
+// (m + 1); the series to s^9 leaves 3e-10.
+void log2Of(const FourFloats& x, FourFloats& result)
+{
+    constexpr int kRootHalf = 0x3f3504f3, kMantissa = 0x007fffff;
+    const FourInts bits = reinterpret_cast<const FourInts&>(x) - kRootHalf,
+                   mantissa = (bits & kMantissa) + kRootHalf;
+    const FourFloats m = reinterpret_cast<const FourFloats&>(mantissa), s = (m - 1.0f) / (m + 1.0f),
+                     square = s * s;
+    FourFloats sum = 0.32059889f * square + 0.41219858f;
+    sum = sum * square + 0.57707802f;
+    sum = sum * square + 0.96179669f;
+    sum = sum * square + 2.8853901f;
+    result = __builtin_convertvector(bits >> 23, FourFloats) + s * sum;
+}
+
+void log2(float* numbers, Index count)
+{
+    const Index whole = count - count % kRowLanes;
+    FourFloats last = FourFloats{} + 1.0f;
+    for (Index i = 0; i < whole; i += kRowLanes)
+        log2Of(lanesAt(numbers + i, 0), lanesAt(numbers + i, 0));
+    for (Index i = whole; i < count; ++i) last[i - whole] = numbers[i];
+    log2Of(last, last);
+    for (Index i = whole; i < count; ++i) numbers[i] = last[i - whole];
+}
+
+void predictRow(const KernelRows& rows, Index i, const KernelTexels& texels, FourFloats& logG,
+                float* share)
+{
+    const int* unknown = rows.unknown + i * rows.width;
+    const float* weight = rows.weight + i * rows.width;
+    FourFloats sum{};
+    Index k = 0;
+    for (Index t = 0; t < rows.terms; ++t) {
+        logG = lanesAt(texels.levels, t);
+        for (; k < rows.termEnd[t]; ++k) logG += weight[k] * lanesAt(texels.values, unknown[k]);
+        if (rows.terms == 1) return;
+        exp2Of(logG, lanesAt(share, t));
+        sum += lanesAt(share, t);
+    }
+    for (Index t = 0; t < rows.terms; ++t) lanesAt(share, t) /= sum;
+    log2Of(sum, logG);
+}
+
+void predict(const KernelRows& rows, const KernelTexels& texels, float* logG, float* share)
+{
+    for (Index i = 0; i < rows.count; ++i)
+        predictRow(rows, i, texels, lanesAt(logG, i), share + i * rows.terms * kRowLanes);
 }
 
 // b of one row.
@@ -190,6 +275,6 @@ void diagonal(const KernelRows& rows, int entryLanes, double* const* sum, double
 
 }  // namespace
 
-const RowKernels FBRDF_ROW_KERNELS = {add, apply, diagonal};
+const RowKernels FBRDF_ROW_KERNELS = {log2, predict, add, apply, diagonal};
 
 }  // namespace fbrdf

@@ -1,6 +1,7 @@
 #include "RowStore.h"
 
 #include "Parallel.h"
+#include "RowKernel.h"
 
 #include <algorithm>
 
@@ -70,12 +71,14 @@ bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
         }
         for (int c = 0; c < 3; ++c) {
             const Observed o = observe(sample.f[c], sample.wi.z, traits_, c, sample.weight);
-            values.logValue[i][c] = o.logValue;
+            values.logValue[i][c] = o.value;
             values.weight[i][c] = o.weight;
             same = same && o.weight == sample.weight;
             if (o.censored) values.censored[i] |= static_cast<unsigned char>(1 << c);
         }
     }
+    if (block.count > 0)
+        rowKernels().log2(&values.logValue[0].x, 3 * static_cast<std::ptrdiff_t>(block.count));
     return same;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace fbrdf {
 namespace {
@@ -44,15 +45,16 @@ float quantile(std::vector<float>& values, double fraction)
 
 Observed observe(float f, float cosine, const DataTraits& traits, int channel, float sampleWeight)
 {
+    constexpr float kLeast = std::numeric_limits<float>::min();
     const float floor = floorAt(traits, channel, cosine);
-    if (traits.exact && floor > 0.0f) return {std::log2(std::max(f, floor)), sampleWeight, false};
+    if (traits.exact && floor > 0.0f) return {std::max({f, floor, kLeast}), sampleWeight, false};
     if (f > 0.0f && f > 0.5f * floor) {
         const float variance = (floor / f) * (floor / f);
-        return {std::log2(f), sampleWeight / (1.0f + variance), false};
+        return {std::max(f, kLeast), sampleWeight / (1.0f + variance), false};
     }
     // Without an estimate of the floor a zero says nothing about how small f is.
-    if (floor > 0.0f) return {std::log2(floor), 0.5f * sampleWeight, true};
-    return {0.0f, 0.0f, true};
+    if (floor > 0.0f) return {std::max(floor, kLeast), 0.5f * sampleWeight, true};
+    return {1.0f, 0.0f, true};
 }
 
 DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source)
@@ -80,7 +82,7 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
                 traits.sameWeights = false;
                 continue;
             }
-            logs[static_cast<size_t>(c)].push_back(o.logValue);
+            logs[static_cast<size_t>(c)].push_back(std::log2(o.value));
             usable = usable || o.weight > 0.0f;
         }
         traits.usable += usable ? 1 : 0;

@@ -35,8 +35,8 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
 
 /// One channel of one sample.
 struct Observed {
-    float logValue;  ///< log2 f, or log2 of the floor where censored
-    float weight;    ///< the sample's own times that of the noise; 0: says nothing
+    float value;   ///< f, or the floor where censored; a normal number > 0
+    float weight;  ///< the sample's own times that of the noise; 0: says nothing
     bool censored;
 };
 /// `cosine`: of theta_i.
