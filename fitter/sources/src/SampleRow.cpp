@@ -14,10 +14,16 @@ bool isFinite(const Vec3d& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// False for a direction that cannot be normalised. Divides by the largest component first: squares
-/// of 1e200 are infinite.
+/// False for a direction that cannot be normalised. Where squares would be infinite or 0, as those
+/// of 1e200 are, divides by the largest component first.
 bool normalise(Vec3d& v)
 {
+    constexpr double kSmall = 1e-200, kLarge = 1e200;
+    const double square = glm::dot(v, v);
+    if (square > kSmall && square < kLarge) {
+        v *= 1.0 / std::sqrt(square);
+        return true;
+    }
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!(largest > 0.0)) return false;
     v /= largest;
