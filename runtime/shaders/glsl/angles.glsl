@@ -1,10 +1,10 @@
-// Angles of a pair as (cosine, 1 - cosine), both in [0, 1]. Twin: PairGeometry, Projection.h.
+// Angles of a pair as (cosine, 1 - cosine), both in [0, 1] but for rounding. Twin: PairGeometry, Projection.h.
 
-// 1 - cos = sin^2 / (1 + cos): the sine comes from where nothing cancels.
+// 1 - cos = sin^2 / (1 + cos): the sine comes from where nothing cancels. Samplers clamp what rounding leaves beyond 1.
 vec2 fbrdfAngle(float cosine, float sineSquared)
 {
-    float c = clamp(cosine, 0.0, 1.0);
-    return vec2(c, clamp(sineSquared / (1.0 + c), 0.0, 1.0));
+    float c = max(cosine, 0.0);
+    return vec2(c, sineSquared / (1.0 + c));
 }
 
 // Zenith angle of a unit direction in the local frame: theta_i, theta_o, theta_h.
@@ -20,18 +20,29 @@ vec2 fbrdfZenithAbout(vec3 n, vec3 w)
     return fbrdfAngle(dot(n, w), dot(sine, sine));
 }
 
+// 1 / |both| of both = wi + wo: with it theta_h and theta_d need no half vector.
+float fbrdfPerLength(vec3 both)
+{
+    return inversesqrt(max(dot(both, both), 1e-30));
+}
+
 // theta_d of a pair of unit directions, in any frame.
 vec2 fbrdfDifference(vec3 wo, vec3 wi)
 {
-    vec3 difference = wi - wo;
-    return fbrdfAngle(0.5 * length(wi + wo), 0.25 * dot(difference, difference));
+    vec3 both = wi + wo, apart = wi - wo;
+    return fbrdfAngle(0.5 * dot(both, both) * fbrdfPerLength(both), 0.25 * dot(apart, apart));
+}
+
+// theta_h about a normal in any frame; across = n x (wi + wo).
+vec2 fbrdfHalfZenith(float NoV, float NoL, vec3 across, float perLength)
+{
+    return fbrdfAngle((NoV + NoL) * perLength, dot(across, across) * perLength * perLength);
 }
 
 vec3 fbrdfHalf(vec3 wo, vec3 wi)
 {
-    vec3 sum = wi + wo;
-    float size = length(sum);
-    return size > 0.0 ? sum / size : vec3(0.0, 0.0, 1.0);
+    vec3 both = wi + wo;
+    return dot(both, both) > 0.0 ? both * fbrdfPerLength(both) : vec3(0.0, 0.0, 1.0);
 }
 
 // phi_d, folded to [0, pi/2]; n, h and wi in any frame. Twin: PairGeometry.

@@ -166,7 +166,8 @@ std::set<std::string> variablesUsed(const FragmentContext& c)
             for (const Angle angle : std::get<std::vector<Angle>>(factor.argument))
                 names.insert(angleName(angle));
     });
-    if (names.count("theta_h") || names.count("phi_d") || names.count("d")) names.insert("h");
+    const bool poleIsHalf = names.count("phi_d") || names.count("d");
+    if (poleIsHalf || (names.count("theta_h") && needsLocalFrame(c))) names.insert("h");
     return names;
 }
 

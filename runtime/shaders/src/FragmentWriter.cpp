@@ -40,6 +40,8 @@ std::string viewLines(const FragmentContext& c)
     if (variablesUsed(c).count("theta_o"))
         text += needsLocalFrame(c) ? "    vec2 theta_o = fbrdfZenith(wo);\n"
                                    : "    vec2 theta_o = fbrdfZenithAbout(n, wo);\n";
+    if (variablesUsed(c).count("theta_h") && !needsLocalFrame(c))
+        text += "    vec3 acrossView = cross(n, wo);\n";
     text += viewAxisLines(c);
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
         const Part& part = c.spec.parts[p];
@@ -58,9 +60,14 @@ std::string pairLines(const FragmentContext& c, const std::string& indent)
     const auto used = variablesUsed(c);
     std::string text;
     if (used.count("h")) text += indent + "vec3 h = fbrdfHalf(wo, wi);\n";
-    const std::string zenith = local ? "fbrdfZenith(" : "fbrdfZenithAbout(n, ";
-    if (used.count("theta_h")) text += indent + "vec2 theta_h = " + zenith + "h);\n";
-    if (used.count("theta_i")) text += indent + "vec2 theta_i = " + zenith + "wi);\n";
+    if (used.count("theta_h"))
+        text += indent + "vec2 theta_h = " +
+                (local ? "fbrdfZenith(h);\n"
+                       : "fbrdfHalfZenith(NoV, NoL, acrossView + cross(n, wi), "
+                         "fbrdfPerLength(wi + wo));\n");
+    if (used.count("theta_i"))
+        text += indent + "vec2 theta_i = " +
+                (local ? "fbrdfZenith(wi);\n" : "fbrdfZenithAbout(n, wi);\n");
     if (used.count("theta_d")) text += indent + "vec2 theta_d = fbrdfDifference(wo, wi);\n";
     if (used.count("phi_d"))
         text += indent + "vec2 phi_d = fbrdfDifferenceAzimuth(" +
