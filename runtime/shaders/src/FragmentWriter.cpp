@@ -66,8 +66,8 @@ std::string pairLines(const FragmentContext& c, const std::string& indent)
                        : "fbrdfHalfZenith(NoV, NoL, acrossView + cross(n, wi), "
                          "fbrdfPerLength(wi + wo));\n");
     if (used.count("theta_i"))
-        text += indent + "vec2 theta_i = " +
-                (local ? "fbrdfZenith(wi);\n" : "fbrdfZenithAbout(n, wi);\n");
+        text += indent +
+                "vec2 theta_i = " + (local ? "fbrdfZenith(wi);\n" : "fbrdfZenithAbout(n, wi);\n");
     if (used.count("theta_d")) text += indent + "vec2 theta_d = fbrdfDifference(wo, wi);\n";
     if (used.count("phi_d"))
         text += indent + "vec2 phi_d = fbrdfDifferenceAzimuth(" +
