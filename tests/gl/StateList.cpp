@@ -1,17 +1,22 @@
 #include "StateList.h"
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 
 namespace fbrdf::test {
 namespace {
 
-constexpr NamedState named(const char* name, GLenum value, int since)
+constexpr int kEs = 30, kEs31 = 31, kNotInEs = 99;
+
+constexpr NamedState named(const char* name, GLenum value, int since, int sinceEs)
 {
-    return {name, value, since};
+    return {name, value, since, sinceEs};
 }
-#define FBRDF_NAMED(x) named(#x, x, 21)
-#define FBRDF_SINCE(since, x) named(#x, x, since)
+#define FBRDF_NAMED(x) named(#x, x, 21, kNotInEs)
+#define FBRDF_SINCE(since, x) named(#x, x, since, kNotInEs)
+#define FBRDF_BOTH(x) named(#x, x, 21, kEs)
+#define FBRDF_BOTH_SINCE(since, sinceEs, x) named(#x, x, since, sinceEs)
 
 int versionOf(const GladGLContext& gl)
 {
@@ -21,87 +26,87 @@ int versionOf(const GladGLContext& gl)
     return gl.VERSION_3_0 ? 30 : 21;
 }
 
-constexpr NamedState kSwitches[] = {FBRDF_NAMED(GL_CULL_FACE),
-                                    FBRDF_NAMED(GL_DEPTH_TEST),
-                                    FBRDF_NAMED(GL_STENCIL_TEST),
-                                    FBRDF_NAMED(GL_SCISSOR_TEST),
+constexpr NamedState kSwitches[] = {FBRDF_BOTH(GL_CULL_FACE),
+                                    FBRDF_BOTH(GL_DEPTH_TEST),
+                                    FBRDF_BOTH(GL_STENCIL_TEST),
+                                    FBRDF_BOTH(GL_SCISSOR_TEST),
                                     FBRDF_NAMED(GL_COLOR_LOGIC_OP),
-                                    FBRDF_NAMED(GL_DITHER),
-                                    FBRDF_NAMED(GL_POLYGON_OFFSET_FILL),
+                                    FBRDF_BOTH(GL_DITHER),
+                                    FBRDF_BOTH(GL_POLYGON_OFFSET_FILL),
                                     FBRDF_NAMED(GL_POLYGON_OFFSET_LINE),
                                     FBRDF_NAMED(GL_POLYGON_SMOOTH),
                                     FBRDF_NAMED(GL_LINE_SMOOTH),
                                     FBRDF_NAMED(GL_MULTISAMPLE),
-                                    FBRDF_NAMED(GL_SAMPLE_ALPHA_TO_COVERAGE),
+                                    FBRDF_BOTH(GL_SAMPLE_ALPHA_TO_COVERAGE),
                                     FBRDF_NAMED(GL_SAMPLE_ALPHA_TO_ONE),
-                                    FBRDF_NAMED(GL_SAMPLE_COVERAGE),
+                                    FBRDF_BOTH(GL_SAMPLE_COVERAGE),
                                     FBRDF_NAMED(GL_PROGRAM_POINT_SIZE),
                                     FBRDF_NAMED(GL_CLIP_DISTANCE0),
                                     FBRDF_NAMED(GL_CLIP_DISTANCE3),
                                     FBRDF_SINCE(33, GL_CLIP_DISTANCE7),
-                                    FBRDF_SINCE(33, GL_SAMPLE_MASK),
-                                    FBRDF_SINCE(33, GL_RASTERIZER_DISCARD),
+                                    FBRDF_BOTH_SINCE(33, kEs31, GL_SAMPLE_MASK),
+                                    FBRDF_BOTH_SINCE(33, kEs, GL_RASTERIZER_DISCARD),
                                     FBRDF_SINCE(33, GL_FRAMEBUFFER_SRGB),
                                     FBRDF_SINCE(33, GL_PRIMITIVE_RESTART),
                                     FBRDF_SINCE(33, GL_TEXTURE_CUBE_MAP_SEAMLESS),
                                     FBRDF_SINCE(33, GL_DEPTH_CLAMP),
-                                    FBRDF_SINCE(45, GL_PRIMITIVE_RESTART_FIXED_INDEX)};
+                                    FBRDF_BOTH_SINCE(45, kEs, GL_PRIMITIVE_RESTART_FIXED_INDEX)};
 constexpr NamedState kCompatibilitySwitches[] = {
     FBRDF_NAMED(GL_ALPHA_TEST), FBRDF_NAMED(GL_POLYGON_STIPPLE), FBRDF_NAMED(GL_FOG),
     FBRDF_NAMED(GL_LIGHTING),   FBRDF_NAMED(GL_TEXTURE_2D),      FBRDF_NAMED(GL_NORMALIZE)};
-constexpr NamedState kNumbers[] = {FBRDF_NAMED(GL_BLEND_SRC_RGB),
-                                   FBRDF_NAMED(GL_BLEND_DST_RGB),
-                                   FBRDF_NAMED(GL_BLEND_SRC_ALPHA),
-                                   FBRDF_NAMED(GL_BLEND_DST_ALPHA),
-                                   FBRDF_NAMED(GL_BLEND_EQUATION_RGB),
-                                   FBRDF_NAMED(GL_BLEND_EQUATION_ALPHA),
-                                   FBRDF_NAMED(GL_BLEND_COLOR),
-                                   FBRDF_NAMED(GL_DEPTH_FUNC),
-                                   FBRDF_NAMED(GL_DEPTH_WRITEMASK),
-                                   FBRDF_NAMED(GL_DEPTH_CLEAR_VALUE),
-                                   FBRDF_NAMED(GL_COLOR_CLEAR_VALUE),
-                                   FBRDF_NAMED(GL_STENCIL_CLEAR_VALUE),
-                                   FBRDF_NAMED(GL_STENCIL_FUNC),
-                                   FBRDF_NAMED(GL_STENCIL_REF),
-                                   FBRDF_NAMED(GL_STENCIL_WRITEMASK),
-                                   FBRDF_NAMED(GL_CULL_FACE_MODE),
-                                   FBRDF_NAMED(GL_FRONT_FACE),
+constexpr NamedState kNumbers[] = {FBRDF_BOTH(GL_BLEND_SRC_RGB),
+                                   FBRDF_BOTH(GL_BLEND_DST_RGB),
+                                   FBRDF_BOTH(GL_BLEND_SRC_ALPHA),
+                                   FBRDF_BOTH(GL_BLEND_DST_ALPHA),
+                                   FBRDF_BOTH(GL_BLEND_EQUATION_RGB),
+                                   FBRDF_BOTH(GL_BLEND_EQUATION_ALPHA),
+                                   FBRDF_BOTH(GL_BLEND_COLOR),
+                                   FBRDF_BOTH(GL_DEPTH_FUNC),
+                                   FBRDF_BOTH(GL_DEPTH_WRITEMASK),
+                                   FBRDF_BOTH(GL_DEPTH_CLEAR_VALUE),
+                                   FBRDF_BOTH(GL_COLOR_CLEAR_VALUE),
+                                   FBRDF_BOTH(GL_STENCIL_CLEAR_VALUE),
+                                   FBRDF_BOTH(GL_STENCIL_FUNC),
+                                   FBRDF_BOTH(GL_STENCIL_REF),
+                                   FBRDF_BOTH(GL_STENCIL_WRITEMASK),
+                                   FBRDF_BOTH(GL_CULL_FACE_MODE),
+                                   FBRDF_BOTH(GL_FRONT_FACE),
                                    FBRDF_NAMED(GL_LOGIC_OP_MODE),
-                                   FBRDF_NAMED(GL_POLYGON_OFFSET_FACTOR),
-                                   FBRDF_NAMED(GL_POLYGON_OFFSET_UNITS),
-                                   FBRDF_NAMED(GL_SAMPLE_COVERAGE_VALUE),
+                                   FBRDF_BOTH(GL_POLYGON_OFFSET_FACTOR),
+                                   FBRDF_BOTH(GL_POLYGON_OFFSET_UNITS),
+                                   FBRDF_BOTH(GL_SAMPLE_COVERAGE_VALUE),
                                    FBRDF_SINCE(33, GL_PRIMITIVE_RESTART_INDEX),
                                    FBRDF_NAMED(GL_POLYGON_MODE),
                                    FBRDF_SINCE(45, GL_CLIP_ORIGIN),
                                    FBRDF_SINCE(45, GL_CLIP_DEPTH_MODE),
-                                   FBRDF_NAMED(GL_ACTIVE_TEXTURE),
-                                   FBRDF_NAMED(GL_CURRENT_PROGRAM),
-                                   FBRDF_NAMED(GL_VERTEX_ARRAY_BINDING),
-                                   FBRDF_NAMED(GL_ARRAY_BUFFER_BINDING),
-                                   FBRDF_NAMED(GL_ELEMENT_ARRAY_BUFFER_BINDING),
-                                   FBRDF_NAMED(GL_DRAW_FRAMEBUFFER_BINDING),
-                                   FBRDF_NAMED(GL_READ_FRAMEBUFFER_BINDING),
-                                   FBRDF_NAMED(GL_RENDERBUFFER_BINDING),
-                                   FBRDF_NAMED(GL_PIXEL_PACK_BUFFER_BINDING),
-                                   FBRDF_NAMED(GL_PIXEL_UNPACK_BUFFER_BINDING),
-                                   FBRDF_SINCE(33, GL_UNIFORM_BUFFER_BINDING),
-                                   FBRDF_NAMED(GL_VIEWPORT),
-                                   FBRDF_NAMED(GL_DEPTH_RANGE),
-                                   FBRDF_NAMED(GL_SCISSOR_BOX),
-                                   FBRDF_NAMED(GL_COLOR_WRITEMASK),
-                                   FBRDF_NAMED(GL_DRAW_BUFFER0),
-                                   FBRDF_NAMED(GL_READ_BUFFER),
-                                   FBRDF_NAMED(GL_UNPACK_ALIGNMENT),
-                                   FBRDF_NAMED(GL_UNPACK_ROW_LENGTH),
-                                   FBRDF_NAMED(GL_UNPACK_SKIP_ROWS),
-                                   FBRDF_NAMED(GL_UNPACK_SKIP_PIXELS),
-                                   FBRDF_NAMED(GL_UNPACK_SKIP_IMAGES),
-                                   FBRDF_NAMED(GL_UNPACK_IMAGE_HEIGHT),
+                                   FBRDF_BOTH(GL_ACTIVE_TEXTURE),
+                                   FBRDF_BOTH(GL_CURRENT_PROGRAM),
+                                   FBRDF_BOTH(GL_VERTEX_ARRAY_BINDING),
+                                   FBRDF_BOTH(GL_ARRAY_BUFFER_BINDING),
+                                   FBRDF_BOTH(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+                                   FBRDF_BOTH(GL_DRAW_FRAMEBUFFER_BINDING),
+                                   FBRDF_BOTH(GL_READ_FRAMEBUFFER_BINDING),
+                                   FBRDF_BOTH(GL_RENDERBUFFER_BINDING),
+                                   FBRDF_BOTH(GL_PIXEL_PACK_BUFFER_BINDING),
+                                   FBRDF_BOTH(GL_PIXEL_UNPACK_BUFFER_BINDING),
+                                   FBRDF_BOTH_SINCE(33, kEs, GL_UNIFORM_BUFFER_BINDING),
+                                   FBRDF_BOTH(GL_VIEWPORT),
+                                   FBRDF_BOTH(GL_DEPTH_RANGE),
+                                   FBRDF_BOTH(GL_SCISSOR_BOX),
+                                   FBRDF_BOTH(GL_COLOR_WRITEMASK),
+                                   FBRDF_BOTH(GL_DRAW_BUFFER0),
+                                   FBRDF_BOTH(GL_READ_BUFFER),
+                                   FBRDF_BOTH(GL_UNPACK_ALIGNMENT),
+                                   FBRDF_BOTH(GL_UNPACK_ROW_LENGTH),
+                                   FBRDF_BOTH(GL_UNPACK_SKIP_ROWS),
+                                   FBRDF_BOTH(GL_UNPACK_SKIP_PIXELS),
+                                   FBRDF_BOTH(GL_UNPACK_SKIP_IMAGES),
+                                   FBRDF_BOTH(GL_UNPACK_IMAGE_HEIGHT),
                                    FBRDF_NAMED(GL_UNPACK_SWAP_BYTES),
                                    FBRDF_NAMED(GL_UNPACK_LSB_FIRST),
-                                   FBRDF_NAMED(GL_PACK_ALIGNMENT),
-                                   FBRDF_NAMED(GL_PACK_ROW_LENGTH),
-                                   FBRDF_NAMED(GL_LINE_WIDTH)};
+                                   FBRDF_BOTH(GL_PACK_ALIGNMENT),
+                                   FBRDF_BOTH(GL_PACK_ROW_LENGTH),
+                                   FBRDF_BOTH(GL_LINE_WIDTH)};
 constexpr NamedState kCompatibilityNumbers[] = {
     FBRDF_NAMED(GL_RED_SCALE),       FBRDF_NAMED(GL_GREEN_SCALE),
     FBRDF_NAMED(GL_BLUE_BIAS),       FBRDF_NAMED(GL_MAP_COLOR),
@@ -109,11 +114,25 @@ constexpr NamedState kCompatibilityNumbers[] = {
     FBRDF_NAMED(GL_MATRIX_MODE),     FBRDF_SINCE(30, GL_CLAMP_FRAGMENT_COLOR)};
 #undef FBRDF_NAMED
 #undef FBRDF_SINCE
+#undef FBRDF_BOTH
+#undef FBRDF_BOTH_SINCE
+
+bool knows(const GladGLContext& gl, const NamedState& state)
+{
+    if (!isEs(gl)) return versionOf(gl) >= state.since;
+    return state.sinceEs <= (gl.VERSION_3_1 ? kEs31 : kEs);
+}
 
 std::vector<double> numbers(const GladGLContext& gl, GLenum name)
 {
     std::vector<double> values(16, 0.0);
-    gl.GetDoublev(name, values.data());
+    if (!isEs(gl)) {
+        gl.GetDoublev(name, values.data());
+        return values;
+    }
+    GLfloat floats[16] = {};
+    gl.GetFloatv(name, floats);
+    std::copy(floats, floats + 16, values.begin());
     return values;
 }
 
@@ -124,12 +143,14 @@ void addUnits(const GladGLContext& gl, StateSnapshot& state)
     for (GLuint i = 0; i < kUnits; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
         const std::string unit = "unit " + std::to_string(i) + " ";
-        for (const GLenum name : {GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D,
-                                  GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_CUBE_MAP})
+        for (const GLenum name :
+             {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_CUBE_MAP})
             state[unit + std::to_string(name)] = numbers(gl, name);
+        if (!isEs(gl)) state[unit + "1D"] = numbers(gl, GL_TEXTURE_BINDING_1D);
         if (gl.VERSION_3_0) state[unit + "array"] = numbers(gl, GL_TEXTURE_BINDING_2D_ARRAY);
-        if (gl.VERSION_3_1) state[unit + "buffer"] = numbers(gl, GL_TEXTURE_BINDING_BUFFER);
-        if (gl.VERSION_3_3) state[unit + "sampler"] = numbers(gl, GL_SAMPLER_BINDING);
+        if (gl.VERSION_3_1 && !isEs(gl))
+            state[unit + "buffer"] = numbers(gl, GL_TEXTURE_BINDING_BUFFER);
+        if (gl.VERSION_3_3 || isEs(gl)) state[unit + "sampler"] = numbers(gl, GL_SAMPLER_BINDING);
     }
     gl.ActiveTexture(static_cast<GLenum>(active));
 }
@@ -188,11 +209,17 @@ void addAttributes(const GladGLContext& gl, StateSnapshot& state)
 
 }  // namespace
 
+bool isEs(const GladGLContext& gl)
+{
+    const auto* version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+    return version && std::string(version).rfind("OpenGL ES", 0) == 0;
+}
+
 std::vector<NamedState> switches(const GladGLContext& gl, bool core)
 {
     std::vector<NamedState> result;
     for (const NamedState& s : kSwitches)
-        if (versionOf(gl) >= s.since) result.push_back(s);
+        if (knows(gl, s)) result.push_back(s);
     if (!core)
         result.insert(result.end(), std::begin(kCompatibilitySwitches),
                       std::end(kCompatibilitySwitches));
@@ -202,9 +229,8 @@ std::vector<NamedState> switches(const GladGLContext& gl, bool core)
 StateSnapshot snapshot(const GladGLContext& gl, bool core)
 {
     StateSnapshot state;
-    const int version = versionOf(gl);
     const auto addNumber = [&](const NamedState& n) {
-        if (version >= n.since) state[n.name] = numbers(gl, n.value);
+        if (knows(gl, n)) state[n.name] = numbers(gl, n.value);
     };
     for (const NamedState& s : switches(gl, core)) state[s.name] = {double(gl.IsEnabled(s.value))};
     for (const NamedState& n : kNumbers) addNumber(n);

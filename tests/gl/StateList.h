@@ -13,8 +13,12 @@ namespace fbrdf::test {
 struct NamedState {
     const char* name;
     GLenum value;
-    int since = 21;  ///< version that knows it
+    int since = 21;    ///< version that knows it
+    int sinceEs = 99;  ///< version of OpenGL ES that does; 99: none
 };
+/// The context is one of OpenGL ES, 3.0 or newer.
+bool isEs(const GladGLContext& gl);
+
 /// Capabilities of glEnable that exist in this context.
 std::vector<NamedState> switches(const GladGLContext& gl, bool core);
 

@@ -27,14 +27,15 @@ struct StateScrambler::Source {
     GLboolean boolean(bool initial) { return flag(initial) ? GL_TRUE : GL_FALSE; }
 };
 
-StateScrambler::StateScrambler(const GladGLContext& gl, bool core) : gl_(gl), core_(core)
+StateScrambler::StateScrambler(const GladGLContext& gl, bool core)
+    : gl_(gl), core_(core), es_(isEs(gl))
 {
     gl.GenTextures(4, textures2d_);
     gl.GenTextures(4, textures3d_);
     gl.GenTextures(1, texturesBuffer_);
     gl.GenTextures(2, texturesArray_);
     gl.GenTextures(2, texturesCube_);
-    if (gl.VERSION_3_3) gl.GenSamplers(2, samplers_);
+    if (hasSamplers()) gl.GenSamplers(2, samplers_);
     gl.GenBuffers(4, buffers_);
     gl.GenVertexArrays(2, arrays_);
     gl.GenFramebuffers(2, framebuffers_);
@@ -50,8 +51,9 @@ StateScrambler::StateScrambler(const GladGLContext& gl, bool core) : gl_(gl), co
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                    renderbuffers_[i]);
     }
-    program_ = linkProgram(gl, "#version 120\nvoid main() { gl_Position = vec4(0.0); }\n",
-                           "#version 120\nvoid main() { gl_FragColor = vec4(0.0); }\n");
+    const std::string version = es_ ? "#version 100\n" : "#version 120\n";
+    program_ = linkProgram(gl, version + "void main() { gl_Position = vec4(0.0); }\n",
+                           version + "void main() { gl_FragColor = vec4(0.0); }\n");
     setDefaults();
 }
 
@@ -63,7 +65,7 @@ StateScrambler::~StateScrambler()
     gl_.DeleteTextures(1, texturesBuffer_);
     gl_.DeleteTextures(2, texturesArray_);
     gl_.DeleteTextures(2, texturesCube_);
-    if (gl_.VERSION_3_3) gl_.DeleteSamplers(2, samplers_);
+    if (hasSamplers()) gl_.DeleteSamplers(2, samplers_);
     gl_.DeleteVertexArrays(2, arrays_);
     gl_.DeleteBuffers(4, buffers_);
     gl_.DeleteFramebuffers(2, framebuffers_);
@@ -103,14 +105,16 @@ void StateScrambler::setFixed(Source& source)
 {
     gl_.DepthFunc(source.pick<GLenum>({GL_LESS, GL_ALWAYS, GL_NEVER, GL_GREATER}));
     gl_.DepthMask(source.boolean(true));
-    gl_.ClearDepth(source.pick({1.0, 0.0, 0.25}));
+    const double depth = source.pick({1.0, 0.0, 0.25});
+    es_ ? gl_.ClearDepthf(static_cast<GLfloat>(depth)) : gl_.ClearDepth(depth);
     gl_.ClearColor(source.pick({0.0f, 0.5f}), 0.0f, 0.0f, source.pick({0.0f, 1.0f}));
     gl_.CullFace(source.pick<GLenum>({GL_BACK, GL_FRONT, GL_FRONT_AND_BACK}));
     gl_.FrontFace(source.pick<GLenum>({GL_CCW, GL_CW}));
-    gl_.LogicOp(source.pick<GLenum>({GL_COPY, GL_XOR, GL_CLEAR}));
     gl_.PolygonOffset(source.pick({0.0f, 3.0f}), source.pick({0.0f, -2.0f}));
     gl_.StencilFunc(source.pick<GLenum>({GL_ALWAYS, GL_NEVER}), source.pick({0, 3}), 0xffu);
     gl_.SampleCoverage(source.pick({1.0f, 0.0f}), GL_FALSE);
+    if (es_) return;
+    gl_.LogicOp(source.pick<GLenum>({GL_COPY, GL_XOR, GL_CLEAR}));
     if (gl_.VERSION_3_1) gl_.PrimitiveRestartIndex(source.pick({0u, 5u}));
     gl_.PolygonMode(GL_FRONT_AND_BACK, source.pick<GLenum>({GL_FILL, GL_LINE, GL_POINT}));
     if (gl_.VERSION_4_5)
@@ -155,7 +159,9 @@ void StateScrambler::setUnindexed(Source& source)
                           source.pick<GLenum>({GL_ONE, GL_DST_ALPHA}), GL_ZERO);
     gl_.BlendEquationSeparate(source.pick<GLenum>({GL_FUNC_ADD, GL_MIN}), GL_FUNC_ADD);
     gl_.Viewport(source.pick({0, 3}), 1, 8, source.pick({8, 5}));
-    gl_.DepthRange(source.pick({0.0, 0.3}), source.pick({1.0, 0.5}));
+    const double nearest = source.pick({0.0, 0.3}), farthest = source.pick({1.0, 0.5});
+    es_ ? gl_.DepthRangef(static_cast<GLfloat>(nearest), static_cast<GLfloat>(farthest))
+        : gl_.DepthRange(nearest, farthest);
     gl_.Scissor(source.pick({0, 2}), 0, source.pick({8, 1}), 8);
 }
 
@@ -167,10 +173,11 @@ void StateScrambler::setPixels(Source& source)
     gl_.PixelStorei(GL_UNPACK_SKIP_ROWS, source.pick({0, 2}));
     gl_.PixelStorei(GL_UNPACK_SKIP_PIXELS, source.pick({0, 3}));
     gl_.PixelStorei(GL_UNPACK_SKIP_IMAGES, source.pick({0, 1}));
-    gl_.PixelStorei(GL_UNPACK_SWAP_BYTES, source.pick({0, 1}));
-    gl_.PixelStorei(GL_UNPACK_LSB_FIRST, source.pick({0, 1}));
     gl_.PixelStorei(GL_PACK_ALIGNMENT, source.pick({4, 1}));
     gl_.PixelStorei(GL_PACK_ROW_LENGTH, source.pick({0, 100}));
+    if (es_) return;
+    gl_.PixelStorei(GL_UNPACK_SWAP_BYTES, source.pick({0, 1}));
+    gl_.PixelStorei(GL_UNPACK_LSB_FIRST, source.pick({0, 1}));
     if (core_) return;
     gl_.PixelTransferf(GL_RED_SCALE, source.pick({1.0f, 0.5f}));
     gl_.PixelTransferf(GL_GREEN_SCALE, source.pick({1.0f, 0.0f}));
@@ -188,9 +195,9 @@ void StateScrambler::setBindings(Source& source)
             gl_.BindTexture(GL_TEXTURE_2D_ARRAY,
                             source.pick({0u, texturesArray_[0], texturesArray_[1]}));
         gl_.BindTexture(GL_TEXTURE_CUBE_MAP, source.pick({0u, texturesCube_[0], texturesCube_[1]}));
-        if (gl_.VERSION_3_1)
+        if (gl_.VERSION_3_1 && !es_)
             gl_.BindTexture(GL_TEXTURE_BUFFER, source.pick({0u, texturesBuffer_[0]}));
-        if (gl_.VERSION_3_3) gl_.BindSampler(i, source.pick({0u, samplers_[0], samplers_[1]}));
+        if (hasSamplers()) gl_.BindSampler(i, source.pick({0u, samplers_[0], samplers_[1]}));
     }
     gl_.ActiveTexture(source.pick<GLenum>({GL_TEXTURE0, GL_TEXTURE2, GL_TEXTURE5}));
     gl_.UseProgram(source.pick({0u, program_}));

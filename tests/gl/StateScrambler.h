@@ -9,6 +9,7 @@ namespace fbrdf::test {
 /// Objects to bind, and setting state at random or to what a new context has.
 class StateScrambler {
 public:
+    /// core: without fixed function, as OpenGL ES is.
     StateScrambler(const GladGLContext& gl, bool core);
     ~StateScrambler();
     StateScrambler(const StateScrambler&) = delete;
@@ -29,7 +30,8 @@ private:
     void setAttributes(Source& source);
 
     const GladGLContext& gl_;
-    bool core_;
+    bool core_, es_;
+    bool hasSamplers() const { return es_ || gl_.VERSION_3_3; }
     GLuint textures2d_[4] = {}, textures3d_[4] = {}, texturesBuffer_[1] = {},
            texturesArray_[2] = {}, texturesCube_[2] = {}, samplers_[2] = {}, buffers_[4] = {},
            arrays_[2] = {}, framebuffers_[2] = {}, renderbuffers_[3] = {}, program_ = 0;

@@ -5,8 +5,28 @@
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace fbrdf::test {
+namespace {
+
+/// What OpenGL ES 3.0 has that glad looks for in later desktop versions only.
+void loadEmbedded(GladGLContext& gl, HeadlessContext::Load load)
+{
+    const auto find = [load](auto& function, const char* name) {
+        if (!function)
+            function =
+                reinterpret_cast<std::remove_reference_t<decltype(function)>>(load(nullptr, name));
+    };
+    find(gl.BindSampler, "glBindSampler");
+    find(gl.ClearDepthf, "glClearDepthf");
+    find(gl.DeleteSamplers, "glDeleteSamplers");
+    find(gl.DepthRangef, "glDepthRangef");
+    find(gl.GenSamplers, "glGenSamplers");
+}
+
+}  // namespace
+
 GladGLContext loadGl(HeadlessContext::Load load)
 {
     GladGLContext gl{};
@@ -15,6 +35,8 @@ GladGLContext loadGl(HeadlessContext::Load load)
             (*static_cast<HeadlessContext::Load*>(user))(nullptr, name));
     };
     if (!gladLoadGLContextUserPtr(&gl, byName, &load)) throw std::runtime_error("no GL context");
+    const std::string version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+    if (version.rfind("OpenGL ES", 0) == 0) loadEmbedded(gl, load);
     return gl;
 }
 
