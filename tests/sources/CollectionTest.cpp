@@ -155,6 +155,28 @@ TEST(Npf, RefusesEmptyRowsAndBadFactors)
     expectInputError(folder.write("short.bin", bytes.substr(1)), "short.bin");
 }
 
+// A table is 1.5 MB: every length near the end of a row, and every 997 bytes between. A prefix is
+// no table of this size; some are of the size of another format, which is then what is read.
+TEST(Npf, EveryPrefixIsRefused)
+{
+    constexpr size_t kRow = kNpfRow * 4;
+    std::string bytes = emptyNpf();
+    setNpf(bytes, 7, 0, 0.5f);
+    const TempFolder folder(TempFolder::Place::memory);
+    const std::string path = folder.write("npf.bin", bytes);
+    EXPECT_EQ(openSource(path + "#7").format, "npf");
+    for (size_t length = bytes.size(); length > 0;) {
+        const size_t inRow = length % kRow;
+        const bool edge = inRow < 3 || inRow + 3 > kRow || length < 64;
+        length -= edge ? 1 : std::min<size_t>(997, inRow - 2);
+        std::filesystem::resize_file(path, length);
+        const Outcome outcome = outcomeOf(path);
+        EXPECT_TRUE(outcome.kind == int(ErrorKind::input) || outcome.kind == int(ErrorKind::usage))
+            << length;
+        EXPECT_NE(outcome.message.find("npf.bin"), std::string::npos) << outcome.message;
+    }
+}
+
 TEST(Npf, AgreesWithTheReferenceEvaluator)
 {
     FBRDF_NEEDS_DATA("npf_merl/npf.bin");

@@ -2,6 +2,7 @@
 
 #include "Collection.h"
 #include "Formats.h"
+#include "SampleSymmetry.h"
 
 #include <fbrdf/brdf/Error.h>
 #include <fbrdf/io/MaterialFile.h>
@@ -72,6 +73,7 @@ Source openFile(const FileSpec& spec, const SourceOptions& options)
     Source source = format.read({file, spec.choice, options});
     source.format = format.name;
     if (source.name.empty()) source.name = file->stem();
+    if (!source.isotropic && !source.evaluate) source.isotropic = hasIsotropicSamples(source);
     return source;
 }
 

@@ -1,0 +1,130 @@
+#include "SampleSymmetry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace fbrdf {
+namespace {
+
+constexpr float kDegree = float(kPi / 180.0);
+constexpr float kCell = 3.0f * kDegree;  // what counts as the same angles
+// Whole degrees, which most measurements have, must not lie on the border of two cells.
+constexpr float kShift = 0.37f * kDegree;
+constexpr float kPole = 0.5f * kDegree;     // nearer to the normal a direction has no azimuth
+constexpr float kPlane = 2.0f * kDegree;    // from the plane of incidence; nearer is on no side
+constexpr float kTurned = 10.0f * kDegree;  // azimuths that differ by more are turned
+constexpr size_t kNeighbours = 4;           // of the same cell that a sample is compared with
+constexpr size_t kFewestPairs = 16;
+constexpr double kSame = 0.02;   // difference over sum that nothing of ours resolves
+constexpr double kAsNear = 1.3;  // times the difference of near samples
+
+/// A sample in angles that a turn about the normal keeps, and what a turn changes.
+struct Turned {
+    uint64_t cell;
+    float azimuth;  ///< of wi, or of wo where wi is nearer to the normal
+    int side;       ///< of the plane of incidence: -1, 1, or 0 within it
+    Vec3f f;
+};
+
+float zenithOf(const Vec3f& w)
+{
+    return std::atan2(std::hypot(w.x, w.y), w.z);
+}
+
+/// To [-pi, pi].
+float wrapped(float angle)
+{
+    return std::remainder(angle, float(2.0 * kPi));
+}
+
+Turned turnedOf(const Sample& s)
+{
+    const float i = zenithOf(s.wi), o = zenithOf(s.wo);
+    const float phiI = std::atan2(s.wi.y, s.wi.x), phiO = std::atan2(s.wo.y, s.wo.x);
+    const float between = std::min(i, o) < kPole ? 0.0f : wrapped(phiO - phiI);
+    const float across = std::min(std::abs(between), float(kPi) - std::abs(between));
+    const auto step = [](float angle) { return uint64_t((angle + kShift) / kCell); };
+    return {step(i) << 32 | step(o) << 16 | step(std::abs(between)), i < o ? phiO : phiI,
+            across < kPlane ? 0 : (between < 0.0f ? -1 : 1), glm::max(s.f, Vec3f(0.0f))};
+}
+
+/// Differences over sums: of f, which sees highlights, and of its cube root, which sees the rest.
+struct Disagreement {
+    size_t pairs = 0;
+    std::array<double, 2> difference{}, sum{};
+
+    void add(const Vec3f& a, const Vec3f& b)
+    {
+        ++pairs;
+        for (int c = 0; c < 3; ++c) {
+            const double x = double(a[c]), y = double(b[c]);
+            difference[0] += std::abs(x - y);
+            sum[0] += x + y;
+            difference[1] += std::abs(std::cbrt(x) - std::cbrt(y));
+            sum[1] += std::cbrt(x) + std::cbrt(y);
+        }
+    }
+    double share(size_t k) const
+    {
+        return pairs < kFewestPairs || !(sum[k] > 0.0) ? 0.0 : difference[k] / sum[k];
+    }
+};
+
+bool isTurned(const Turned& a, const Turned& b)
+{
+    return a.side * b.side < 0 || std::abs(wrapped(a.azimuth - b.azimuth)) > kTurned;
+}
+
+/// All wi in one plane with the normal.
+bool liesInPlane(const std::vector<Sample>& samples)
+{
+    bool found = false;
+    float first = 0.0f;
+    for (const Sample& s : samples) {
+        if (zenithOf(s.wi) < kPole) continue;
+        const float phi = std::atan2(s.wi.y, s.wi.x);
+        if (!found) first = phi;
+        found = true;
+        const float turn = std::abs(wrapped(phi - first));
+        if (std::min(turn, float(kPi) - turn) > kPole) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool areIsotropic(const std::vector<Sample>& samples)
+{
+    std::vector<Turned> turned;
+    turned.reserve(samples.size());
+    for (const Sample& s : samples) turned.push_back(turnedOf(s));
+    std::stable_sort(turned.begin(), turned.end(),
+                     [](const Turned& a, const Turned& b) { return a.cell < b.cell; });
+    Disagreement near, far;
+    for (size_t i = 0; i < turned.size(); ++i)
+        for (size_t j = i + 1; j < std::min(turned.size(), i + 1 + kNeighbours); ++j) {
+            if (turned[j].cell != turned[i].cell) break;
+            (isTurned(turned[i], turned[j]) ? far : near).add(turned[i].f, turned[j].f);
+        }
+    if (far.pairs < kFewestPairs) return liesInPlane(samples);
+    for (const size_t k : {0, 1})
+        if (far.share(k) > kSame + kAsNear * near.share(k)) return false;
+    return true;
+}
+
+bool hasIsotropicSamples(const Source& source)
+{
+    if (!source.stream) return areIsotropic(source.samples);
+    constexpr uint64_t kPieces = 64, kRows = 1024;
+    std::vector<Sample> some;
+    SampleReport ignored;
+    const uint64_t rows = source.stream.rows, step = std::max(kRows, rows / kPieces);
+    for (uint64_t first = 0; first < rows; first += step)
+        source.stream.read(first, static_cast<size_t>(std::min(kRows, rows - first)), some,
+                           ignored);
+    return areIsotropic(some);
+}
+
+}  // namespace fbrdf
