@@ -31,6 +31,19 @@ TEST(NamedForms, HdpioFitsTheSameBudgets)
     EXPECT_EQ(lookupsPerPass(makeForm("hdpio")), 2);
 }
 
+TEST(NamedForms, HdpuTellsLightFromViewInTheSameBytes)
+{
+    const Form form = makeFormFor("hdpu", 1000000, 3900, Storage::log8);
+    EXPECT_EQ(formBytes(form, Storage::log8), 3888u);
+    EXPECT_FALSE(std::get<GridDomain>(form.tables[1].domain).symmetric);
+    EXPECT_EQ(lookupsPerPass(form), 2);
+    EXPECT_TRUE(isIsotropic(form));
+    const Form sum = makeFormFor("u+hdpu", 1000000, 8192, Storage::log8);
+    EXPECT_EQ(formBytes(sum, Storage::log8), 8016u);
+    EXPECT_EQ(lookupsPerLight(sum), 3);
+    EXPECT_NO_THROW(validate(makeForm("u+hdpu", 5), "small"));
+}
+
 TEST(NamedForms, ASumHasTheTermsOfItsParts)
 {
     const Form form = makeForm("io+pqpr");

@@ -4,10 +4,12 @@
 #include "FormVariants.h"
 #include "Known.h"
 #include "support/DataDir.h"
+#include "Symmetry.h"
 
 #include <fbrdf/brdf/Error.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace fbrdf {
@@ -73,6 +75,46 @@ TEST(Search, IsNoWorseThanNamedFormsOnAMeasuredMetal)
     const Source net =
         openSource(test::dataPath("nbrdf/nbrdf_weights.f32") + "#gold-metallic-paint");
     expectNoNamedFormIsBetter(test::scattered(net, 3000, 5), {"hdio", "hdg", "gg+hdio"});
+}
+
+// A wave over a table that is not symmetric.
+Source oneWay()
+{
+    return test::sourceOf(test::waveMaterial(makeForm("hdpu", 6)));
+}
+
+TEST(Search, TriesFormsThatTellLightFromViewWhereTheDataDoes)
+{
+    const auto triesHdpu = [](const Source& source) {
+        FitOptions options = optionsOf("auto");
+        options.terms = 1;
+        options.heldOut = false;
+        const auto trials = fitMaterial(source, options).summary.trials;
+        return std::any_of(trials.begin(), trials.end(),
+                           [](const Trial& t) { return t.form == "hdpu"; });
+    };
+    EXPECT_TRUE(triesHdpu(oneWay()));
+    EXPECT_FALSE(triesHdpu(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3})));
+}
+
+TEST(Symmetry, IsSeenOnFunctionsAlone)
+{
+    const Source ggx = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
+    EXPECT_TRUE(isReciprocalSource(ggx));
+    EXPECT_FALSE(isReciprocalSource(oneWay()));
+    EXPECT_FALSE(isReciprocalSource(test::scattered(ggx, 100, 1)));
+    EXPECT_TRUE(isIsotropicSource(ggx));
+    EXPECT_FALSE(isIsotropicSource(test::sourceOf(test::Ggx{0.2, 0.5, 0.9, 0.0})));
+}
+
+TEST(Hdpu, HoldsWhatNoReciprocalFormHolds)
+{
+    FitOptions options;
+    options.heldOut = false;
+    options.form = "hdpu";
+    const double held = fitMaterial(oneWay(), options).summary.all.logMedian;
+    options.form = "hdpio";
+    EXPECT_LT(5.0 * held, fitMaterial(oneWay(), options).summary.all.logMedian);
 }
 
 TEST(Search, KeepsToTheLimitOfLookups)

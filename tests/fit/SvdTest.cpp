@@ -183,6 +183,26 @@ TEST(SvdForm, ResamplesScatteredSamples)
     EXPECT_LT(result.summary.heldOut.logMedian, 0.08);
 }
 
+TEST(SvdForm, MarksTexelsThatNoSampleSupports)
+{
+    Source scattered = makeModelSource("ggx:alpha=0.6,f0=0.3,kd=0.3");
+    std::vector<Sample> steep;  // half vectors within 25 degrees of the normal
+    for (const Sample& s : samplesAt(scattered, uniformPairs(20000), 1))
+        if (glm::normalize(s.wo + s.wi).z > 0.906f) steep.push_back(s);
+    scattered.samples = steep;
+    scattered.evaluate = {};
+    scattered.exact = false;
+    const Material material = fitMaterial(scattered, named("svd2")).material;
+    const Table& u = material.tables[0];
+    const auto knots = static_cast<size_t>(texelCount(u.domain));
+    ASSERT_EQ(u.unsupported.size(), knots);
+    EXPECT_FALSE(u.unsupported[knots / 4]);
+    EXPECT_TRUE(u.unsupported[knots - 1]);
+    EXPECT_EQ(material.tables[2].unsupported, u.unsupported);
+    const Material whole = fitMaterial(makeModelSource("lambert"), named("svd2")).material;
+    EXPECT_FALSE(whole.tables[0].unsupported[knots / 4]);
+}
+
 TEST(SvdForm, RefusesWhatItCannotDo)
 {
     Source scattered = makeModelSource("ggx:alpha_x=0.3,alpha_y=0.6");

@@ -28,9 +28,8 @@ double simulatedScale(int term);
 /// Sum over lights and terms, straight from the definition.
 double expectedValue(const Form& form, const SimulatedFragment& fragment);
 
-/// Draws the fragments in the order given, once a pass, over what the target holds. format: of the
-/// target; RGBA8 clamps and rounds to the nearest step.
+/// Draws the fragments in the order given, once a pass, over what the target holds.
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
-                        SimulatedPixel target, ColourFormat format = ColourFormat::rgba32f);
+                        SimulatedPixel target);
 
 }  // namespace fbrdf

@@ -1,8 +1,8 @@
 #include "Search.h"
 
 #include "FormVariants.h"
-#include "Isotropy.h"
 #include "NamedForms.h"
+#include "Symmetry.h"
 
 #include <fbrdf/brdf/Error.h>
 
@@ -287,6 +287,9 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         add(1, {"hdio", "hdg", "hdpio"});
         add(2, {"gg+hdg", "gg+hdpio", "io+hdio"});
         add(3, {"gg+hdg+hdio"});
+        if (isReciprocalSource(source)) return names;
+        add(1, {"hdpu"});
+        if (source.evaluate) add(2, {"u+hdpu"});  // known to gain from it
     } else {
         add(1, {"hdio", "pqp", "pqpr", "qdio", "qdg", "pqtr", "pqpd", "pqpn"});
         add(2, {"gg+pqpr", "gg+qdio", "gg+qdg", "io+pqpr", "io+hdio"});

@@ -16,7 +16,7 @@ namespace {
 
 struct BenchFitCommand {
     std::vector<std::string> sources;
-    std::string forms = "hdpio:3900,hdpio:1400,io+hdpio:8192", peers = "all", csv;
+    std::string forms = "hdpio:3900,hdpio:1400,hdpu:3900,hdpu:1400,u+hdpu:8192", peers = "all", csv;
     BenchOptions options;
     bool resume = false, json = false, robustness = false;
 };
