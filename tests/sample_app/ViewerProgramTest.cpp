@@ -243,6 +243,13 @@ TEST_F(Viewer, TechniquesAgreeAndTheStatsTellHowTheyWereDrawn)
     const Image batched = draw(scene + "--technique batched");
     EXPECT_LE(compare(single, reference).worst, kAgainstReference);
     EXPECT_LE(compare(two, single).worst, kBetweenTechniques);
+    EXPECT_EQ(stats_["look_up"], "native");
+    const Image cube = draw(scene + "--look-up cube");
+    EXPECT_EQ(stats_["look_up"], "cube");
+    const double bound = stats_["error_bound"]["relative"];
+    EXPECT_GT(bound, 1e-3);
+    EXPECT_GT(compare(cube, single).worst, kBetweenTechniques);
+    EXPECT_LE(compare(cube, single).worst, bound);
     EXPECT_LE(compare(batched, single).worst, kBetweenTechniques);
 }
 
