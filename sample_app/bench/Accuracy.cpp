@@ -22,13 +22,15 @@ const HeadlessOptions kDesktop{Backend::egl, HeadlessOptions::Profile::core, 4, 
 
 struct Version {
     HeadlessOptions context;
-    int glsl = 0;  ///< 0: the newest that it has
+    int glsl = 0;              ///< 0: the newest that it has
+    bool floatTargets = true;  ///< otherwise as if nothing but RGBA8 could be drawn to
 };
 
 std::vector<Version> versions()
 {
     using Profile = HeadlessOptions::Profile;
     return {{kDesktop, 0},
+            {kDesktop, 0, false},
             {{Backend::egl, Profile::core, 3, 3}, 330},
             {{Backend::egl, Profile::compatibility, 2, 1}, 120},
             {{Backend::egl, Profile::es, 3, 0}, 300},
@@ -43,15 +45,14 @@ constexpr Format kFormats[] = {{OffscreenFormat::rgba32f, "RGBA32F"},
                                {OffscreenFormat::rgba16f, "RGBA16F"},
                                {OffscreenFormat::rgba8, "RGBA8"}};
 
-gl::Renderer rendererOf(const HeadlessContext& context, int glsl)
+gl::Renderer rendererOf(const HeadlessContext& context, const Version& version)
 {
     gl::RendererOptions options;
     options.load = context.loader();
-    if (glsl != 0) {
-        options.capabilities = gl::Renderer(options).capabilities();
-        options.capabilities->glsl = glsl;
-        if (glsl == 120) options.capabilities->vertexArrays = false;
-    }
+    options.capabilities = gl::Renderer(options).capabilities();
+    if (version.glsl != 0) options.capabilities->glsl = version.glsl;
+    if (version.glsl == 120) options.capabilities->vertexArrays = false;
+    if (!version.floatTargets) options.capabilities->floatTargets = false;
     return gl::Renderer(options);
 }
 
@@ -69,7 +70,8 @@ class Bench {
 public:
     Bench(const Version& version, const Stage& stage, const truth::GeometryBuffer& geometry)
         : context_(version.context),
-          renderer_(rendererOf(context_, version.glsl)),
+          renderer_(rendererOf(context_, version)),
+          floatTargets_(version.floatTargets),
           stage_(stage),
           geometry_(geometry),
           mesh_(renderer_.createMesh(stage_.mesh))
@@ -93,13 +95,15 @@ public:
             static_cast<float>(0.9 / *std::max_element(radiance.begin(), radiance.end()));
         for (Light& light : lights) light.intensity *= scale;
         radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
-        for (const Format& format : kFormats)
+        for (const Format& format : kFormats) {
+            if (!floatTargets_ && format.format != OffscreenFormat::rgba8) continue;
             for (const Technique technique :
                  {Technique::single, Technique::batched, Technique::twoLookup}) {
                 AccuracyRow row = drawn(*gpu, lights, format, technique, radiance);
                 row.form = form;
                 rows.push_back(std::move(row));
             }
+        }
     }
 
 private:
@@ -114,7 +118,8 @@ private:
             throw Error(ErrorKind::gl, "runtime", "found an object that cannot be drawn");
         const Capabilities& c = renderer_.capabilities();
         const bool isEs = c.glsl == 100 || c.glsl == 300;
-        return {fmt::format("{}.{} {}{}", c.glMajor, c.glMinor, isEs ? "ES " : "GLSL ", c.glsl),
+        return {fmt::format("{}.{} {}{}{}", c.glMajor, c.glMinor, isEs ? "ES " : "GLSL ", c.glsl,
+                            floatTargets_ ? "" : " RGBA8"),
                 "",
                 techniqueName(technique),
                 format.name,
@@ -127,6 +132,7 @@ private:
 
     HeadlessContext context_;
     gl::Renderer renderer_;
+    bool floatTargets_;
     const Stage& stage_;
     const truth::GeometryBuffer& geometry_;
     std::shared_ptr<gl::GpuMesh> mesh_;
@@ -168,13 +174,13 @@ Accuracy measureAccuracy(const Options& options)
 std::string asText(const Accuracy& accuracy)
 {
     std::string text = fmt::format(
-        "{}, {}x{} pixels, against double\n{:<13} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9} {:>9} "
+        "{}, {}x{} pixels, against double\n{:<18} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9} {:>9} "
         "{:>9} {:>9} {:>6}\n",
         accuracy.glRenderer, kSize, kSize, "version", "form", "technique", "format", "lights",
         "passes", "relative", "bound", "absolute", "bound", "share");
     for (const AccuracyRow& row : accuracy.rows)
         text += fmt::format(
-            "{:<13} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
+            "{:<18} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
             "{:>6.2f}{}\n",
             row.version, row.form, row.technique, row.format, row.lights, row.passes,
             row.found.relative, row.bound.relative, row.found.absolute, row.bound.absolute,

@@ -53,13 +53,14 @@ protected:
     }
 
     std::vector<double> reference(const Material& material, const gl::MeshData& mesh,
-                                  const SurfaceReference& surface = {})
+                                  const SurfaceReference& surface = {},
+                                  const std::vector<Light>& lit = lights())
     {
         desktop_->makeCurrent();
         Offscreen offscreen(desktop_->loader(), {kSize, kSize});
         const auto geometry = geometryBuffer(loadGl(desktop_->loader()), offscreen, mesh,
                                              glm::mat4(1.0f), perspectiveView());
-        return referenceImage(material, geometry, lights(), perspectiveView(), surface);
+        return referenceImage(material, geometry, lit, perspectiveView(), surface);
     }
 
     /// The largest part of what the bound allows, over techniques.
@@ -268,6 +269,32 @@ TEST_F(Es, WithoutFloatTargetsSaysWhatItDoesInstead)
     gl::Renderer renderer(old);
     worstShare(renderer, testMaterials()[0], OffscreenFormat::rgba8);
     EXPECT_NE(replaced_, "");
+}
+
+TEST_F(Es, AddsUpInRgba8WhereNoFloatCanBeDrawnTo)
+{
+    gl::RendererOptions old = options();
+    old.capabilities = gl::Renderer(old).capabilities();
+    old.capabilities->floatTargets = false;
+    gl::Renderer renderer(old);
+    const Material material = calmMaterial(formPqp(8, 0.5));
+    const gl::MeshData mesh = sphereMesh(16);
+    auto few = lights();
+    few.resize(2);
+    const auto exact = storedImage(reference(material, mesh, {}, few), Transfer::linear, true);
+    es_->makeCurrent();
+    const auto gpu = renderer.createMaterial(material);
+    const auto gpuMesh = renderer.createMesh(mesh);
+    Offscreen offscreen(es_->loader(), {kSize, kSize, OffscreenFormat::rgba8});
+    offscreen.clear();
+    const auto stats = renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                                     {{gpu.get(), gpuMesh.get()}}, few, {Technique::twoLookup});
+    EXPECT_EQ(stats.whyReplaced, "");
+    EXPECT_EQ(stats.accumulation, "RGBA8");
+    EXPECT_EQ(stats.passes, 3);
+    const double share = deviationOf(offscreen.readPixels(), exact, stats.error).share;
+    EXPECT_LE(share, 1.0);
+    EXPECT_GT(share, 0.05);
 }
 
 TEST_F(Es, WithoutHalfFloatTexturesRefusesMaterials)

@@ -1,5 +1,7 @@
 #include "PlanSimulator.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace fbrdf {
@@ -39,6 +41,12 @@ double valueOf(const Pass& pass, const SimulatedFragment& fragment)
     for (int i = pass.firstLight; i < pass.firstLight + pass.lightCount; ++i)
         sum += partsOf(pass, fragment, i) * fragment.irradiance[static_cast<size_t>(i)];
     return sum;
+}
+
+double stored(ColourFormat format, double value)
+{
+    return format == ColourFormat::rgba8 ? std::round(255.0 * std::clamp(value, 0.0, 1.0)) / 255.0
+                                         : value;
 }
 
 double blended(Blend blend, double held, double value)
@@ -93,7 +101,7 @@ double expectedValue(const Form& form, const SimulatedFragment& fragment)
 }
 
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
-                        SimulatedPixel target)
+                        SimulatedPixel target, ColourFormat format)
 {
     double surface[4] = {target.value, kStale, kStale, kStale};
     double targetDepth = target.depth, offscreenDepth = 1.0;
@@ -106,9 +114,13 @@ SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& 
             if (pass.depth == Depth::lay) depth = fragment.depth;
             double value = valueOf(pass, fragment);
             if (pass.reads) value *= surface[static_cast<size_t>(*pass.reads)];
+            value *= pass.gain;
             if (isCurved(pass.transfer)) value = transferred(pass.transfer, 1.0, value);
             double& held = surface[static_cast<size_t>(pass.writes)];
-            held = blended(pass.blend, held, value);
+            const ColourFormat into = pass.writes == Surface::target ? format : plan.surfaces;
+            // A UNORM surface clamps what is blended as well.
+            if (into == ColourFormat::rgba8) value = std::clamp(value, 0.0, 1.0);
+            held = stored(into, blended(pass.blend, held, value));
         }
     }
     return {surface[0], targetDepth};

@@ -28,8 +28,9 @@ double simulatedScale(int term);
 /// Sum over lights and terms, straight from the definition.
 double expectedValue(const Form& form, const SimulatedFragment& fragment);
 
-/// Draws the fragments in the order given, once a pass, over what the target holds.
+/// Draws the fragments in the order given, once a pass, over what the target holds. format: of the
+/// target; RGBA8 clamps and rounds to the nearest step.
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
-                        SimulatedPixel target);
+                        SimulatedPixel target, ColourFormat format = ColourFormat::rgba32f);
 
 }  // namespace fbrdf

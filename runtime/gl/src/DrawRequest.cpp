@@ -83,6 +83,7 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
     for (const int i : selection.lights) {
         result.vectors.push_back(request.eye.vectors[static_cast<size_t>(i)]);
         result.numbers.push_back(request.eye.numbers[static_cast<size_t>(i)]);
+        result.peaks.push_back(largestIrradiance(request.lights[static_cast<size_t>(i)], bounds));
     }
     return result;
 }
@@ -97,6 +98,7 @@ void putNeighboursTogether(EyeLights& lights, const DrawRequest& request)
     for (const int i : neighboursTogether(rects)) {
         ordered.vectors.push_back(lights.vectors[static_cast<size_t>(i)]);
         ordered.numbers.push_back(lights.numbers[static_cast<size_t>(i)]);
+        ordered.peaks.push_back(lights.peaks[static_cast<size_t>(i)]);
     }
     lights = std::move(ordered);
 }

@@ -47,6 +47,7 @@ int Executor::draw(const Drawable& item, const Plan& plan,
         if (program_ != &program) useProgram(item, program);
         if (program.readUnit >= 0)
             state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_.texture(*pass.reads));
+        if (program.gain >= 0) gl_.Uniform1f(program.gain, static_cast<float>(pass.gain));
         setLights(pass, program);
         setScissor(pass);
         item.mesh.draw(item.instances.count);

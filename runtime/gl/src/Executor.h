@@ -18,6 +18,7 @@ namespace fbrdf::gl {
 struct EyeLights {
     std::vector<LightVectors> vectors;
     std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
+    std::vector<double> peaks;     ///< largestIrradiance on an item
 };
 
 /// What all items of one draw share.

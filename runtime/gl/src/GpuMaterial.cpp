@@ -6,6 +6,7 @@
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fbrdf::gl {
 namespace {
@@ -137,6 +138,8 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material, const Mater
             addTexture(table, image);
         }
     }
+    raisePeaks(material);
+    for (size_t i = 0; i < errors.size(); ++i) peaks_.tables[i] *= std::exp2(errors[i]);
     setLookUpError(errors);
     checkErrors(*device_, "material '" + name_ + "'");
 }
@@ -156,6 +159,23 @@ TextureImage GpuMaterial::imageOf(const Table& table, int index, const MaterialO
             c);
     whyNative_ += (whyNative_.empty() ? "" : "; ") + why;
     return textureImage(table, c);
+}
+
+/// Filtering mixes texels, so none of its results is larger than the largest of them.
+void GpuMaterial::raisePeaks(const Material& material)
+{
+    peaks_.tables.resize(material.tables.size(), 0.0);
+    peaks_.scales.resize(material.scales.size(), 0.0);
+    for (size_t i = 0; i < material.tables.size(); ++i) {
+        const Table& table = material.tables[i];
+        const auto largest =
+            static_cast<double>(*std::max_element(table.texels.begin(), table.texels.end()));
+        peaks_.tables[i] =
+            std::max(peaks_.tables[i], isLog(table.storage) ? std::exp2(largest) : largest);
+    }
+    for (size_t t = 0; t < material.scales.size(); ++t)
+        for (int c = 0; c < 3; ++c)
+            peaks_.scales[t] = std::max(peaks_.scales[t], double(material.scales[t][c]));
 }
 
 /// Of a product the sum of its factors', of a sum of products the largest.
@@ -228,6 +248,7 @@ void GpuMaterial::addArray(const Table& table, size_t layers)
 
 void GpuMaterial::setLayer(size_t layer, const Material& material)
 {
+    raisePeaks(material);
     const Functions& gl = device_->gl;
     const ParameterLayout layout = parameterLayout(form_);
     const auto parameter = [&](int index) {

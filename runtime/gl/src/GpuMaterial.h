@@ -3,6 +3,7 @@
 #pragma once
 #include "BufferTexture.h"
 
+#include <fbrdf/plan/Plan.h>
 #include <fbrdf/shaders/TextureImage.h>
 
 #include <glm/vec4.hpp>
@@ -38,6 +39,8 @@ public:
     /// See Renderer.h.
     const std::string& whyNative() const { return whyNative_; }
     double lookUpError() const { return lookUpError_; }
+    /// Without lights; of a packed material what any of its layers reached.
+    const Peaks& peaks() const { return peaks_; }
     const std::vector<TableEncoding>& encodings() const { return encodings_; }
     const std::vector<GpuTable>& tables() const { return tables_; }
     const std::vector<Vec3f>& scales() const { return scales_; }
@@ -45,6 +48,7 @@ public:
 private:
     TextureImage imageOf(const Table& table, int index, const MaterialOptions& options);
     void addTexture(const Table& table, const TextureImage& image);
+    void raisePeaks(const Material& material);
     void setLookUpError(const std::vector<double>& tableErrors);
     void addArray(const Table& table, size_t layers);
     void setLayer(size_t layer, const Material& material);
@@ -57,6 +61,7 @@ private:
     bool hasSigns_ = false;
     std::string whyNative_;
     double lookUpError_ = 0.0;
+    Peaks peaks_;
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;

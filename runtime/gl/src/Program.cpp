@@ -105,6 +105,7 @@ std::string keyOf(const ProgramSpec& spec)
     std::string key = (spec.lit ? "l" : "u") + std::to_string(spec.lightSlots);
     if (spec.reads) key += 'r';
     if (spec.clustered) key += 'c';
+    if (spec.gained) key += 'g';
     key += static_cast<char>('0' + static_cast<int>(spec.transfer));
     for (const Part& part : spec.parts) {
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
@@ -223,6 +224,7 @@ std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material, const 
     result->lightCount = location("fbrdfLightCount");
     result->lightNumbers = location("fbrdfLightNumbers");
     result->readScale = location("fbrdfReadScale");
+    result->gain = location("fbrdfGain");
     result->normalMapUnit = unitOf("fbrdfNormalMap");
     result->extraArrays = extraArraysOf(gl, program);
     result->readUnit = unitOf("fbrdfRead");

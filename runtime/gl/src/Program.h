@@ -20,7 +20,7 @@ namespace fbrdf::gl {
 struct Program {
     Object object;
     GLint modelView = -1, projection = -1, eye = -1;
-    GLint lights = -1, lightCount = -1, lightNumbers = -1, readScale = -1;
+    GLint lights = -1, lightCount = -1, lightNumbers = -1, readScale = -1, gain = -1;
     int readUnit = -1;  ///< texture unit (from the device's first) of the surface that is read
     int normalMapUnit = -1;
     struct ClusterUniforms {

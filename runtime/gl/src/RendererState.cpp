@@ -61,7 +61,7 @@ Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks
     Plan plan = planPasses(material.form(), wanted, capabilities);
     const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
     if (target && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&
-        !surfaces.prepare(target->width, target->height)) {
+        !surfaces.prepare(target->width, target->height, plan.surfaces)) {
         wanted.offscreen = false;
         plan = planPasses(material.form(), wanted, capabilities);
     }
@@ -103,13 +103,16 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
                             "coordinates");
     // With lists one light stands for all.
     EyeLights lights = draw.clustered
-                           ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}}
+                           ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}, {}}
                            : lightsOf(bounds, draw, stats);
     if (draw.options.technique == Technique::batched) putNeighboursTogether(lights, draw);
+    PlanRequest wanted = request(draw.options, static_cast<int>(lights.vectors.size()), draw.info);
+    if (!draw.clustered) {
+        wanted.peaks = material.peaks();
+        wanted.peaks->lights = lights.peaks;
+    }
     const Plan plan =
-        planFor(material, item.surface.hooks,
-                request(draw.options, static_cast<int>(lights.vectors.size()), draw.info),
-                &draw.target, stats.whyReplaced);
+        planFor(material, item.surface.hooks, wanted, &draw.target, stats.whyReplaced);
     const auto passPrograms = programsOf(material, item.surface, plan, draw.clustered);
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
     const int passes = static_cast<int>(plan.passes.size());

@@ -6,21 +6,25 @@
 
 namespace fbrdf::gl {
 
-bool Surfaces::prepare(int width, int height)
+bool Surfaces::prepare(int width, int height, ColourFormat format)
 {
-    if (width == width_ && height == height_) return usable_;
+    if (width == width_ && height == height_ && format == format_) return usable_;
     width_ = width;
     height_ = height;
+    format_ = format;
     const UploadGuard guard(*device_);
     const Functions& gl = device_->gl;
     depth_ = createObject(device_, ObjectKind::renderbuffer);
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    const bool old = gl.es != 0 && gl.es < 30;  // which promises 16 bits of depth
+    gl.RenderbufferStorage(GL_RENDERBUFFER, old ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
+                           width, height);
     label(*device_, ObjectKind::renderbuffer, depth_, "depth");
     usable_ =
         create(accumulation_, "accumulation") && create(scratch_, "scratch") && create(sum_, "sum");
     if (!usable_)
-        device_->log(Severity::warning, "no RGBA32F surface of " + std::to_string(width) + "x" +
+        device_->log(Severity::warning, std::string("no ") + colourFormatName(format) +
+                                            " surface of " + std::to_string(width) + "x" +
                                             std::to_string(height) + " can be drawn to");
     return usable_;
 }
@@ -34,8 +38,13 @@ bool Surfaces::create(One& one, const std::string& name)
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
+    const bool old = gl.es != 0 && gl.es < 30;  // neither levels nor sized formats
+    if (!old) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    if (format_ == ColourFormat::rgba32f)
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
+    else
+        gl.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : GL_RGBA8, width_, height_, 0, GL_RGBA,
+                      GL_UNSIGNED_BYTE, nullptr);
     label(*device_, ObjectKind::texture, one.texture, name);
     one.framebuffer = createObject(device_, ObjectKind::framebuffer);
     gl.BindFramebuffer(gl.drawFramebuffer(), one.framebuffer.name());

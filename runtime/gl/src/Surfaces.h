@@ -1,5 +1,5 @@
-// Surfaces.h - the accumulation, scratch and sum surfaces: RGBA32F, as large as the target, one
-// depth buffer for all.
+// Surfaces.h - the accumulation, scratch and sum surfaces: RGBA32F or RGBA8, as large as the
+// target, one depth buffer for all.
 #pragma once
 #include "Objects.h"
 
@@ -9,9 +9,9 @@ class Surfaces {
 public:
     explicit Surfaces(DevicePtr device) : device_(std::move(device)) {}
 
-    /// Makes all as large as said; nothing where they are. False, and a warning, where the driver
-    /// cannot draw to RGBA32F; it is not asked again for this size.
-    bool prepare(int width, int height);
+    /// Makes all as said; nothing where they are. False, and a warning, where the driver cannot
+    /// draw to them; it is not asked again for this size and format.
+    bool prepare(int width, int height, ColourFormat format);
 
     /// Framebuffer of any but the target.
     GLuint framebuffer(Surface surface) const;
@@ -32,6 +32,7 @@ private:
     One accumulation_, scratch_, sum_;
     Object depth_;
     int width_ = 0, height_ = 0;
+    ColourFormat format_ = ColourFormat::rgba32f;
     bool usable_ = false;
 };
 

@@ -1,13 +1,17 @@
 #include "CurvedPlan.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace fbrdf {
 
 Plan curvedPlan(Plan plan, Transfer transfer, bool offscreen)
 {
-    if (plan.passes.size() == 1) {
-        plan.passes.front().transfer = transfer;
+    const bool isSumElsewhere =
+        std::none_of(plan.passes.begin(), std::prev(plan.passes.end()),
+                     [](const Pass& pass) { return pass.writes == Surface::target; });
+    if (isSumElsewhere) {
+        plan.passes.back().transfer = transfer;
         return plan;
     }
     if (!offscreen) {

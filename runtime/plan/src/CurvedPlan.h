@@ -4,9 +4,9 @@
 
 namespace fbrdf {
 
-/// plan: made for an RGBA32F target and feasible. One pass keeps its place; several are sent to the
-/// sum surface, and one more carries the sum to the target. Without an offscreen surface several
-/// passes give a reason.
+/// plan: feasible. Where the last pass alone writes the target it takes the curve; several are sent
+/// to the sum surface, and one more carries the sum to the target. Without an offscreen surface
+/// several passes give a reason.
 Plan curvedPlan(Plan plan, Transfer transfer, bool offscreen);
 
 }  // namespace fbrdf

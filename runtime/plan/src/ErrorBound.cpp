@@ -10,6 +10,8 @@
 // A code of an sRGB curve is 1.055 x^(1/2.4) - 0.055, so a relative error r of x <= 1 moves it by
 // at most x dcode/dx r <= 1.055 / 2.4 r; the tone map, x (1 + x / 16) / (1 + x), does not raise r,
 // as its elasticity 1 + x / (16 + x) - x / (1 + x) is at most 1.
+// A pass that reads a UNORM surface scales its steps by its gain and by what its parts can be; a
+// curve makes of an absolute error e at most its code of e, for it is steepest at 0.
 // A recombined map changes a product by a factor of at most 2^e, wherever its factors are
 // multiplied, and so a sum of products; a curve makes of that what it makes of r = 2^e - 1.
 #include <fbrdf/plan/Plan.h>
@@ -42,23 +44,28 @@ ErrorBound writing(ColourFormat format)
 
 }  // namespace
 
-ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target, double recombination)
+ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombination)
 {
     const double replaced = std::exp2(recombination) - 1.0;
     bool curved = false;
     std::array<ErrorBound, 4> surfaces{};
-    for (const Pass& pass : passes) {
+    for (const Pass& pass : plan.passes) {
         ErrorBound& held = surfaces[static_cast<size_t>(pass.writes)];
         const ErrorBound rounding =
-            writing(pass.writes == Surface::target ? target : ColourFormat::rgba32f);
+            writing(pass.writes == Surface::target ? target : plan.surfaces);
         ErrorBound value{kEvaluation, 0.0};
-        if (pass.reads) value.relative += surfaces[static_cast<size_t>(*pass.reads)].relative;
+        if (pass.reads) {
+            const ErrorBound& from = surfaces[static_cast<size_t>(*pass.reads)];
+            value = {kEvaluation + from.relative, from.absolute * pass.gain * pass.largest};
+        }
         if (isCurved(pass.transfer)) {
             curved = true;
-            value = {0.0, kCurveSlope * (value.relative + replaced) + kEvaluation};
+            value = {0.0, kCurveSlope * (value.relative + replaced) + kEvaluation +
+                              srgbFromLinear(std::min(1.0, value.absolute))};
         }
         if (pass.blend == Blend::replace) held = value;
-        if (pass.blend == Blend::add) held.relative = std::max(held.relative, value.relative);
+        if (pass.blend == Blend::add)
+            held = {std::max(held.relative, value.relative), held.absolute + value.absolute};
         if (pass.blend == Blend::multiply) held.relative += value.relative;
         held.relative += rounding.relative;
         held.absolute += rounding.absolute;

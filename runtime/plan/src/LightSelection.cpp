@@ -21,16 +21,28 @@ bool isAimedAt(const Light& light, const Sphere& bounds)
     return angle - margin <= static_cast<double>(light.outerAngle);
 }
 
+/// Of the intensity, at the nearest point of the sphere.
+double strongestFactor(const Light& light, const Sphere& bounds)
+{
+    if (light.type == Light::Type::directional) return 1.0;
+    if (!isAimedAt(light, bounds)) return 0.0;
+    const double distance = std::max(
+        0.0, glm::distance(Vec3d(light.position), Vec3d(bounds.centre)) - double(bounds.radius));
+    return falloff(distance * distance, double(light.radius));
+}
+
 }  // namespace
 
 double strongestIrradiance(const Light& light, const Sphere& bounds)
 {
     const double mean = glm::dot(Vec3d(light.intensity), Vec3d(1.0)) / 3.0;
-    if (light.type == Light::Type::directional) return mean;
-    if (!isAimedAt(light, bounds)) return 0.0;
-    const double distance = std::max(
-        0.0, glm::distance(Vec3d(light.position), Vec3d(bounds.centre)) - double(bounds.radius));
-    return mean * falloff(distance * distance, double(light.radius));
+    return mean * strongestFactor(light, bounds);
+}
+
+double largestIrradiance(const Light& light, const Sphere& bounds)
+{
+    const Vec3d channels(light.intensity);
+    return std::max({0.0, channels.x, channels.y, channels.z}) * strongestFactor(light, bounds);
 }
 
 LightSelection selectLights(const std::vector<Light>& lights, const Sphere& bounds, int most)

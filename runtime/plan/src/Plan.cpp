@@ -1,312 +1,21 @@
-// Derivation. With v look-ups that do not depend on the light and l that do, and k lights in a
-// pass:
-//   whole:    all factors in every light pass      v + k l <= limit    ceil(N / k) passes
-//   leaving:  p(wo) and its like leave the sum     k l <= limit        ceil(N / k) + 1 passes
-//   chained:  one light's product built up in the scratch surface where even l > limit
-// A term takes whichever of the first two needs fewer passes. The first leaving term multiplies in
-// place; terms beside it would be multiplied too, so every further one adds up in the accumulation
-// surface and is composited with its factors, as is everything where the target is too coarse to
-// add up in.
+// A plan is the passes that add up the form (Planner.h), and what comes after the sum: a curve, or
+// the way back from a sum that had to be scaled.
 #include "CurvedPlan.h"
 #include "PassList.h"
+#include "Planner.h"
+#include "ScaledPlan.h"
 
+#include <fbrdf/brdf/Error.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace fbrdf {
 namespace {
 
-constexpr int kUnlimited = std::numeric_limits<int>::max();
 // vec4 uniforms beside lights and knots: ranges of tables, scales, eye and the like; generous.
 constexpr int kReservedUniformVectors = 24;
-
-struct Limits {
-    int lookups = kUnlimited;  ///< in a pass
-    int lights = 1;            ///< in a pass
-    bool offscreen = true;
-};
-
-struct TermFactors {
-    int term = 0;
-    std::vector<int> view, light, all;
-    int viewLookups = 0, lightLookups = 0;
-};
-
-/// Terms whose light passes run together, all factors in every pass.
-struct Group {
-    std::vector<Part> parts;
-    int viewLookups = 0, lightLookups = 0;
-};
-
-TermFactors termFactors(const Form& form, int term)
-{
-    TermFactors result;
-    result.term = term;
-    const auto& factors = form.terms[static_cast<size_t>(term)].factors;
-    for (int i = 0; i < static_cast<int>(factors.size()); ++i) {
-        const bool repeats = dependsOnLight(factors[static_cast<size_t>(i)]);
-        (repeats ? result.light : result.view).push_back(i);
-        result.all.push_back(i);
-    }
-    result.viewLookups = lookupsOf(form, term, result.view);
-    result.lightLookups = lookupsOf(form, term, result.light);
-    return result;
-}
-
-/// Lights that fit into a pass; 0 when not even one does.
-int lightsFitting(int viewLookups, int lightLookups, const Limits& limits)
-{
-    if (viewLookups > limits.lookups) return 0;
-    if (lightLookups == 0) return limits.lights;
-    return std::min(limits.lights, (limits.lookups - viewLookups) / lightLookups);
-}
-
-int passesFor(int lights, int lightsPerPass)
-{
-    return lightsPerPass < 1 ? kUnlimited - 1 : (lights + lightsPerPass - 1) / lightsPerPass;
-}
-
-class Planner {
-public:
-    Planner(const Form& form, const PlanRequest& request, const Limits& limits)
-        : form_(form), request_(request), limits_(limits), list_(form)
-    {
-    }
-
-    /// Every term in every light pass.
-    bool planTogether()
-    {
-        Group group;
-        for (const TermFactors& term : terms()) join(group, term);
-        if (lightsFitting(group.viewLookups, group.lightLookups, limits_) < 1) return false;
-        addUp({group}, {});
-        return true;
-    }
-
-    bool planApart()
-    {
-        std::vector<Group> groups;
-        std::vector<TermFactors> leaving;
-        for (const TermFactors& term : terms()) {
-            if (shouldLeave(term))
-                leaving.push_back(term);
-            else
-                place(groups, term);
-        }
-        addUp(groups, leaving);
-        return reason_.empty();
-    }
-
-    const std::vector<Pass>& passes() const { return list_.passes(); }
-    const std::string& reason() const { return reason_; }
-
-private:
-    std::vector<TermFactors> terms() const
-    {
-        std::vector<TermFactors> result;
-        for (int t = 0; t < static_cast<int>(form_.terms.size()); ++t)
-            result.push_back(termFactors(form_, t));
-        return result;
-    }
-
-    bool shouldLeave(const TermFactors& term) const
-    {
-        if (term.viewLookups == 0) return false;
-        const int whole =
-            passesFor(request_.lights, lightsFitting(term.viewLookups, term.lightLookups, limits_));
-        const int left =
-            passesFor(request_.lights, lightsFitting(0, term.lightLookups, limits_)) + 1;
-        return left < whole || whole >= kUnlimited - 1;
-    }
-
-    static void join(Group& group, const TermFactors& term)
-    {
-        group.parts.push_back({term.term, term.all, true});
-        group.viewLookups += term.viewLookups;
-        group.lightLookups += term.lightLookups;
-    }
-
-    void place(std::vector<Group>& groups, const TermFactors& term) const
-    {
-        for (Group& group : groups)
-            if (lightsFitting(group.viewLookups + term.viewLookups,
-                              group.lightLookups + term.lightLookups, limits_) >= 1)
-                return join(group, term);
-        groups.emplace_back();
-        join(groups.back(), term);
-    }
-
-    void addUp(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
-    {
-        if (accumulatesInTarget(groups, leaving))
-            addUpInTarget(groups, leaving);
-        else
-            addUpOffscreen(groups, leaving);
-    }
-
-    bool accumulatesInTarget(const std::vector<Group>& groups,
-                             const std::vector<TermFactors>& leaving) const
-    {
-        if (request_.target == ColourFormat::rgba32f || !limits_.offscreen) return true;
-        if (!leaving.empty() || groups.size() != 1) return false;
-        return lightsFitting(groups[0].viewLookups, groups[0].lightLookups, limits_) >=
-               request_.lights;  // one pass: nothing adds up
-    }
-
-    void addUpInTarget(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
-    {
-        const bool unsignedTarget =
-            request_.target == ColourFormat::rgba8 || request_.target == ColourFormat::rgba16;
-        if (!leaving.empty() && unsignedTarget)
-            return refuse(std::string("a sum before its last factor does not fit into ") +
-                          colourFormatName(request_.target));
-        for (size_t i = 0; i < leaving.size(); ++i) {
-            if (i == 0)
-                addLeavingInPlace(leaving[i]);
-            else
-                addLeavingThroughAccumulation(leaving[i]);
-            if (i == 0)
-                for (const Group& group : groups) addLights(group, Surface::target);
-        }
-        if (leaving.empty())
-            for (const Group& group : groups) addLights(group, Surface::target);
-    }
-
-    void addUpOffscreen(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
-    {
-        if (!groups.empty()) {
-            list_.restart(Surface::accumulation);
-            for (const Group& group : groups) addLights(group, Surface::accumulation);
-            composite({{0, {}, false}});
-        }
-        for (const TermFactors& term : leaving) addLeavingThroughAccumulation(term);
-    }
-
-    void addLeavingInPlace(const TermFactors& term)
-    {
-        addLights(lightGroup(term), Surface::target);
-        for (const Part& part : chunks(term.term, term.view, limits_.lookups))
-            multiply(part, Surface::target);
-    }
-
-    void addLeavingThroughAccumulation(const TermFactors& term)
-    {
-        if (!limits_.offscreen)
-            return refuse("term " + std::to_string(term.term) +
-                          " needs an accumulation surface, which this target cannot have");
-        list_.restart(Surface::accumulation);
-        addLights(lightGroup(term), Surface::accumulation);
-        // The composite reads the surface, so it has room for one factor less.
-        auto parts = chunks(term.term, term.view, limits_.lookups - 1);
-        const Part last = parts.back();
-        parts.pop_back();
-        for (const Part& part : parts) multiply(part, Surface::accumulation);
-        composite({last});
-    }
-
-    static Group lightGroup(const TermFactors& term)
-    {
-        return {{{term.term, term.light, false}}, 0, term.lightLookups};
-    }
-
-    void addLights(const Group& group, Surface surface)
-    {
-        const int k = lightsFitting(group.viewLookups, group.lightLookups, limits_);
-        if (k < 1) return chain(group.parts.front(), surface);
-        for (int first = 0; first < request_.lights; first += k) {
-            Pass pass;
-            pass.parts = group.parts;
-            pass.firstLight = first;
-            pass.lightCount = std::min(k, request_.lights - first);
-            pass.lit = true;
-            pass.writes = surface;
-            list_.append(std::move(pass));
-        }
-    }
-
-    /// Each light's product is built up in the scratch surface, then added.
-    void chain(const Part& whole, Surface surface)
-    {
-        if (!limits_.offscreen)
-            return refuse("term " + std::to_string(whole.term) + " has " +
-                          std::to_string(lookupsOf(form_, whole.term, whole.factors)) +
-                          " look-ups a light, expected at most " + std::to_string(limits_.lookups) +
-                          " without an offscreen surface");
-        auto parts = chunks(whole.term, whole.factors, limits_.lookups - 1);
-        for (Part& part : parts) part.scaled = false;
-        parts.back().scaled = whole.scaled;
-        for (int light = 0; light < request_.lights; ++light) {
-            list_.restart(Surface::scratch);
-            for (size_t i = 0; i < parts.size(); ++i) {
-                Pass pass;
-                pass.parts = {parts[i]};
-                pass.firstLight = light;
-                pass.lightCount = 1;
-                pass.lit = i == 0;
-                const bool last = i + 1 == parts.size();
-                pass.writes = last ? surface : Surface::scratch;
-                pass.blend = last ? Blend::add : Blend::multiply;
-                if (last) pass.reads = Surface::scratch;
-                list_.append(std::move(pass));
-            }
-        }
-    }
-
-    void multiply(const Part& part, Surface surface)
-    {
-        Pass pass;
-        pass.parts = {part};
-        pass.writes = surface;
-        pass.blend = Blend::multiply;
-        list_.append(std::move(pass));
-    }
-
-    void composite(std::vector<Part> parts)
-    {
-        Pass pass;
-        pass.parts = std::move(parts);
-        pass.reads = Surface::accumulation;
-        pass.blend = Blend::add;
-        list_.append(std::move(pass));
-    }
-
-    /// Factors split so that no chunk exceeds the limit, nor the last one `lastLimit`; the scale
-    /// goes with the last.
-    std::vector<Part> chunks(int term, const std::vector<int>& factors, int lastLimit) const
-    {
-        std::vector<Part> parts;
-        std::vector<int> rest = factors, last;
-        int lastLookups = 0;
-        while (!rest.empty() && lastLookups + lookupsOf(form_, term, rest.back()) <= lastLimit) {
-            lastLookups += lookupsOf(form_, term, rest.back());
-            last.insert(last.begin(), rest.back());
-            rest.pop_back();
-        }
-        Part part{term, {}, false};
-        for (const int factor : rest) {
-            if (lookupsOf(form_, term, part.factors) + lookupsOf(form_, term, factor) >
-                limits_.lookups) {
-                parts.push_back(part);
-                part.factors.clear();
-            }
-            part.factors.push_back(factor);
-        }
-        if (!part.factors.empty()) parts.push_back(part);
-        parts.push_back({term, last, true});
-        return parts;
-    }
-
-    void refuse(const std::string& reason) { reason_ = reason; }
-
-    const Form& form_;
-    const PlanRequest& request_;
-    const Limits& limits_;
-    PassList list_;
-    std::string reason_;
-};
 
 Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
@@ -344,17 +53,16 @@ Plan planStraight(const Form& form, const PlanRequest& request, const Capabiliti
         black.append({});
         return finished(black.passes(), request);
     }
-    const Limits limits = limitsOf(form, request, capabilities);
-    Planner together(form, request, limits), apart(form, request, limits);
-    const bool canTogether = together.planTogether(), canApart = apart.planApart();
-    if (!canTogether && !canApart) {
-        Plan none;
-        none.reason = apart.reason();
-        return none;
-    }
-    const bool chooseTogether =
-        canTogether && (!canApart || together.passes().size() <= apart.passes().size());
-    return finished((chooseTogether ? together : apart).passes(), request);
+    ListedPasses listed = listPasses(form, request, limitsOf(form, request, capabilities));
+    if (listed.reason.empty()) return finished(std::move(listed.passes), request);
+    Plan none;
+    none.reason = std::move(listed.reason);
+    return none;
+}
+
+bool isUnorm(ColourFormat format)
+{
+    return format != ColourFormat::rgba32f && format != ColourFormat::rgba16f;
 }
 
 /// A UNORM target clamps what every pass writes to 0: of terms with signs it can take the sum
@@ -362,8 +70,7 @@ Plan planStraight(const Form& form, const PlanRequest& request, const Capabiliti
 Plan withSigns(Plan plan, const PlanRequest& request)
 {
     plan.error.relative = std::numeric_limits<double>::infinity();
-    if (request.target == ColourFormat::rgba16f || request.target == ColourFormat::rgba32f)
-        return plan;
+    if (!isUnorm(request.target)) return plan;
     const auto writes = std::count_if(plan.passes.begin(), plan.passes.end(),
                                       [](const Pass& p) { return p.writes == Surface::target; });
     if (writes <= 1) return plan;
@@ -380,6 +87,58 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
     if (offscreen) straight.target = ColourFormat::rgba32f;
     Plan plan = planStraight(form, straight, capabilities);
     return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
+}
+
+/// Whether RGBA8 surfaces could be what RGBA32F ones cannot.
+bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
+{
+    return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
+           isUnorm(request.target) && capabilities.framebufferObjects && !capabilities.floatTargets;
+}
+
+void checkPeaks(const Form& form, const PlanRequest& request)
+{
+    const Peaks& peaks = *request.peaks;
+    const auto isKnown = [](const std::vector<double>& values, size_t count) {
+        return values.size() == count &&
+               std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0; });
+    };
+    if (!isKnown(peaks.tables, form.tables.size()) || !isKnown(peaks.scales, form.terms.size()) ||
+        !isKnown(peaks.lights, static_cast<size_t>(request.lights)))
+        throw Error(ErrorKind::usage, "plan",
+                    "found peaks of another form or number of lights, or below 0, expected one of "
+                    "each table, term and light");
+}
+
+/// As if RGBA32F could be drawn to, then scaled for RGBA8.
+Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capabilities)
+{
+    checkPeaks(form, request);
+    capabilities.floatTargets = true;
+    Plan plan = planStraight(form, request, capabilities);
+    if (plan.feasible() && isCurved(request.transfer))
+        plan = curvedPlan(std::move(plan), request.transfer, true);
+    if (!plan.feasible()) return plan;
+    plan = scaledPlan(std::move(plan), form, *request.peaks);
+    plan.accumulation = plan.surfaces;
+    const double error = errorBound(plan, request.target).absolute;
+    if (error <= kCoarsestSum) return plan;
+    Plan none;
+    none.reason = "a sum of " + std::to_string(request.lights) +
+                  " lights in RGBA8 surfaces is off by up to " + std::to_string(error) +
+                  ", expected at most " + std::to_string(kCoarsestSum);
+    return none;
+}
+
+Plan betterOf(Plan plan, Plan scaled, ColourFormat target)
+{
+    if (!scaled.feasible()) {
+        if (!plan.feasible()) plan.reason += "; " + scaled.reason;
+        return plan;
+    }
+    const bool isWorse =
+        plan.feasible() && errorBound(plan, target).absolute <= errorBound(scaled, target).absolute;
+    return isWorse ? plan : scaled;
 }
 
 }  // namespace
@@ -399,8 +158,10 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     validate(request);
     Plan plan = isCurved(request.transfer) ? planCurved(form, request, capabilities)
                                            : planStraight(form, request, capabilities);
+    if (mayScale(request, capabilities))
+        plan = betterOf(std::move(plan), planScaled(form, request, capabilities), request.target);
     plan.technique = request.technique;
-    plan.error = errorBound(plan.passes, request.target, request.recombination);
+    plan.error = errorBound(plan, request.target, request.recombination);
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 

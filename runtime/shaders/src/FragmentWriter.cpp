@@ -233,6 +233,7 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert("uniform sampler2D fbrdfRead;\n");
         lines.insert("uniform vec2 fbrdfReadScale;\n");
     }
+    if (c.spec.gained) lines.insert("uniform float fbrdfGain;\n");
     if (dependsOnLight(c) && !c.spec.clustered)
         lines.insert("uniform vec4 fbrdfLights[" +
                      std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
@@ -256,6 +257,7 @@ std::string mainFunction(const FragmentContext& c)
     text += c.spec.lit && !c.spec.parts.empty() ? litBody(c) : unlitBody(c);
     if (c.spec.reads)
         text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";
+    if (c.spec.gained) text += "    total *= fbrdfGain;\n";
     if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
     if (isCurved(c.spec.transfer))
         text += "    total = fbrdfSrgbFromLinear(min(total, vec3(1.0)));\n";

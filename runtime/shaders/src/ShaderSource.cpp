@@ -70,7 +70,8 @@ ProgramSpec wholeSpec(const Form& form, int lights)
 
 ProgramSpec programSpec(const Pass& pass, int maxLights)
 {
-    ProgramSpec spec{pass.parts, 0, pass.lit, pass.reads.has_value(), pass.transfer};
+    ProgramSpec spec{pass.parts,      0, pass.lit, pass.reads.has_value(), pass.transfer,
+                     pass.gain != 1.0};
     if (pass.lightCount > 0) {
         spec.lightSlots = 1;
         while (spec.lightSlots < pass.lightCount) spec.lightSlots *= 8;

@@ -67,6 +67,16 @@ Material noiseMaterial(const Form& form, Storage storage, unsigned seed)
     return material;
 }
 
+Material calmMaterial(const Form& form)
+{
+    Material material = noiseMaterial(form, Storage::float32);
+    for (Table& table : material.tables) {
+        for (float& texel : table.texels) texel *= 0.25f;
+        table = quantized(table, Storage::half);
+    }
+    return material;
+}
+
 Form sumOf(const Form& a, const Form& b)
 {
     Form form = a;

@@ -7,6 +7,9 @@ namespace fbrdf::test {
 /// Tables of noise: log2 F between -1.5 and 1.5, for linear8 between -4 and 0.
 Material noiseMaterial(const Form& form, Storage storage, unsigned seed = 1);
 
+/// The same of a third of an octave up and down, half floats: what a sum can be is near what it is.
+Material calmMaterial(const Form& form);
+
 /// a + b with the tables of both.
 Form sumOf(const Form& a, const Form& b);
 /// A single table over (theta_i, theta_o): a diffuse term.

@@ -8,8 +8,8 @@
 // contexts and threads may live side by side. No GL header is included here, so this one can follow
 // or precede any.
 #pragma once
-#include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/brdf/Material.h>
+#include <fbrdf/gl/MaterialOptions.h>
 #include <fbrdf/plan/Capabilities.h>
 #include <fbrdf/plan/Light.h>
 #include <fbrdf/plan/Plan.h>
@@ -92,15 +92,6 @@ struct Hooks {
     std::function<void(uint32_t program)> setUniforms;
 };
 
-/// How a material is uploaded.
-struct MaterialOptions {
-    /// Of the maps over one direction. Others stay native, which whyNative tells: cube and
-    /// parabolic maps cost a shader less arithmetic and more memory, and differ from the tables
-    /// between their texels, which lookUpError and every error bound include.
-    LookUp lookUp = LookUp::native;
-    int mapSize = 0;  ///< as DirectionMapRequest::size
-};
-
 class GpuMaterial;  ///< textures and programs of one Material
 class GpuMesh;      ///< buffers of one MeshData
 class GpuLibrary;   ///< many materials: those of one layout draw in one call
@@ -140,7 +131,7 @@ struct View {
 
 /// A colour buffer with depth that the host owns: a framebuffer object, or 0 for the window's. Only
 /// its first colour buffer is written. Its format decides whether lights add up in it (RGBA32F) or
-/// in an RGBA32F surface of the renderer's own.
+/// in a surface of the renderer's own: RGBA32F, or RGBA8 where no float can be drawn to.
 struct Target {
     uint32_t framebuffer = 0;
     int width = 0, height = 0;             ///< pixels, > 0; the viewport is all of it
@@ -241,13 +232,6 @@ public:
 private:
     std::unique_ptr<State> state_;
 };
-
-/// Why maps of a material are looked up natively although options said otherwise; empty where none
-/// are.
-const std::string& whyNative(const GpuMaterial& material);
-/// How far its products may be from those of its tables because maps are recombined, |log2|; 0
-/// where none are.
-double lookUpError(const GpuMaterial& material);
 
 /// Why materials of a library are not in arrays; empty where all are.
 const std::string& whyApart(const GpuLibrary& library);

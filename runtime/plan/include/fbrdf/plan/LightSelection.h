@@ -22,6 +22,8 @@ struct LightSelection {
 /// upper bound: the nearest point, inside its cone. 0 where its
 /// radius ends before, or its cone misses.
 double strongestIrradiance(const Light& light, const Sphere& bounds);
+/// The same of the largest channel.
+double largestIrradiance(const Light& light, const Sphere& bounds);
 
 /// lights: valid. most: 0 for no limit. Where there is no limit the order is that given.
 LightSelection selectLights(const std::vector<Light>& lights, const Sphere& bounds, int most);

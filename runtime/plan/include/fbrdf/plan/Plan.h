@@ -34,9 +34,9 @@ Technique techniqueFromName(const std::string& name);  ///< throws Error(usage)
 enum class ColourFormat { rgba8, rgba16, rgba16f, rgba32f, other };
 const char* colourFormatName(ColourFormat format);  ///< "RGBA8", ..., "other"
 
-/// Surfaces that passes write and read. All but the target belong to the renderer, are RGBA32F, as
-/// large as the target, and share one depth buffer. sum stands for the target where a curve
-/// follows.
+/// Surfaces that passes write and read. All but the target belong to the renderer, are as large as
+/// it, of the format that the plan says, and share one depth buffer. sum stands for the target
+/// where a curve follows.
 enum class Surface { target, accumulation, scratch, sum };
 /// target = value; target += value; target *= value. Alpha becomes 1 with replace and stays after.
 enum class Blend { replace, add, multiply };
@@ -59,7 +59,18 @@ struct Pass {
     Blend blend = Blend::replace;
     Depth depth = Depth::lay;
     Transfer transfer = Transfer::linear;  ///< curved: applied to the value before it is written
-    int lookups = 0;  ///< see above; the renderer checks it against the linked programs
+    /// Times the value before that: what goes into a UNORM surface is scaled down so that no sum
+    /// exceeds 1, what comes out of it is scaled up again.
+    double gain = 1.0;
+    double largest = 1.0;  ///< of parts and lights, where surfaces are UNORM (Peaks)
+    int lookups = 0;       ///< see above; the renderer checks it against the linked programs
+};
+
+/// The largest values that occur, channels included, for a sum that must not exceed 1.
+struct Peaks {
+    std::vector<double> tables;  ///< F of each table of the form
+    std::vector<double> scales;  ///< of each term
+    std::vector<double> lights;  ///< irradiance of each on the object
 };
 
 struct PlanRequest {
@@ -75,6 +86,8 @@ struct PlanRequest {
     /// Of recombined maps (DirectionMap.h): how far the product of any term may be from that of its
     /// tables, |log2|.
     double recombination = 0.0;
+    /// Where RGBA32F cannot be drawn to, a UNORM target may have RGBA8 surfaces if these are known.
+    std::optional<Peaks> peaks = {};
 };
 
 /// Throws Error(usage) for a request out of range.
@@ -93,6 +106,7 @@ struct ErrorBound {
 
 struct Plan {
     std::vector<Pass> passes;
+    ColourFormat surfaces = ColourFormat::rgba32f;      ///< format of all but the target
     ColourFormat accumulation = ColourFormat::rgba32f;  ///< where the lights add up
     int maxLookups = 0;                                 ///< of any pass
     Technique technique = Technique::single;
@@ -101,15 +115,18 @@ struct Plan {
     bool feasible() const { return reason.empty(); }
 };
 
-/// Of passes that draw into a target of a format; `other` counts as RGBA8. recombination: as of a
+/// A sum in RGBA8 that is not known better than this is no picture: there is no such plan.
+constexpr double kCoarsestSum = 1.0 / 8.0;
+
+/// Of a plan that draws into a target of a format; `other` counts as RGBA8. recombination: as of a
 /// PlanRequest.
-ErrorBound errorBound(const std::vector<Pass>& passes, ColourFormat target,
-                      double recombination = 0.0);
+ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombination = 0.0);
 
 /// Lights that the uniforms of one pass can hold beside the knots of the form.
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);
 
-/// The plan with the fewest passes within the limits, or a reason. Throws what validate throws.
+/// The plan with the fewest passes within the limits, or a reason; where sums can only be UNORM,
+/// the one with the smaller error. Throws what validate throws.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 
 }  // namespace fbrdf

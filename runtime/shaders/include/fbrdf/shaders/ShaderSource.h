@@ -12,6 +12,7 @@
 //               a uniform table: fbrdfKnots<k>[knots] (vec3), decoded
 //   term t      fbrdfScale<t> (vec3)
 //   surface     fbrdfRead (sampler), fbrdfReadScale (vec2: 1 / size in pixels)
+//   gain        fbrdfGain (float), see Pass
 // Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
 #include <fbrdf/brdf/DirectionMap.h>
@@ -41,6 +42,7 @@ struct ProgramSpec {
     int lightSlots = 0;  ///< lights that fbrdfLights has room for; 0: nothing depends on the light
     bool lit = false, reads = false;
     Transfer transfer = Transfer::linear;
+    bool gained = false;  ///< times fbrdfGain
     bool clustered =
         false;  ///< lights come from the list of the fragment's cluster (clusters.glsl),
                 ///< the first fbrdfLightCount of them in every list; GLSL 1.40

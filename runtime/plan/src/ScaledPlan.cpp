@@ -1,0 +1,107 @@
+// Derivation. From a replacing pass to the next a surface holds a sum, and then what that is
+// multiplied by. No sum exceeds the peaks of its passes added up, S; no factor its own, M. So the
+// light passes are scaled by 1 / S and the factors by 1 / M, nothing clips, and who reads the
+// surface scales by S times all M.
+#include "ScaledPlan.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fbrdf {
+namespace {
+
+/// What a surface holds between two replacing passes.
+struct Content {
+    double sum = 0.0, factors = 1.0;
+    double peak() const { return sum * factors; }
+};
+
+double largestOf(const Pass& pass, const Form& form, const Peaks& peaks)
+{
+    double sum = 0.0;
+    for (const Part& part : pass.parts) {
+        const auto& factors = form.terms[static_cast<size_t>(part.term)].factors;
+        double product = part.scaled ? peaks.scales[static_cast<size_t>(part.term)] : 1.0;
+        for (const int factor : part.factors)
+            product *=
+                peaks.tables[static_cast<size_t>(factors[static_cast<size_t>(factor)].table)];
+        sum += product;
+    }
+    return sum;
+}
+
+double irradianceOf(const Pass& pass, const Peaks& peaks)
+{
+    double sum = 0.0;
+    for (int i = 0; i < pass.lightCount; ++i)
+        sum += peaks.lights[static_cast<size_t>(pass.firstLight + i)];
+    return sum;
+}
+
+/// What a surface that nothing reaches is divided by.
+double orOne(double peak)
+{
+    return peak > 0.0 ? peak : 1.0;
+}
+
+/// Which content every pass writes and reads; -1: none, as of the target.
+class Contents {
+public:
+    Contents(const Plan& plan)
+    {
+        std::array<int, 4> current{-1, -1, -1, -1};
+        for (const Pass& pass : plan.passes) {
+            int& held = current[static_cast<size_t>(pass.writes)];
+            read_.push_back(pass.reads ? current[static_cast<size_t>(*pass.reads)] : -1);
+            if (pass.writes != Surface::target && pass.blend == Blend::replace) {
+                held = static_cast<int>(contents_.size());
+                contents_.emplace_back();
+            }
+            written_.push_back(held);
+            add(pass);
+        }
+    }
+
+    const Content* read(size_t pass) const { return at(read_[pass]); }
+    const Content* written(size_t pass) const { return at(written_[pass]); }
+
+private:
+    const Content* at(int index) const
+    {
+        return index < 0 ? nullptr : &contents_[static_cast<size_t>(index)];
+    }
+    void add(const Pass& pass)
+    {
+        const Content* from = at(read_.back());
+        const double value = pass.largest * (from ? from->peak() : 1.0);
+        if (written_.back() < 0) return;
+        Content& into = contents_[static_cast<size_t>(written_.back())];
+        if (pass.blend == Blend::multiply)
+            into.factors *= value;
+        else
+            into.sum += value;
+    }
+
+    std::vector<Content> contents_;
+    std::vector<int> read_, written_;  ///< of each pass
+};
+
+}  // namespace
+
+Plan scaledPlan(Plan plan, const Form& form, const Peaks& peaks)
+{
+    for (Pass& pass : plan.passes)
+        pass.largest = largestOf(pass, form, peaks) * (pass.lit ? irradianceOf(pass, peaks) : 1.0);
+    const Contents contents(plan);
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        Pass& pass = plan.passes[i];
+        const Content* from = contents.read(i);
+        const Content* into = contents.written(i);
+        if (from) pass.gain *= orOne(from->peak());
+        if (into) pass.gain /= orOne(pass.blend == Blend::multiply ? pass.largest : into->sum);
+    }
+    plan.surfaces = ColourFormat::rgba8;
+    return plan;
+}
+
+}  // namespace fbrdf

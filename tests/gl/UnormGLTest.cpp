@@ -1,0 +1,161 @@
+// Where no float can be drawn to: lights add up in RGBA8, scaled, against the reference in double
+// within the bound that the plan states.
+#include <gtest/gtest.h>
+
+#include "support/gl/GlTest.h"
+#include "support/gl/Hooks.h"
+#include "support/gl/Reference.h"
+
+#include <algorithm>
+
+namespace fbrdf::test {
+namespace {
+
+constexpr int kSize = 32;
+
+/// A light above the viewer, and so on round: at about one distance from the sphere.
+std::vector<Light> ring(int count, float brightest)
+{
+    std::vector<Light> lights;
+    for (int i = 0; i < count; ++i) {
+        Light light;
+        const float turn =
+            2.0f * static_cast<float>(kPi) * static_cast<float>(i) / static_cast<float>(count);
+        light.position = Vec3f(4.0f * std::cos(turn), 4.0f * std::sin(turn), 8.0f);
+        light.intensity = Vec3f(1.0f, 0.9f, 0.8f) * (brightest * 60.0f / static_cast<float>(count));
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+class Unorm : public GlTest {
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        Offscreen floats = makeOffscreen(kSize);
+        geometry_ = geometryBuffer(gl(), floats, mesh_, glm::mat4(1.0f), perspectiveView());
+    }
+
+    gl::RendererOptions withoutFloatTargets()
+    {
+        gl::RendererOptions options = rendererOptions();
+        options.capabilities = makeRenderer().capabilities();
+        options.capabilities->floatTargets = false;
+        return options;
+    }
+
+    struct Result {
+        gl::DrawStats stats;
+        double share = 0.0;
+    };
+    Result draw(gl::Renderer& renderer, const Material& material, const std::vector<Light>& lights,
+                const gl::DrawOptions& options, Transfer transfer = Transfer::linear)
+    {
+        const auto gpu = renderer.createMaterial(material);
+        const auto mesh = renderer.createMesh(mesh_);
+        Offscreen offscreen = makeOffscreen(kSize, OffscreenFormat::rgba8);
+        offscreen.clear();
+        Result result;
+        result.stats = renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer},
+                                     perspectiveView(), {{gpu.get(), mesh.get()}}, lights, options);
+        const auto exact = storedImage(
+            referenceImage(material, geometry_, lights, perspectiveView()), transfer, true);
+        result.share = deviationOf(offscreen.readPixels(), exact, result.stats.error).share;
+        return result;
+    }
+
+    const gl::MeshData mesh_ = sphereMesh(16);
+    GeometryBuffer geometry_;
+};
+
+TEST_P(Unorm, SumsAreWithinWhatThePlanStates)
+{
+    gl::Renderer renderer(withoutFloatTargets());
+    double worst = 0.0;
+    for (const Form& form :
+         {formPqp(8, 0.5), formPqpr(8, 0.5, 6), sumOf(formPqp(8, 0.5), formIo())})
+        for (const Transfer transfer : {Transfer::linear, Transfer::srgb, Transfer::toneMap})
+            for (const Technique technique : {Technique::batched, Technique::twoLookup}) {
+                // A curve is steepest at black: what four lights lose there is too much.
+                const int lights = isCurved(transfer) ? 2 : 4;
+                const gl::DrawOptions options{technique, lights / 2};
+                const Result drawn =
+                    draw(renderer, calmMaterial(form),
+                         ring(lights, isCurved(transfer) ? 0.08f : 0.15f), options, transfer);
+                EXPECT_EQ(drawn.stats.itemsFailed, 0);
+                EXPECT_EQ(drawn.stats.technique, technique) << drawn.stats.whyReplaced;
+                EXPECT_EQ(drawn.stats.accumulation, "RGBA8");
+                if (technique == Technique::twoLookup) {
+                    EXPECT_LE(drawn.stats.maxLookups, 2);
+                }
+                EXPECT_LE(drawn.share, 1.0)
+                    << form.name << " " << techniqueName(technique) << " transfer "
+                    << static_cast<int>(transfer) << " bound " << drawn.stats.error.absolute;
+                worst = std::max(worst, drawn.share);
+            }
+    EXPECT_GT(worst, 0.25) << "a bound that nothing comes near says nothing";
+}
+
+TEST_P(Unorm, MoreLightsLoseMoreAndSaySo)
+{
+    gl::Renderer renderer(withoutFloatTargets());
+    const gl::DrawOptions options{Technique::twoLookup};
+    double last = 0.0;
+    for (const int lights : {2, 4, 8}) {
+        const Result drawn =
+            draw(renderer, calmMaterial(formPqp(8, 0.5)), ring(lights, 0.25f), options);
+        EXPECT_LE(drawn.share, 1.0) << lights;
+        EXPECT_EQ(drawn.stats.passes, lights + 1);
+        EXPECT_GT(drawn.stats.error.absolute, 1.3 * last);
+        last = drawn.stats.error.absolute;
+    }
+}
+
+TEST_P(Unorm, SumsThatWouldBeNoPictureAreReplacedWithTheReason)
+{
+    gl::Renderer renderer(withoutFloatTargets());
+    // Steep tables: what a sum can be is far above what it is.
+    const Result drawn = draw(renderer, noiseMaterial(formPqp(8, 0.5), Storage::half),
+                              ring(12, 0.25f), {Technique::twoLookup});
+    EXPECT_EQ(drawn.stats.technique, Technique::single);
+    EXPECT_NE(drawn.stats.whyReplaced.find("12 lights in RGBA8 surfaces"), std::string::npos)
+        << drawn.stats.whyReplaced;
+    EXPECT_EQ(drawn.stats.passes, 1);
+    EXPECT_LE(drawn.share, 1.0);
+}
+
+TEST_P(Unorm, ALightInsideTheObjectsBoundsHasNoPeak)
+{
+    gl::Renderer renderer(withoutFloatTargets());
+    auto lights = ring(3, 0.1f);
+    lights[1].position = Vec3f(0.0f, 0.0f, 0.9f);
+    const Result drawn =
+        draw(renderer, calmMaterial(formPqp(8, 0.5)), lights, {Technique::twoLookup});
+    EXPECT_EQ(drawn.stats.technique, Technique::single);
+    EXPECT_NE(drawn.stats.whyReplaced, "");
+}
+
+TEST_P(Unorm, WithoutSurfacesThereIsTheOnePass)
+{
+    Hooks hooks(context().loader());
+    gl::RendererOptions options = withoutFloatTargets();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    gl::Renderer renderer(options);
+    hooks.refuseFramebuffers = true;
+    const Material material = calmMaterial(formPqp(8, 0.5));
+    const Result drawn = draw(renderer, material, ring(3, 0.25f), {Technique::twoLookup});
+    EXPECT_EQ(drawn.stats.technique, Technique::single);
+    EXPECT_NE(drawn.stats.whyReplaced, "");
+    EXPECT_LE(drawn.share, 1.0);
+    EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const std::string& line) {
+        return line.find("no RGBA8 surface") != std::string::npos;
+    }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Unorm, ::testing::ValuesIn(allVariants()), variantName);
+
+}  // namespace
+}  // namespace fbrdf::test
