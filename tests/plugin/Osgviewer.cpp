@@ -109,13 +109,15 @@ bool Osgviewer::installed()
                ">/dev/null") == 0;
 }
 
-// A shell beside osgviewer in the X server does what does() and quit() say.
+// A shell beside osgviewer in the X server does what does() and quit() say. A server starts anew
+// when its last client leaves, and osgviewer asks for the screens as a client that leaves at once:
+// the windows that it opens then would be lost with the old server.
 Osgviewer::Osgviewer(const std::string& scene, const Options& options)
 {
     std::ostringstream server, viewer;
     server << "env -u LD_LIBRARY_PATH -u WAYLAND_DISPLAY OSG_GL_ERROR_CHECKING=ONCE_PER_ATTRIBUTE "
            << "OSG_LIBRARY_PATH=" << FBRDF_OSG_LIBRARY_PATH << " xvfb-run -a -n " << displayNumber()
-           << " -s '-fbdir " << folder_.file("");
+           << " -s '-noreset -fbdir " << folder_.file("");
     for (int i = 0; i < options.screens; ++i)
         server << " -screen " << i << ' ' << options.width << 'x' << options.height << "x24";
     server << "' sh >" << folder_.file("shell") << " 2>&1";
@@ -159,8 +161,8 @@ int Osgviewer::quit()
 {
     does("key Escape");
     std::fprintf(shell_,
-                 "for i in $(seq 100); do kill -0 $viewer && sleep 0.1; done\n"
-                 "kill $viewer && echo killed >%s\nwait $viewer\necho $? >%s\n",
+                 "{ sleep 10; kill $viewer && echo killed >%s; } & limit=$!\n"
+                 "wait $viewer\necho $? >%s\nkill $limit\n",
                  folder_.file("killed").c_str(), folder_.file("status").c_str());
     pclose(shell_);
     shell_ = nullptr;
