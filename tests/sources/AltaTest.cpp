@@ -91,6 +91,7 @@ TEST(Alta, ReadsColoursAndSkipsConfidence)
     const std::string row = "0.3 0.1 0.6 2 0.95047 1 1.08883 0.1 0.1 0.1\n";
     const Source rgb = read(alta("4 3", "SPHERICAL_TL_PL_TV_PV", "RGB_COLOR", row));
     EXPECT_EQ(rgb.samples.at(0).f, Vec3f(0.95047f, 1.0f, 1.08883f));
+    EXPECT_FALSE(rgb.isotropic);
     const Source xyz = read(alta("4 3", "SPHERICAL_TL_PL_TV_PV", "XYZ_COLOR", row));
     EXPECT_LT(glm::length(xyz.samples.at(0).f - Vec3f(1.0f)), 1e-4f);
 }

@@ -40,6 +40,7 @@ TEST(Csv, ReadsDirectionsAndColours)
     EXPECT_EQ(source.samples[1].weight, 1.0f);
     EXPECT_EQ(source.format, "csv");
     EXPECT_EQ(source.name, "samples");
+    EXPECT_FALSE(source.isotropic);
 }
 
 TEST(Csv, ReadsAnglesInDegreesOneValueAndWeights)

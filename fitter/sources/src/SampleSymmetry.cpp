@@ -77,22 +77,6 @@ bool isTurned(const Turned& a, const Turned& b)
     return a.side * b.side < 0 || std::abs(wrapped(a.azimuth - b.azimuth)) > kTurned;
 }
 
-/// All wi in one plane with the normal.
-bool liesInPlane(const std::vector<Sample>& samples)
-{
-    bool found = false;
-    float first = 0.0f;
-    for (const Sample& s : samples) {
-        if (zenithOf(s.wi) < kPole) continue;
-        const float phi = std::atan2(s.wi.y, s.wi.x);
-        if (!found) first = phi;
-        found = true;
-        const float turn = std::abs(wrapped(phi - first));
-        if (std::min(turn, float(kPi) - turn) > kPole) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 bool areIsotropic(const std::vector<Sample>& samples)
@@ -108,7 +92,7 @@ bool areIsotropic(const std::vector<Sample>& samples)
             if (turned[j].cell != turned[i].cell) break;
             (isTurned(turned[i], turned[j]) ? far : near).add(turned[i].f, turned[j].f);
         }
-    if (far.pairs < kFewestPairs) return liesInPlane(samples);
+    if (far.pairs < kFewestPairs) return false;
     for (const size_t k : {0, 1})
         if (far.share(k) > kSame + kAsNear * near.share(k)) return false;
     return true;

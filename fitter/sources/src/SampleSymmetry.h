@@ -7,9 +7,9 @@
 namespace fbrdf {
 
 /// True when samples of the same theta_i, theta_o and |phi_o - phi_i| agree wherever they lie about
-/// the normal and on whichever side of the plane of incidence, as near samples on one side do; and
-/// when nothing speaks against it because all wi lie in one plane, as a goniometer that does not
-/// turn its sample leaves them. False where too few samples can be compared.
+/// the normal and on whichever side of the plane of incidence, as near samples on one side do. All
+/// wi in one plane, as a goniometer that does not turn its sample leaves them, have their two sides
+/// compared. False where too few samples can be: nothing speaks for it then.
 bool areIsotropic(const std::vector<Sample>& samples);
 
 /// The same of a source that knows its samples only; of a stream some rows are read.
