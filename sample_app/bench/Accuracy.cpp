@@ -52,7 +52,8 @@ gl::Renderer rendererOf(const HeadlessContext& context, const Version& version)
     options.capabilities = gl::Renderer(options).capabilities();
     if (version.glsl != 0) options.capabilities->glsl = version.glsl;
     if (version.glsl == 120) options.capabilities->vertexArrays = false;
-    if (!version.floatTargets) options.capabilities->floatTargets = false;
+    if (!version.floatTargets)
+        options.capabilities->floatTargets = options.capabilities->halfTargets = false;
     return gl::Renderer(options);
 }
 

@@ -265,7 +265,7 @@ TEST_F(Es, WithoutFloatTargetsSaysWhatItDoesInstead)
 {
     gl::RendererOptions old = options();
     old.capabilities = gl::Renderer(old).capabilities();
-    old.capabilities->floatTargets = false;
+    old.capabilities->floatTargets = old.capabilities->halfTargets = false;
     gl::Renderer renderer(old);
     worstShare(renderer, testMaterials()[0], OffscreenFormat::rgba8);
     EXPECT_NE(replaced_, "");
@@ -275,7 +275,7 @@ TEST_F(Es, AddsUpInRgba8WhereNoFloatCanBeDrawnTo)
 {
     gl::RendererOptions old = options();
     old.capabilities = gl::Renderer(old).capabilities();
-    old.capabilities->floatTargets = false;
+    old.capabilities->floatTargets = old.capabilities->halfTargets = false;
     gl::Renderer renderer(old);
     const Material material = calmMaterial(formPqp(8, 0.5));
     const gl::MeshData mesh = sphereMesh(16);

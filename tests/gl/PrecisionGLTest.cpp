@@ -59,11 +59,53 @@ TEST_P(Precision, HoldsInEveryFormTechniqueTargetAndTransfer)
     EXPECT_GT(worst, 0.3) << "a bound that nothing comes near says nothing";
 }
 
-TEST_P(Precision, OfReplacedTechniquesIsThatOfWhatIsDrawn)
+// As OpenGL ES often has it: no blending in RGBA32F.
+TEST_P(Precision, HoldsWhereSumsAreHalves)
 {
     gl::RendererOptions options = rendererOptions();
     options.capabilities = makeRenderer().capabilities();
     options.capabilities->floatTargets = false;
+    gl::Renderer renderer(options);
+    const gl::MeshData sphere = sphereMesh(16);
+    const auto mesh = renderer.createMesh(sphere);
+    const gl::View view = perspectiveView();
+    Offscreen floats = makeOffscreen(kSize);
+    const auto geometry = geometryBuffer(gl(), floats, sphere, glm::mat4(1.0f), view);
+    auto lights = testLights(5);
+    for (Light& light : lights) light.intensity /= 10.0f;
+    double worst = 0.0;
+    for (const Material& material : testMaterials()) {
+        if (hasSigns(material)) continue;
+        const auto gpu = renderer.createMaterial(material);
+        const auto radiance = referenceImage(material, geometry, lights, view);
+        for (const auto format : {OffscreenFormat::rgba16f, OffscreenFormat::rgba8})
+            for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+                Offscreen offscreen = makeOffscreen(kSize, format);
+                const auto stats =
+                    renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view,
+                                  {{gpu.get(), mesh.get()}}, lights, {Technique::twoLookup, 8, 0});
+                EXPECT_EQ(stats.technique, Technique::twoLookup) << stats.whyReplaced;
+                EXPECT_LE(stats.maxLookups, 2);
+                if (isCurved(transfer)) {
+                    EXPECT_EQ(stats.accumulation, "RGBA16F");
+                }
+                const auto exact =
+                    storedImage(radiance, transfer, format == OffscreenFormat::rgba8);
+                const double part = deviationOf(offscreen.readPixels(), exact, stats.error).share;
+                EXPECT_LE(part, 1.0)
+                    << material.name << " format " << static_cast<int>(format) << " bound "
+                    << stats.error.relative << " + " << stats.error.absolute;
+                worst = std::max(worst, part);
+            }
+    }
+    EXPECT_GT(worst, 0.2) << "a bound that nothing comes near says nothing";
+}
+
+TEST_P(Precision, OfReplacedTechniquesIsThatOfWhatIsDrawn)
+{
+    gl::RendererOptions options = rendererOptions();
+    options.capabilities = makeRenderer().capabilities();
+    options.capabilities->floatTargets = options.capabilities->halfTargets = false;
     gl::Renderer renderer(options);
     const auto gpu = renderer.createMaterial(testMaterials()[2]);
     const auto mesh = renderer.createMesh(sphereMesh(16));

@@ -42,7 +42,7 @@ protected:
     {
         gl::RendererOptions options = rendererOptions();
         options.capabilities = makeRenderer().capabilities();
-        options.capabilities->floatTargets = false;
+        options.capabilities->floatTargets = options.capabilities->halfTargets = false;
         return options;
     }
 

@@ -1,5 +1,7 @@
 #include "PlanSimulator.h"
 
+#include <fbrdf/brdf/Half.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -45,8 +47,11 @@ double valueOf(const Pass& pass, const SimulatedFragment& fragment)
 
 double stored(ColourFormat format, double value)
 {
-    return format == ColourFormat::rgba8 ? std::round(255.0 * std::clamp(value, 0.0, 1.0)) / 255.0
-                                         : value;
+    if (format == ColourFormat::rgba8)
+        return std::round(255.0 * std::clamp(value, 0.0, 1.0)) / 255.0;
+    if (format == ColourFormat::rgba16f)
+        return floatFromHalf(halfFromFloat(static_cast<float>(value)));
+    return value;
 }
 
 double blended(Blend blend, double held, double value)

@@ -155,6 +155,51 @@ TEST(ScaledPlan, IsNotMadeWhereFloatsCanBe)
     }
 }
 
+TEST(HalfPlan, IsMadeWhereHalvesCanBeDrawnToAndIsWithinItsBound)
+{
+    Capabilities halves = old();
+    halves.halfTargets = true;
+    double worst = 0.0;
+    for (const Form& form : {formPqp(4, 1.0), formSum(), formThree()})
+        for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
+            for (const int lights : {1, 3, 9, 60}) {
+                PlanRequest request = requestOf(form, lights, 0.001);
+                request.target = ColourFormat::rgba16f;
+                request.transfer = transfer;
+                const Plan plan = planPasses(form, request, halves);
+                ASSERT_TRUE(plan.feasible()) << plan.reason;
+                EXPECT_LE(plan.maxLookups, 2);
+                EXPECT_EQ(plan.surfaces, ColourFormat::rgba16f);
+                for (unsigned seed = 0; seed < 40; ++seed) {
+                    SimulatedFragment fragment = simulatedFragment(form, lights, 0.5, seed);
+                    for (double& irradiance : fragment.irradiance) irradiance *= 0.001;
+                    const double exact = transferred(transfer, 1.0, expectedValue(form, fragment));
+                    const double bound = plan.error.relative * exact + plan.error.absolute;
+                    const double found =
+                        simulate(plan, {fragment}, {0.7, 1.0}, ColourFormat::rgba16f).value;
+                    EXPECT_LE(std::abs(found - exact), bound)
+                        << form.name << " " << lights << " lights";
+                    worst = std::max(worst, std::abs(found - exact) / bound);
+                }
+            }
+    EXPECT_GT(worst, 0.2) << "a bound that nothing comes near says nothing";
+}
+
+TEST(HalfPlan, IsNotMadeForMoreLightsThanHalvesAddUp)
+{
+    Capabilities halves = old();
+    halves.halfTargets = true;
+    const Form form = formPqp(4, 1.0);
+    PlanRequest request = requestOf(form, 100, 0.001);
+    EXPECT_EQ(planPasses(form, request, halves).accumulation, ColourFormat::rgba16f);
+    request = requestOf(form, 200, 0.001);
+    const Plan none = planPasses(form, request, halves);
+    EXPECT_FALSE(none.feasible());
+    EXPECT_NE(none.reason.find("200 lights in RGBA16F surfaces"), std::string::npos) << none.reason;
+    request.technique = Technique::single;
+    EXPECT_TRUE(planPasses(form, request, halves).feasible());
+}
+
 TEST(ScaledPlan, NeedsSurfacesAndPeaksAndNoSigns)
 {
     const Form form = formPqp(4, 1.0);

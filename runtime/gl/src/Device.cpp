@@ -89,6 +89,14 @@ bool hasFloatTargets(const Functions& gl)
            hasExtension(gl, "GL_EXT_float_blend");
 }
 
+/// RGBA16F is.
+bool hasHalfTargets(const Functions& gl)
+{
+    return hasFloatTargets(gl) ||
+           (gl.es >= 30 && (hasExtension(gl, "GL_EXT_color_buffer_float") ||
+                            hasExtension(gl, "GL_EXT_color_buffer_half_float")));
+}
+
 Capabilities detected(const Functions& gl)
 {
     Capabilities c;
@@ -108,6 +116,7 @@ Capabilities detected(const Functions& gl)
     c.unorm16Textures = gl.es == 0;
     c.softwareSampling = isSoftware(gl) && has32BitTextures(gl);
     c.floatTargets = hasFloatTargets(gl);
+    c.halfTargets = hasHalfTargets(gl);
     c.vertexArrays = gl.has(30, 30) || gl.ARB_vertex_array_object;
     if (gl.hasArrays()) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     c.bufferTextures = gl.version >= 31;

@@ -42,6 +42,9 @@ bool Surfaces::create(One& one, const std::string& name)
     if (!old) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     if (format_ == ColourFormat::rgba32f)
         gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
+    else if (format_ == ColourFormat::rgba16f)
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width_, height_, 0, GL_RGBA, GL_HALF_FLOAT,
+                      nullptr);
     else
         gl.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : GL_RGBA8, width_, height_, 0, GL_RGBA,
                       GL_UNSIGNED_BYTE, nullptr);

@@ -20,8 +20,8 @@ constexpr int kReservedUniformVectors = 24;
 Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     Limits limits;
-    limits.offscreen =
-        request.offscreen && capabilities.framebufferObjects && capabilities.floatTargets;
+    limits.offscreen = request.offscreen && capabilities.framebufferObjects &&
+                       (capabilities.floatTargets || capabilities.halfTargets);
     limits.lights = maxLightsInUniforms(form, capabilities);
     if (request.maxLookups > 0) limits.lookups = request.maxLookups;
     if (request.technique == Technique::batched)
@@ -33,14 +33,22 @@ Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities
     return limits;
 }
 
-Plan finished(std::vector<Pass> passes, const PlanRequest& request)
+/// Of surfaces that can be drawn to without scaling.
+ColourFormat floatFormat(const Capabilities& capabilities)
+{
+    return capabilities.floatTargets || !capabilities.halfTargets ? ColourFormat::rgba32f
+                                                                  : ColourFormat::rgba16f;
+}
+
+Plan finished(std::vector<Pass> passes, const PlanRequest& request, ColourFormat surfaces)
 {
     Plan plan;
     plan.passes = std::move(passes);
+    plan.surfaces = surfaces;
     plan.accumulation = request.target;
     for (const Pass& pass : plan.passes) {
         plan.maxLookups = std::max(plan.maxLookups, pass.lookups);
-        if (pass.writes == Surface::accumulation) plan.accumulation = ColourFormat::rgba32f;
+        if (pass.writes == Surface::accumulation) plan.accumulation = surfaces;
     }
     return plan;
 }
@@ -48,13 +56,14 @@ Plan finished(std::vector<Pass> passes, const PlanRequest& request)
 /// Every transfer but a curve: exposure is in the lights.
 Plan planStraight(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
+    const ColourFormat surfaces = floatFormat(capabilities);
     if (request.lights == 0) {
         PassList black(form);
         black.append({});
-        return finished(black.passes(), request);
+        return finished(black.passes(), request, surfaces);
     }
     ListedPasses listed = listPasses(form, request, limitsOf(form, request, capabilities));
-    if (listed.reason.empty()) return finished(std::move(listed.passes), request);
+    if (listed.reason.empty()) return finished(std::move(listed.passes), request, surfaces);
     Plan none;
     none.reason = std::move(listed.reason);
     return none;
@@ -84,7 +93,7 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
 {
     const bool offscreen = limitsOf(form, request, capabilities).offscreen;
     PlanRequest straight = request;
-    if (offscreen) straight.target = ColourFormat::rgba32f;
+    if (offscreen) straight.target = floatFormat(capabilities);
     Plan plan = planStraight(form, straight, capabilities);
     return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
 }
@@ -93,7 +102,14 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
 bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
 {
     return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
-           isUnorm(request.target) && capabilities.framebufferObjects && !capabilities.floatTargets;
+           isUnorm(request.target) && capabilities.framebufferObjects &&
+           !capabilities.floatTargets && !capabilities.halfTargets;
+}
+
+/// No picture.
+bool isCoarse(const ErrorBound& error)
+{
+    return std::max(error.relative, error.absolute) > kCoarsestSum;
 }
 
 void checkPeaks(const Form& form, const PlanRequest& request)
@@ -121,11 +137,11 @@ Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capab
     if (!plan.feasible()) return plan;
     plan = scaledPlan(std::move(plan), form, *request.peaks);
     plan.accumulation = plan.surfaces;
-    const double error = errorBound(plan, request.target).absolute;
-    if (error <= kCoarsestSum) return plan;
+    const ErrorBound error = errorBound(plan, request.target);
+    if (!isCoarse(error)) return plan;
     Plan none;
     none.reason = "a sum of " + std::to_string(request.lights) +
-                  " lights in RGBA8 surfaces is off by up to " + std::to_string(error) +
+                  " lights in RGBA8 surfaces is off by up to " + std::to_string(error.absolute) +
                   ", expected at most " + std::to_string(kCoarsestSum);
     return none;
 }
@@ -141,6 +157,12 @@ Plan betterOf(Plan plan, Plan scaled, ColourFormat target)
     return isWorse ? plan : scaled;
 }
 
+Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
+{
+    return isCurved(request.transfer) ? planCurved(form, request, capabilities)
+                                      : planStraight(form, request, capabilities);
+}
+
 }  // namespace
 
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
@@ -153,11 +175,18 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
     return std::max(1, vectors / kVectorsPerLight);
 }
 
-Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
+Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& found)
 {
     validate(request);
-    Plan plan = isCurved(request.transfer) ? planCurved(form, request, capabilities)
-                                           : planStraight(form, request, capabilities);
+    Capabilities capabilities = found;
+    Plan plan = planUnscaled(form, request, capabilities);
+    if (plan.surfaces == ColourFormat::rgba16f && isCoarse(errorBound(plan, request.target))) {
+        capabilities.halfTargets = false;
+        plan = planUnscaled(form, request, capabilities);
+        if (!plan.feasible())
+            plan.reason += "; a sum of " + std::to_string(request.lights) +
+                           " lights in RGBA16F surfaces is off by more than an eighth";
+    }
     if (mayScale(request, capabilities))
         plan = betterOf(std::move(plan), planScaled(form, request, capabilities), request.target);
     plan.technique = request.technique;

@@ -21,6 +21,7 @@ struct Capabilities {
     bool softwareSampling = false;  ///< texels are fetched by a CPU, where float ones cost least:
                                     ///< nothing has to be unpacked
     bool floatTargets = false;      ///< RGBA32F is renderable and blendable
+    bool halfTargets = false;       ///< RGBA16F is, which OpenGL ES has more often
     bool vertexArrays = false;
     int maxArrayLayers = 0;       ///< of a texture array; 0: there are none
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights

@@ -86,7 +86,7 @@ struct PlanRequest {
     /// Of recombined maps (DirectionMap.h): how far the product of any term may be from that of its
     /// tables, |log2|.
     double recombination = 0.0;
-    /// Where RGBA32F cannot be drawn to, a UNORM target may have RGBA8 surfaces if these are known.
+    /// Where no float can be drawn to, a UNORM target may have RGBA8 surfaces if these are known.
     std::optional<Peaks> peaks = {};
 };
 
@@ -115,7 +115,8 @@ struct Plan {
     bool feasible() const { return reason.empty(); }
 };
 
-/// A sum in RGBA8 that is not known better than this is no picture: there is no such plan.
+/// A sum in RGBA16F or RGBA8 that is not known better than this, of 1 or of the value, is no
+/// picture: there is no such plan.
 constexpr double kCoarsestSum = 1.0 / 8.0;
 
 /// Of a plan that draws into a target of a format; `other` counts as RGBA8. recombination: as of a
@@ -125,8 +126,9 @@ ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombinatio
 /// Lights that the uniforms of one pass can hold beside the knots of the form.
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);
 
-/// The plan with the fewest passes within the limits, or a reason; where sums can only be UNORM,
-/// the one with the smaller error. Throws what validate throws.
+/// The plan with the fewest passes within the limits, or a reason. Sums are RGBA32F where that can
+/// be drawn to, else RGBA16F as long as their lights lose little (halves end at 65504), else UNORM,
+/// scaled, where its error is smaller than that of one pass. Throws what validate throws.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 
 }  // namespace fbrdf
