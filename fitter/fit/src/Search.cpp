@@ -287,6 +287,8 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         add(1, {"hdio", "hdg", "hdpio"});
         add(2, {"gg+hdg", "gg+hdpio", "io+hdio"});
         add(3, {"gg+hdg+hdio"});
+        // Scattered samples look isotropic as far as they are near each other, and no further.
+        if (!source.evaluate) add(2, {"io+pqpr"});
         if (isReciprocalSource(source)) return names;
         add(1, {"hdpu"});
         if (source.evaluate) add(2, {"u+hdpu"});  // known to gain from it
