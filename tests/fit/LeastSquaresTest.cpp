@@ -268,38 +268,6 @@ TEST(Cache, ASecondFitOnTheSameGridIsTheFitWithoutACache)
     }
 }
 
-// Against libm: what a float can tell of logarithms up to 126, and of numbers near 1.
-TEST(RowKernels, LogarithmsAndPredictionsAreThoseOfLibm)
-{
-    constexpr float kUlps = 3e-7f;
-    std::vector<float> numbers;
-    for (float x = 1.2e-38f; x < 1e38f; x *= 1.37f) numbers.push_back(x);
-    for (int i = -50; i <= 50; ++i) numbers.push_back(1.0f + 1e-3f * float(i));
-    std::vector<float> logs = numbers;
-    rowKernels().log2(logs.data(), std::ptrdiff_t(logs.size()));
-    for (size_t i = 0; i < logs.size(); ++i)
-        EXPECT_NEAR(logs[i], std::log2(numbers[i]), kUlps * std::max(1.0f, std::abs(logs[i])))
-            << numbers[i];
-    const int unknown[2] = {0, 1}, termEnd[2] = {1, 2};
-    const float weight[2] = {1.0f, 1.0f}, levels[8] = {};
-    KernelRows row{};
-    row.count = 1;
-    row.width = row.terms = 2;
-    row.unknown = unknown;
-    row.weight = weight;
-    row.termEnd = termEnd;
-    for (float x = -40.0f; x < 40.0f; x += 0.37f) {
-        const float texels[8] = {x, -x, x / 7, 0.0f, 1.0f, 0.5f, x / 3, 0.0f};
-        float logG[4], share[8];
-        rowKernels().predict(row, {texels, levels}, logG, share);
-        for (size_t l = 0; l < 4; ++l) {
-            const double a = std::exp2(double(texels[l])), b = std::exp2(double(texels[4 + l]));
-            EXPECT_NEAR(logG[l], std::log2(a + b), 4e-6) << x;
-            EXPECT_NEAR(share[l], a / (a + b), kUlps * 4) << x;
-        }
-    }
-}
-
 TEST(Cache, KnowsTheSupport)
 {
     FitCache cache;
