@@ -1,5 +1,5 @@
-// OsgScene.h - OpenSceneGraph drawing without a display: an EGL context, a float framebuffer, and
-// the same meshes, lights and views as the tests of the plain runtime.
+// OsgScene.h - OpenSceneGraph drawing without a display: a context of EGL's or OSMesa's, a float
+// framebuffer, and the same meshes, lights and views as the tests of the plain runtime.
 #pragma once
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
@@ -55,7 +55,9 @@ private:
     osg::ref_ptr<osg::NotifyHandler> before_, handler_;
 };
 
-/// Skips where there is no EGL; with CI=true in the environment that fails.
+/// Draws by EGL, or by what FBRDF_OSG_BACKEND says in the environment; osmesa needs LD_PRELOAD=
+/// libOSMesa.so.8, as OSG takes whichever gl functions come first. Skips where there is no such
+/// context; with CI=true in the environment that fails.
 class OsgTest : public ::testing::Test {
 protected:
     void SetUp() override;

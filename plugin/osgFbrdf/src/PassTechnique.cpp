@@ -18,6 +18,7 @@ namespace {
 // Beside lights and knots: as in the planner, generous.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoGlsl = "found no GLSL, expected 1.20";
+constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
 // Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
 constexpr int kEffectBin = 1;
 
@@ -305,6 +306,7 @@ void PassTechnique::cull(osgUtil::CullVisitor& visitor)
         if (!surfaces || !surfaces->usable()) {
             surfaces = nullptr;
             plan = this->plan(count, false);
+            if (!plan.feasible()) plan.reason = kNoSurfaces + plan.reason;
         }
     }
     if (!plan.feasible()) return cullDiffuse(visitor, effect_, plan.reason);

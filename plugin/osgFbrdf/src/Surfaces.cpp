@@ -32,19 +32,27 @@ osg::ref_ptr<osg::Texture2D> colourTexture(int width, int height)
     return texture;
 }
 
+/// Reading has a binding of its own. That functions are there proves nothing: libGL has them all.
+bool readsApart(const osg::GLExtensions& gl)
+{
+    return gl.glVersion >= 3.0f ||
+           osg::isGLExtensionSupported(gl.contextID, "GL_EXT_framebuffer_blit",
+                                       "GL_ARB_framebuffer_object");
+}
+
 /// What the host has bound, put back at the end.
 class BoundFramebuffers {
 public:
-    explicit BoundFramebuffers(const osg::GLExtensions& gl) : gl_(gl)
+    explicit BoundFramebuffers(const osg::GLExtensions& gl) : gl_(gl), readsApart_(readsApart(gl))
     {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
-        if (gl.glBlitFramebuffer) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+        if (readsApart_) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
     }
     ~BoundFramebuffers()
     {
         // This sets both; where reading has a binding of its own, that one follows.
         gl_.glBindFramebuffer(GL_FRAMEBUFFER_EXT, static_cast<GLuint>(draw_));
-        if (gl_.glBlitFramebuffer && read_ != draw_)
+        if (readsApart_ && read_ != draw_)
             gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(read_));
     }
     BoundFramebuffers(const BoundFramebuffers&) = delete;
@@ -52,6 +60,7 @@ public:
 
 private:
     const osg::GLExtensions& gl_;
+    bool readsApart_;
     GLint draw_ = 0, read_ = 0;
 };
 
