@@ -302,6 +302,15 @@ TEST_F(RealScenes, AContextWithoutShadersMakesAllDrawTheFallback)
         root->releaseGLObjects(second.viewer().getCamera()->getGraphicsContext()->getState());
     }
     context().makeCurrent();
+    view_->frame();  // a context that released its objects no longer counts
+    EXPECT_EQ(effect_->lastReport().technique, "single pass");
+}
+
+TEST_F(RealScenes, ATechniqueThatThereIsNotDrawsTheFallback)
+{
+    effect_->selectTechnique(17);
+    EXPECT_GT(meanOf(view_->frame(), 3), 0.3);
+    EXPECT_EQ(effect_->lastReport().technique, "diffuse fallback");
 }
 
 TEST_F(RealScenes, TooFewTextureUnitsAreRefusedWithTheFallback)

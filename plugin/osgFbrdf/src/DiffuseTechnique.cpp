@@ -94,7 +94,6 @@ void DiffuseTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect
 {
     auto* cull = visitor.asCullVisitor();
     if (!cull) return effect->inherited_traverse(visitor);
-    ++sceneLights(*cull).techniqueTraversals;
     const bool missing = !effect_.getMaterial() || !effect_.getMaterial()->valid();
     const bool forced = effect_.getSelectedTechnique() == kDiffuseFallback;
     cullDiffuse(*cull, effect_, missing ? "no material" : forced ? "" : effect_.refusal());

@@ -3,7 +3,7 @@
 #include "DiffuseTechnique.h"
 #include "FileWatch.h"
 #include "PassTechnique.h"
-#include "SceneLights.h"
+#include "TechniqueChoice.h"
 
 #include <osg/Notify>
 #include <osgDB/FileUtils>
@@ -43,7 +43,12 @@ osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
     return material;
 }
 
-FactorizedBrdf::FactorizedBrdf() : watch_(std::make_unique<FileWatch>()) {}
+FactorizedBrdf::FactorizedBrdf()
+    : watch_(std::make_unique<FileWatch>()), choice_(new TechniqueChoice)
+{
+    FactorizedBrdf::define_techniques();
+}
+
 FactorizedBrdf::~FactorizedBrdf() = default;
 
 FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& op)
@@ -57,8 +62,10 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
       floatTarget_(other.floatTarget_),
       derivedTangents_(other.derivedTangents_),
       transfer_(other.transfer_),
-      watch_(std::make_unique<FileWatch>(*other.watch_))
+      watch_(std::make_unique<FileWatch>(*other.watch_)),
+      choice_(new TechniqueChoice)
 {
+    FactorizedBrdf::define_techniques();
     setReloading(other.reloading_);
 }
 
@@ -141,22 +148,17 @@ void FactorizedBrdf::setFloatTarget(bool isFloat)
 /// What contexts said about the techniques no longer holds.
 void FactorizedBrdf::changed()
 {
-    const Lock lock(definition_);
-    defined_ = false;
-    refuse("");
-    dirtyTechniques();
+    choice_->forget();
 }
 
 std::string FactorizedBrdf::refusal() const
 {
-    const Lock lock(reporting_);
-    return refusal_;
+    return choice_->refusal();
 }
 
 void FactorizedBrdf::refuse(const std::string& reason) const
 {
-    const Lock lock(reporting_);
-    refusal_ = reason;
+    choice_->refuse(reason);
 }
 
 DrawReport FactorizedBrdf::lastReport() const
@@ -190,6 +192,7 @@ void FactorizedBrdf::arraysForgotten(unsigned int contextId)
     forgotten_[contextId] = releases_;
 }
 
+// Once, by the constructors: they only look at what the effect is when they are used.
 bool FactorizedBrdf::define_techniques()
 {
     for (const auto kind :
@@ -199,36 +202,43 @@ bool FactorizedBrdf::define_techniques()
     return true;
 }
 
-// Visitors that neither cull nor compile see the children once, whatever the number of passes.
+std::vector<ContextNeeds> FactorizedBrdf::needs() const
+{
+    std::vector<ContextNeeds> needs;
+    for (int i = 0; i < kDiffuseFallback; ++i)
+        needs.push_back(static_cast<const PassTechnique&>(*getTechnique(i)).needs());
+    return needs;
+}
+
+// Not osgFX::Effect's, which chooses in ways that threads do not bear (see TechniqueChoice.h).
+// Visitors that do not cull see the children once, whatever the number of passes.
 void FactorizedBrdf::traverse(osg::NodeVisitor& visitor)
 {
     if (reloading_ && visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR)
         reloadWhenChanged(visitor);
-    const bool compiles = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor) != nullptr;
-    if (!visitor.asCullVisitor() && !compiles) return inherited_traverse(visitor);
-    if (!defined_) {
-        // osgFX defines techniques without a lock; two threads may cull this effect for the first
-        // time at once.
-        const Lock lock(definition_);
-        if (!defined_) {
-            compiles ? Effect::traverse(visitor) : cull(visitor);
-            defined_ = true;
-            return;
-        }
-    }
-    compiles ? Effect::traverse(visitor) : cull(visitor);
+    if (auto* culling = visitor.asCullVisitor(); culling && getEnabled()) return cull(*culling);
+    if (auto* compiling = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor)) compile(*compiling);
+    inherited_traverse(visitor);
 }
 
-// osgFX chooses while it draws, so before the first frame is drawn nothing is chosen and the
-// children would be left out: draw them by the best technique.
-void FactorizedBrdf::cull(osg::NodeVisitor& visitor)
+void FactorizedBrdf::compile(osgUtil::GLObjectsVisitor& visitor)
 {
-    if (!getEnabled()) return inherited_traverse(visitor);
-    auto& culling = *visitor.asCullVisitor();
-    const int before = sceneLights(culling).techniqueTraversals;
-    Effect::traverse(visitor);
-    if (sceneLights(culling).techniqueTraversals == before && getNumTechniques() > 0)
-        getTechnique(kSinglePass)->traverse(visitor, this);
+    // Others only collect what is to be compiled: no context is current.
+    constexpr auto kCompiles = osgUtil::GLObjectsVisitor::COMPILE_STATE_ATTRIBUTES;
+    if (visitor.getState() && (visitor.getMode() & kCompiles))
+        choice_->ask(*visitor.getState(), needs());
+}
+
+void FactorizedBrdf::cull(osgUtil::CullVisitor& visitor)
+{
+    const osg::State* state = visitor.getState();
+    osg::ref_ptr<osg::StateSet> question;
+    if (state && !choice_->asked(state->getContextID())) question = choice_->question(needs());
+    const int selected = getSelectedTechnique();
+    const int index = selected == AUTO_DETECT ? choice_->index() : selected;
+    if (question) visitor.pushStateSet(question);
+    getTechnique(std::clamp(index, 0, getNumTechniques() - 1))->traverse(visitor, this);
+    if (question) visitor.popStateSet();
 }
 
 void FactorizedBrdf::resizeGLObjectBuffers(unsigned int maxSize)
@@ -241,6 +251,7 @@ void FactorizedBrdf::releaseGLObjects(osg::State* state) const
 {
     Effect::releaseGLObjects(state);
     if (material_) material_->releaseGLObjects(state);
+    state ? choice_->forget(state->getContextID()) : choice_->forget();
     const Lock lock(reporting_);
     ++releases_;
 }

@@ -17,7 +17,6 @@ namespace {
 
 // Beside lights and knots: as in the planner, generous.
 constexpr int kOtherUniformVectors = 24;
-constexpr const char* kNoGlsl = "found no GLSL, expected 1.20";
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
 // Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
 constexpr int kEffectBin = 1;
@@ -90,19 +89,6 @@ void cullRuns(osgUtil::CullVisitor& visitor, const fbrdf::Plan& plan, Surfaces& 
         }
         for (; i < plan.passes.size() && plan.passes[i].writes == writes; ++i) cullPass(i);
     }
-}
-
-std::string found(const std::string& what, int count, int limit)
-{
-    return what + ": found " + std::to_string(limit) + ", expected at least " +
-           std::to_string(count);
-}
-
-int limitOf(GLenum name)
-{
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
 }
 
 int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
@@ -221,9 +207,7 @@ const char* PassTechnique::techniqueDescription()
 
 bool PassTechnique::validate(osg::State& state) const
 {
-    const std::string reason = refusalBy(state);
-    if (!reason.empty()) effect_.refuse(reason);
-    return reason.empty();
+    return refusalBy(state, needs()).empty();
 }
 
 bool PassTechnique::mayDraw(osg::State& state) const
@@ -237,30 +221,26 @@ bool PassTechnique::mayDraw(osg::State& state) const
     const int limit = static_cast<int>(state.getMaxTextureUnits());
     const int units =
         effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
-    if (limit > 1 && units > limit) effect_.refuse(found("texture units", units, limit));
+    if (limit > 1 && units > limit) effect_.refuse(tooFew("texture units", units, limit));
     return limit <= 1 || units <= limit;
 }
 
-/// Why the context, which is current, cannot draw this; empty where it can.
-std::string PassTechnique::refusalBy(osg::State& state) const
+ContextNeeds PassTechnique::needs() const
 {
-    if (!effect_.getMaterial() || !effect_.getMaterial()->valid()) return "no material";
-    const auto* extensions = state.get<osg::GLExtensions>();
-    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return kNoGlsl;
-    if (extensions->glVersion < 3.0f &&
-        !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
-        return "found no float textures, expected OpenGL 3.0 or GL_ARB_texture_float";
-    const fbrdf::Plan several = plan(2, extensions->isFrameBufferObjectSupported);
-    if (!several.feasible()) return several.reason;
+    ContextNeeds needs;
+    if (!effect_.getMaterial() || !effect_.getMaterial()->valid()) {
+        needs.refusal = "no material";
+        return needs;
+    }
+    const fbrdf::Plan several = plan(2, true);
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
-    const int units = effect_.getFirstTextureUnit() +
-                      effect_.getMaterial()->states()->textureUnits() + (reads ? 1 : 0);
-    if (const int limit = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS); units > limit)
-        return found("texture units", units, limit);
-    const int components = 4 * uniformVectorsNeeded(effect_, kind_);
-    const int limit = limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
-    return components <= limit ? "" : found("fragment uniform components", components, limit);
+    needs.refusal = several.reason;
+    needs.withoutSurfaces = plan(2, false).reason;
+    needs.textureUnits = effect_.getFirstTextureUnit() +
+                         effect_.getMaterial()->states()->textureUnits() + (reads ? 1 : 0);
+    needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
+    return needs;
 }
 
 fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
@@ -290,7 +270,6 @@ void PassTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
 void PassTechnique::cull(osgUtil::CullVisitor& visitor)
 {
     SceneLights& scene = sceneLights(visitor);
-    ++scene.techniqueTraversals;
     if (!effect_.getMaterial() || !effect_.getMaterial()->valid())
         return cullDiffuse(visitor, effect_, "no material");
     if (visitor.getState() && !mayDraw(*visitor.getState()))

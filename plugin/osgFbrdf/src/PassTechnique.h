@@ -2,6 +2,8 @@
 // the children are culled once. Passes live in bins inside one bin, so that any number of them is
 // drawn before what comes after the effect (OSG's bin 10 holds what is transparent).
 #pragma once
+#include "ContextNeeds.h"
+
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/plan/Plan.h>
@@ -25,6 +27,7 @@ public:
     bool validate(osg::State& state) const override;
     void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
 
+    ContextNeeds needs() const;
     /// The plan for so many lights, or its reason for being none. offscreen: Surfaces can be used.
     fbrdf::Plan plan(int lights, bool offscreen) const;
 
@@ -33,7 +36,6 @@ protected:
     void define_passes() override {}  // they depend on the lights: see traverse
 
 private:
-    std::string refusalBy(osg::State& state) const;
     /// False, with a refusal, where what is known of the context without asking OpenGL rules this
     /// technique out: before the first frame, or when it is forced.
     bool mayDraw(osg::State& state) const;

@@ -39,7 +39,6 @@ public:
     std::vector<PlainLight> plain;
     int viewNumber = -1;  ///< GL's number of the light of the osg::View; -1: it has none
     int dropped = 0;
-    int techniqueTraversals = 0;  ///< counted by techniques, see FactorizedBrdf::traverse
     bool fallbackPlaced = false;  ///< DiffuseTechnique placed GL's lights in this frame
     int lastOwnBin = 0;           ///< of effects that draw to surfaces, downwards from -1
     /// Latest used first; few, as a view seldom changes its size.

@@ -22,10 +22,17 @@ struct HeadlessContext::State {
 };
 
 HeadlessContext::HeadlessContext(const HeadlessOptions& options)
-    : state_(std::make_unique<State>(State{options, options.backend == Backend::egl
-                                                        ? createEglContext(options)
-                                                        : createOsMesaContext(options)}))
+    : state_(std::make_unique<State>(State{options, nullptr}))
 {
+    const HeadlessContext* other = options.sharedWith;
+    if (other && other->options().backend != options.backend)
+        throw Error(ErrorKind::gl, "context",
+                    "found a context to share with of another backend, expected " +
+                        std::string(backendName(options.backend)));
+    const NativeContext* sharedWith = other ? other->state_->native.get() : nullptr;
+    state_->options.sharedWith = nullptr;  // may go first
+    state_->native = options.backend == Backend::egl ? createEglContext(options, sharedWith)
+                                                     : createOsMesaContext(options, sharedWith);
     makeCurrent();
 }
 
@@ -36,6 +43,11 @@ HeadlessContext& HeadlessContext::operator=(HeadlessContext&&) noexcept = defaul
 void HeadlessContext::makeCurrent()
 {
     state_->native->makeCurrent();
+}
+
+void HeadlessContext::release()
+{
+    state_->native->release();
 }
 
 HeadlessContext::Load HeadlessContext::loader() const

@@ -68,36 +68,40 @@ std::vector<EGLint> attributesOf(const HeadlessOptions& options)
 
 class EglContext : public NativeContext {
 public:
-    explicit EglContext(const HeadlessOptions& options)
+    EglContext(const HeadlessOptions& options, const EglContext* sharedWith)
         : display_(initialisedDisplay()),
           api_(options.profile == HeadlessOptions::Profile::es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)
     {
         if (!eglBindAPI(api_)) fail("eglBindAPI");
-        context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+        context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR,
+                                    sharedWith ? sharedWith->context_ : EGL_NO_CONTEXT,
                                     attributesOf(options).data());
         if (context_ == EGL_NO_CONTEXT) failForVersion(options);
     }
 
     ~EglContext() override
     {
-        eglBindAPI(api_);
-        if (eglGetCurrentContext() == context_) release();
+        release();
         eglDestroyContext(display_, context_);
     }
 
     void makeCurrent() override
     {
-        if (!eglBindAPI(api_)) fail("eglBindAPI");
         // OSMesa may have taken the thread's context slot without EGL noticing; a bind of what EGL
         // believes to be bound already would then do nothing.
-        if (eglGetCurrentContext() == context_) release();
+        release();
         if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
             fail("eglMakeCurrent");
     }
 
-private:
-    void release() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    void release() override
+    {
+        if (!eglBindAPI(api_)) return;  // of this thread: what is asked for below
+        if (eglGetCurrentContext() == context_)
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
 
+private:
     EGLDisplay display_;
     EGLenum api_;
     EGLContext context_ = EGL_NO_CONTEXT;
@@ -105,9 +109,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<NativeContext> createEglContext(const HeadlessOptions& options)
+std::unique_ptr<NativeContext> createEglContext(const HeadlessOptions& options,
+                                                const NativeContext* sharedWith)
 {
-    return std::make_unique<EglContext>(options);
+    return std::make_unique<EglContext>(options, static_cast<const EglContext*>(sharedWith));
 }
 
 void* HeadlessContext::loadEgl(void*, const char* name)

@@ -12,6 +12,7 @@ class NativeContext {
 public:
     virtual ~NativeContext() = default;
     virtual void makeCurrent() = 0;
+    virtual void release() = 0;  ///< where it is current
 };
 
 /// "3.3": the version that was asked for.
@@ -20,7 +21,10 @@ inline std::string versionName(const HeadlessOptions& options)
     return std::to_string(options.major) + "." + std::to_string(options.minor);
 }
 
-std::unique_ptr<NativeContext> createEglContext(const HeadlessOptions& options);
-std::unique_ptr<NativeContext> createOsMesaContext(const HeadlessOptions& options);
+/// sharedWith: of the same backend, or null.
+std::unique_ptr<NativeContext> createEglContext(const HeadlessOptions& options,
+                                                const NativeContext* sharedWith);
+std::unique_ptr<NativeContext> createOsMesaContext(const HeadlessOptions& options,
+                                                   const NativeContext* sharedWith);
 
 }  // namespace fbrdf

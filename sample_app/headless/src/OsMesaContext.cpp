@@ -77,11 +77,12 @@ std::vector<int> attributesOf(const HeadlessOptions& options)
 
 class OsMesaContext : public NativeContext {
 public:
-    explicit OsMesaContext(const HeadlessOptions& options)
+    OsMesaContext(const HeadlessOptions& options, const OsMesaContext* sharedWith)
     {
         if (options.profile == HeadlessOptions::Profile::es)
             fail("found a request for OpenGL ES, expected OpenGL");
-        context_ = library().createContext(attributesOf(options).data(), nullptr);
+        context_ = library().createContext(attributesOf(options).data(),
+                                           sharedWith ? sharedWith->context_ : nullptr);
         if (!context_)
             fail("found no OpenGL " + versionName(options) +
                  " (OSMesaCreateContextAttribs failed), expected a driver that has it");
@@ -89,8 +90,7 @@ public:
 
     ~OsMesaContext() override
     {
-        if (library().currentContext() == context_)
-            library().makeCurrent(nullptr, nullptr, 0, 0, 0);
+        release();
         library().destroyContext(context_);
     }
 
@@ -98,6 +98,12 @@ public:
     {
         if (!library().makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
             fail("OSMesaMakeCurrent failed");
+    }
+
+    void release() override
+    {
+        if (library().currentContext() == context_)
+            library().makeCurrent(nullptr, nullptr, 0, 0, 0);
     }
 
 private:
@@ -109,9 +115,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<NativeContext> createOsMesaContext(const HeadlessOptions& options)
+std::unique_ptr<NativeContext> createOsMesaContext(const HeadlessOptions& options,
+                                                   const NativeContext* sharedWith)
 {
-    return std::make_unique<OsMesaContext>(options);
+    return std::make_unique<OsMesaContext>(options, static_cast<const OsMesaContext*>(sharedWith));
 }
 
 void* HeadlessContext::loadOsMesa(void*, const char* name)

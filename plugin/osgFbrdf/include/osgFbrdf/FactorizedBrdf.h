@@ -2,8 +2,9 @@
 // every osgFbrdf::PointLights and every osg::LightSource of the scene.
 //
 // Techniques, best first: "single pass", "batched", "two look-ups per pass", "diffuse fallback".
-// Each needs less than the one before, so a choice that suits one context suits a lesser one;
-// selectTechnique() forces one. Plans and shaders are the runtime's (fbrdf/plan, fbrdf/shaders).
+// Each needs less than the one before, so a choice that suits one context suits a lesser one; every
+// context is asked when it first draws. selectTechnique() forces one. Plans and shaders are the
+// runtime's (fbrdf/plan, fbrdf/shaders).
 //
 // Lights. osg::Light's diffuse colour is read so that a white Lambertian looks as it does in fixed
 // function; its attenuation is taken where the middle of the object is; of a spot's exponent only
@@ -21,10 +22,15 @@
 
 #include <OpenThreads/Mutex>
 
-#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
+
+namespace osgUtil {
+class CullVisitor;
+class GLObjectsVisitor;
+}  // namespace osgUtil
 
 namespace osgFbrdf {
 
@@ -42,7 +48,9 @@ struct DrawReport {
     int maxLookups = 0;  ///< in any pass
 };
 
+struct ContextNeeds;
 class FileWatch;
+class TechniqueChoice;
 
 class FactorizedBrdf : public osgFX::Effect {
 public:
@@ -115,7 +123,9 @@ protected:
 
 private:
     void changed();
-    void cull(osg::NodeVisitor& visitor);
+    std::vector<ContextNeeds> needs() const;
+    void cull(osgUtil::CullVisitor& visitor);
+    void compile(osgUtil::GLObjectsVisitor& visitor);
     bool replaceMaterial(const osg::ref_ptr<MaterialObject>& material);
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
 
@@ -126,11 +136,9 @@ private:
     bool floatTarget_ = false, derivedTangents_ = false, reloading_ = false;
     fbrdf::Transfer transfer_ = fbrdf::Transfer::linear;
     std::unique_ptr<FileWatch> watch_;
-    std::atomic<bool> defined_{false};
-    OpenThreads::Mutex definition_;
+    osg::ref_ptr<TechniqueChoice> choice_;
     mutable OpenThreads::Mutex reporting_;
     DrawReport report_;
-    mutable std::string refusal_;                     ///< guarded by reporting_
     mutable unsigned int releases_ = 0;               ///< guarded by reporting_
     std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
 };

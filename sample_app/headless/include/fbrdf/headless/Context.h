@@ -10,11 +10,15 @@ enum class Backend { egl, osmesa };
 const char* backendName(Backend backend);          ///< "egl", "osmesa"
 Backend backendFromName(const std::string& name);  ///< throws Error(usage)
 
+class HeadlessContext;
+
 struct HeadlessOptions {
     Backend backend = Backend::egl;
     enum class Profile { core, compatibility, es } profile = Profile::core;
     int major = 3, minor = 3;  ///< requested version
     bool debug = true;         ///< ask for a debug context (EGL)
+    /// Of the same backend: textures, buffers and programs are common, framebuffers are not.
+    const HeadlessContext* sharedWith = nullptr;
 };
 
 /// Current on the creating thread once made; makes itself current again with makeCurrent().
@@ -27,6 +31,8 @@ public:
     HeadlessContext& operator=(HeadlessContext&&) noexcept;
 
     void makeCurrent();
+    /// Current nowhere, so that another thread can make it current.
+    void release();
     /// GL function by name; user is ignored. Fits gl::LoadFunction.
     static void* loadEgl(void* user, const char* name);
     static void* loadOsMesa(void* user, const char* name);

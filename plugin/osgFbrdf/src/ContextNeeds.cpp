@@ -1,0 +1,41 @@
+#include "ContextNeeds.h"
+
+#include <osg/GLExtensions>
+
+namespace osgFbrdf {
+namespace {
+
+int limitOf(GLenum name)
+{
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+}  // namespace
+
+std::string tooFew(const std::string& what, int needed, int limit)
+{
+    return what + ": found " + std::to_string(limit) + ", expected at least " +
+           std::to_string(needed);
+}
+
+std::string refusalBy(osg::State& state, const ContextNeeds& needs)
+{
+    if (!needs.refusal.empty()) return needs.refusal;
+    const auto* extensions = state.get<osg::GLExtensions>();
+    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return kNoGlsl;
+    if (extensions->glVersion < 3.0f &&
+        !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
+        return "found no float textures, expected OpenGL 3.0 or GL_ARB_texture_float";
+    if (!extensions->isFrameBufferObjectSupported && !needs.withoutSurfaces.empty())
+        return needs.withoutSurfaces;
+    if (const int limit = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS); needs.textureUnits > limit)
+        return tooFew("texture units", needs.textureUnits, limit);
+    const int limit = limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
+    return needs.uniformComponents <= limit
+               ? ""
+               : tooFew("fragment uniform components", needs.uniformComponents, limit);
+}
+
+}  // namespace osgFbrdf

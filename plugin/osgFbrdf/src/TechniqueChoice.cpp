@@ -1,0 +1,122 @@
+#include "TechniqueChoice.h"
+
+#include <OpenThreads/ScopedLock>
+
+#include <algorithm>
+#include <functional>
+
+namespace osgFbrdf {
+namespace {
+
+using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
+
+}  // namespace
+
+/// Asks when it is applied; the one that OSG makes by itself as a default asks nothing.
+class TechniqueChoice::Question : public osg::StateAttribute {
+public:
+    Question() = default;
+    Question(TechniqueChoice& choice, unsigned int round, const std::vector<ContextNeeds>& needs)
+        : choice_(&choice), round_(round), needs_(needs)
+    {
+    }
+    Question(const Question& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY)
+        : osg::StateAttribute(other, op),
+          choice_(other.choice_),
+          round_(other.round_),
+          needs_(other.needs_)
+    {
+    }
+    META_StateAttribute(osgFbrdf, Question, VALIDATOR)
+
+        int compare(const osg::StateAttribute& other) const override
+    {
+        return this == &other ? 0 : std::less<>()(this, &other) ? -1 : 1;
+    }
+    void apply(osg::State& state) const override
+    {
+        if (choice_) choice_->ask(state, round_, needs_);
+    }
+
+private:
+    osg::ref_ptr<TechniqueChoice> choice_;
+    unsigned int round_ = 0;
+    std::vector<ContextNeeds> needs_;
+};
+
+int TechniqueChoice::index() const
+{
+    const Lock lock(mutex_);
+    int index = 0;
+    for (const auto& answer : answers_) index = std::max(index, answer.second);
+    return index;
+}
+
+std::string TechniqueChoice::refusal() const
+{
+    const Lock lock(mutex_);
+    return refusal_;
+}
+
+void TechniqueChoice::refuse(const std::string& reason)
+{
+    const Lock lock(mutex_);
+    refusal_ = reason;
+}
+
+void TechniqueChoice::forget()
+{
+    const Lock lock(mutex_);
+    answers_.clear();
+    refusal_.clear();
+    ++round_;
+}
+
+void TechniqueChoice::forget(unsigned int contextId)
+{
+    const Lock lock(mutex_);
+    answers_.erase(contextId);
+}
+
+bool TechniqueChoice::asked(unsigned int contextId) const
+{
+    const Lock lock(mutex_);
+    return answers_.count(contextId) > 0;
+}
+
+unsigned int TechniqueChoice::round() const
+{
+    const Lock lock(mutex_);
+    return round_;
+}
+
+osg::ref_ptr<osg::StateSet> TechniqueChoice::question(const std::vector<ContextNeeds>& needs)
+{
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setAttribute(new Question(*this, round(), needs));
+    return state;
+}
+
+void TechniqueChoice::ask(osg::State& state, const std::vector<ContextNeeds>& needs)
+{
+    ask(state, round(), needs);
+}
+
+void TechniqueChoice::ask(osg::State& state, unsigned int round,
+                          const std::vector<ContextNeeds>& needs)
+{
+    std::string refusal;
+    int index = 0;
+    for (const ContextNeeds& each : needs) {
+        const std::string reason = refusalBy(state, each);
+        if (reason.empty()) break;
+        refusal = reason;
+        ++index;
+    }
+    const Lock lock(mutex_);
+    if (round != round_) return;
+    answers_[state.getContextID()] = index;
+    if (!refusal.empty()) refusal_ = refusal;
+}
+
+}  // namespace osgFbrdf

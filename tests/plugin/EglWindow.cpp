@@ -1,0 +1,71 @@
+#include "EglWindow.h"
+
+#include <osg/GLExtensions>
+#include <osg/State>
+
+namespace fbrdf::test {
+
+EglWindow::EglWindow(int size, EglWindow* sharedWith) : sharedWith_(sharedWith)
+{
+    _traits = new osg::GraphicsContext::Traits;
+    _traits->width = _traits->height = size;
+    _traits->sharedContext = sharedWith;
+    osg::ref_ptr<osg::State> state = new osg::State;
+    state->setGraphicsContext(this);
+    state->setContextID(sharedWith ? sharedWith->getState()->getContextID()
+                                   : osg::GraphicsContext::createNewContextID());
+    if (sharedWith) osg::GraphicsContext::incrementContextIDUsageCount(state->getContextID());
+    setState(state);
+}
+
+bool EglWindow::realizeImplementation()
+{
+    HeadlessOptions options{Backend::egl, HeadlessOptions::Profile::compatibility, 2, 1, false};
+    options.sharedWith = sharedWith_.valid() ? sharedWith_->context_.get() : nullptr;
+    context_ = std::make_unique<HeadlessContext>(options);
+    offscreen_ = std::make_unique<Offscreen>(
+        context_->loader(),
+        OffscreenOptions{_traits->width, _traits->height, OffscreenFormat::rgba32f, true});
+    setDefaultFboId(offscreen_->framebuffer());
+    context_->release();
+    return true;
+}
+
+void EglWindow::closeImplementation()
+{
+    if (!context_) return;
+    context_->makeCurrent();
+    offscreen_.reset();
+    context_.reset();
+}
+
+bool EglWindow::makeCurrentImplementation()
+{
+    context_->makeCurrent();
+    osg::GLExtensions::Get(getState()->getContextID(), true)
+        ->glBindFramebuffer(GL_FRAMEBUFFER_EXT, offscreen_->framebuffer());
+    return true;
+}
+
+bool EglWindow::releaseContextImplementation()
+{
+    context_->release();
+    return true;
+}
+
+void EglWindow::swapBuffersImplementation()
+{
+    auto picture = offscreen_->readPixels();
+    const std::lock_guard lock(mutex_);
+    pictures_.push_back(std::move(picture));
+    shown_.notify_all();
+}
+
+std::vector<float> EglWindow::picture(size_t frame)
+{
+    std::unique_lock lock(mutex_);
+    shown_.wait(lock, [&] { return pictures_.size() > frame; });
+    return pictures_[frame];
+}
+
+}  // namespace fbrdf::test

@@ -1,0 +1,48 @@
+// EglWindow.h - a window of osgViewer without a display: a context of its own and an RGBA32F
+// framebuffer, bound whenever the context is made current. osgViewer runs every threading model in
+// it, and keeps what each frame showed when buffers were swapped.
+#pragma once
+#include <fbrdf/headless/Context.h>
+#include <fbrdf/headless/Offscreen.h>
+
+#include <osgViewer/GraphicsWindow>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace fbrdf::test {
+
+class EglWindow : public osgViewer::GraphicsWindow {
+public:
+    /// sharedWith: objects of OpenGL in common, and so OSG's context number.
+    explicit EglWindow(int size, EglWindow* sharedWith = nullptr);
+
+    /// RGBA, rows from the bottom, of the frame-th swap, from 0. Waits until it was shown.
+    std::vector<float> picture(size_t frame);
+
+    bool valid() const override { return _state.valid(); }
+    bool realizeImplementation() override;
+    bool isRealizedImplementation() const override { return context_ != nullptr; }
+    void closeImplementation() override;
+    bool makeCurrentImplementation() override;
+    bool makeContextCurrentImplementation(osg::GraphicsContext*) override { return makeCurrent(); }
+    bool releaseContextImplementation() override;
+    void bindPBufferToTextureImplementation(GLenum) override {}
+    void swapBuffersImplementation() override;
+    void grabFocusIfPointerInWindow() override {}
+
+protected:
+    ~EglWindow() override { close(true); }
+
+private:
+    osg::observer_ptr<EglWindow> sharedWith_;
+    std::unique_ptr<HeadlessContext> context_;
+    std::unique_ptr<Offscreen> offscreen_;
+    std::mutex mutex_;
+    std::condition_variable shown_;
+    std::vector<std::vector<float>> pictures_;  ///< guarded by mutex_
+};
+
+}  // namespace fbrdf::test

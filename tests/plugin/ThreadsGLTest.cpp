@@ -1,0 +1,186 @@
+// osgViewer's threading models without a display: one scene in two contexts, changed by the update
+// traversal while the last frame may still be being drawn.
+#include "EffectTest.h"
+#include "EglWindow.h"
+
+#include "support/gl/Scenes.h"
+
+#include <osg/MatrixTransform>
+#include <osgViewer/CompositeViewer>
+
+#include <functional>
+
+namespace fbrdf::test {
+namespace {
+
+using osgFbrdf::FactorizedBrdf;
+using Model = osgViewer::ViewerBase::ThreadingModel;
+using Picture = std::vector<float>;
+
+/// Calls a step of a script in each update traversal.
+class Script : public osg::NodeCallback {
+public:
+    explicit Script(std::vector<std::function<void()>> steps) : steps_(std::move(steps)) {}
+    void operator()(osg::Node* node, osg::NodeVisitor* visitor) override
+    {
+        steps_[next_++ % steps_.size()]();
+        traverse(node, visitor);
+    }
+    size_t size() const { return steps_.size(); }
+
+private:
+    std::vector<std::function<void()>> steps_;
+    size_t next_ = 0;
+};
+
+osg::ref_ptr<osg::MatrixTransform> at(double x, osg::Node* node)
+{
+    osg::ref_ptr<osg::MatrixTransform> place =
+        new osg::MatrixTransform(osg::Matrixd::translate(x, 0.0, 0.0));
+    place->addChild(node);
+    return place;
+}
+
+/// An effect with its lights, one that comes and goes, and what happens to them.
+struct Stage {
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<FactorizedBrdf> effect = osgEffect(testMaterials()[0], sphereMesh(12)), guest;
+    osg::ref_ptr<osgFbrdf::PointLights> lights = osgLights(testLights(9));
+    osg::ref_ptr<Script> script;
+
+    Stage()
+    {
+        root->addChild(at(-0.7, effect));
+        root->addChild(lights);
+        script = new Script({
+            [] {},
+            [this] {
+                lights->setLights(testLights(20));
+                effect->setExposure(2.0f);
+            },
+            [this] { setMaterial(2); },
+            [this] { setMaterial(0); },  // while contexts are asked about the last one
+            [this] {
+                effect->setFloatTarget(false);
+                effect->selectTechnique(osgFbrdf::kTwoLookups);
+            },
+            [this] { setMaterial(4); },  // a sum: in surfaces
+            [this] { addGuest(); },
+            [this] { guest->setLightsPerPass(3); },
+            [this] {
+                effect->selectTechnique(osgFX::Effect::AUTO_DETECT);
+                guest->selectTechnique(osgFbrdf::kBatched);
+            },
+            [this] { effect->setFirstTextureUnit(2); },
+            [this] {
+                root->removeChild(root->getNumChildren() - 1);
+                guest = nullptr;  // it may still be being drawn
+                setMaterial(0);
+            },
+            [this] {
+                lights->setLights(testLights(9));
+                effect->setExposure(1.0f);
+                effect->setFloatTarget(true);
+                effect->setFirstTextureUnit(0);
+            },
+        });
+        root->setUpdateCallback(script);
+    }
+
+    void setMaterial(size_t i)
+    {
+        effect->setMaterial(new osgFbrdf::MaterialObject(testMaterials()[i]));
+    }
+
+    void addGuest()
+    {
+        guest = osgEffect(testMaterials()[1], sphereMesh(12));
+        guest->setFloatTarget(false);
+        root->addChild(at(0.9, guest));
+    }
+};
+
+osg::ref_ptr<osgViewer::View> viewOf(osg::Node* scene, EglWindow* window, double turn)
+{
+    osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
+    view->setLightingMode(osg::View::NO_LIGHT);
+    osg::Camera* camera = view->getCamera();
+    camera->setGraphicsContext(window);
+    camera->setViewport(0, 0, kSize, kSize);
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
+    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
+    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
+    camera->setProjectionMatrix(osgMatrix(perspectiveView().projection));
+    camera->setViewMatrix(osg::Matrixd::rotate(turn, 0.0, 0.0, 1.0) *
+                          osgMatrix(perspectiveView().view));
+    view->setSceneData(scene);
+    return view;
+}
+
+constexpr size_t kViews = 2, kRounds = 3;
+
+/// What each view showed in each frame of the script, over and over.
+std::vector<std::vector<Picture>> shownBy(Model model)
+{
+    Stage stage;
+    osgViewer::CompositeViewer viewer;
+    viewer.setThreadingModel(model);
+    std::vector<osg::ref_ptr<EglWindow>> windows;
+    for (size_t i = 0; i < kViews; ++i) {
+        windows.emplace_back(new EglWindow(kSize));
+        viewer.addView(viewOf(stage.root, windows.back(), 0.5 * static_cast<double>(i)));
+    }
+    viewer.realize();
+    const size_t frames = kRounds * stage.script->size();
+    for (size_t frame = 0; frame < frames; ++frame) viewer.frame();
+    std::vector<std::vector<Picture>> shown(kViews);
+    for (size_t i = 0; i < kViews; ++i)
+        for (size_t frame = 0; frame < frames; ++frame)
+            shown[i].push_back(windows[i]->picture(frame));
+    return shown;
+}
+
+class Threads : public OsgTest, public ::testing::WithParamInterface<Model> {};
+
+TEST_P(Threads, ShowWhatOneThreadShowsInEveryFrame)
+{
+    const Notices notices;
+    const auto expected = shownBy(Model::SingleThreaded), found = shownBy(GetParam());
+    for (size_t i = 0; i < kViews; ++i)
+        for (size_t frame = 0; frame < expected[i].size(); ++frame) {
+            EXPECT_GT(meanOf(expected[i][frame], 3), 0.1) << "view " << i << ", frame " << frame;
+            EXPECT_TRUE(found[i][frame] == expected[i][frame])
+                << "view " << i << ", frame " << frame;
+        }
+    EXPECT_NE(expected[0][0], expected[1][0]);  // turned about the view's axis
+    EXPECT_EQ(notices.text(), "");
+}
+
+std::string modelName(const ::testing::TestParamInfo<Model>& model)
+{
+    switch (model.param) {
+        case Model::SingleThreaded: return "OneThread";
+        case Model::CullDrawThreadPerContext: return "CullDrawThreadPerContext";
+        case Model::DrawThreadPerContext: return "DrawThreadPerContext";
+        default: return "CullThreadPerCamera";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Threads,
+                         ::testing::Values(Model::SingleThreaded, Model::CullDrawThreadPerContext,
+                                           Model::DrawThreadPerContext,
+                                           Model::CullThreadPerCameraDrawThreadPerContext),
+                         modelName);
+
+// osgFX chooses while it draws: what is added would be missing for a frame.
+TEST_P(Threads, ShowWhatWasAddedInTheNextFrame)
+{
+    const auto shown = shownBy(GetParam());
+    constexpr size_t kAdded = 6;
+    for (const auto& view : shown)
+        EXPECT_GT(meanOf(view[kAdded], 3), 1.3 * meanOf(view[kAdded - 1], 3));
+}
+
+}  // namespace
+}  // namespace fbrdf::test
