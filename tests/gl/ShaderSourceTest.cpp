@@ -59,6 +59,15 @@ TEST(ShaderSource, TakesBuiltInInputs)
               std::string::npos);
 }
 
+// Engines put declarations of their own after the last such line.
+TEST(ShaderSource, AsksForExtensionsOnlyWhereTheyAreNeeded)
+{
+    const std::string line = "#extension GL_OES_standard_derivatives";
+    EXPECT_EQ(vertexSource(120, {true, true}).find("#extension"), std::string::npos);
+    EXPECT_EQ(vertexSource(100, {false, false}).find("#extension"), std::string::npos);
+    EXPECT_NE(vertexSource(100, {false, true}).find(line), std::string::npos);
+}
+
 TEST(ShaderSource, IsTheSameForPassesThatDifferInTheirLights)
 {
     const Form form = formPqp(8, 0.5);

@@ -47,6 +47,8 @@ public:
     {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
         if (readsApart_) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+        // Where OSG makes one for a surface it leaves it bound.
+        glGetIntegerv(GL_RENDERBUFFER_BINDING_EXT, &renderbuffer_);
     }
     ~BoundFramebuffers()
     {
@@ -54,6 +56,7 @@ public:
         gl_.glBindFramebuffer(GL_FRAMEBUFFER_EXT, static_cast<GLuint>(draw_));
         if (readsApart_ && read_ != draw_)
             gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(read_));
+        gl_.glBindRenderbuffer(GL_RENDERBUFFER_EXT, static_cast<GLuint>(renderbuffer_));
     }
     BoundFramebuffers(const BoundFramebuffers&) = delete;
     BoundFramebuffers& operator=(const BoundFramebuffers&) = delete;
@@ -61,7 +64,7 @@ public:
 private:
     const osg::GLExtensions& gl_;
     bool readsApart_;
-    GLint draw_ = 0, read_ = 0;
+    GLint draw_ = 0, read_ = 0, renderbuffer_ = 0;
 };
 
 void clearDepth(osg::State& state)

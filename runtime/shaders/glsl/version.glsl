@@ -1,9 +1,6 @@
 // What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit one of textureLod changes
 // nothing but spares the derivatives.
 #ifdef GL_ES
-#if defined(FBRDF_DERIVED_TANGENT) && __VERSION__ == 100
-#extension GL_OES_standard_derivatives : require
-#endif
 #ifndef GL_FRAGMENT_PRECISION_HIGH
 #error fbrdf needs highp floats in fragment shaders
 #endif

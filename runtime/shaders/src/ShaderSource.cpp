@@ -43,6 +43,10 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
                     "found GLSL " + std::to_string(glsl) + ", expected 120 for built-in inputs");
     if (inputs.instanced) checkBuffers(glsl, "instances");
     std::string text = "#version " + std::to_string(glsl) + (glsl == kGlslEs300 ? " es\n" : "\n");
+    // Not in a file under #ifdef: OpenSceneGraph puts declarations after the last line that begins
+    // so, wherever it is.
+    if (glsl == kGlslEs100 && inputs.derivedTangent)
+        text += "#extension GL_OES_standard_derivatives : require\n";
     if (inputs.builtIns) text += "#define FBRDF_BUILT_INS\n";
     if (inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
     if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";

@@ -1,0 +1,76 @@
+// osg::State's own uniforms and attributes in place of OpenGL's built-in ones: OSG rewrites vertex
+// shaders then, and numbers attributes by itself.
+#include "EffectTest.h"
+
+#include "support/gl/CompareImages.h"
+#include "support/gl/Scenes.h"
+
+namespace fbrdf::test {
+namespace {
+
+// The same matrices on another way to the shader.
+constexpr double kSame = 1e-5;
+// Whose attribute OSG's compact numbering puts where tangents are.
+constexpr unsigned int kUnitAtTangents = 3;
+
+class BuiltIns : public EffectTest {
+protected:
+    /// With tangents that matter, and texture coordinates of as many units as `units`.
+    osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect(unsigned int units)
+    {
+        const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+        osg::Geometry& sphere = *effect->getChild(0)->asGeometry();
+        osg::ref_ptr<osg::Vec2Array> coordinates =
+            new osg::Vec2Array(sphere.getVertexArray()->getNumElements());
+        for (unsigned int unit = 0; unit < units; ++unit)
+            sphere.setTexCoordArray(unit, coordinates, osg::Array::BIND_PER_VERTEX);
+        return effect;
+    }
+
+    void compare(bool uniforms, bool aliasing, unsigned int units)
+    {
+        const auto ball = effect(units);
+        const osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->addChild(ball);
+        root->addChild(osgLights(testLights(9)));
+        const auto expected = runtimeImage(testMaterials()[0], sphereMesh(24), testLights(9));
+        view_.reset();  // a state of its own: programs are compiled for its settings
+        const auto other = newContext();
+        OsgView view(other->loader());
+        osg::State& state = *view.viewer().getCamera()->getGraphicsContext()->getState();
+        state.setUseModelViewAndProjectionUniforms(uniforms);
+        state.setUseVertexAttributeAliasing(aliasing);
+        view.setView(perspectiveView());
+        view.setScene(root);
+        const Notices notices;
+        for (int technique = 0; technique < osgFbrdf::kDiffuseFallback; ++technique) {
+            ball->selectTechnique(technique);
+            const auto d = compareImages(view.frame(), expected);
+            EXPECT_LT(d.maxRelative, kSame) << uniforms << aliasing << units << ", technique "
+                                            << technique << ": " << describe(d);
+            EXPECT_EQ(ball->lastReport().reason, "");
+        }
+        EXPECT_EQ(notices.text(), "");
+    }
+};
+
+// Two look-ups make ten passes that match depth by EQUAL.
+TEST_F(BuiltIns, OfOsgsStateGiveTheSamePicture)
+{
+    compare(true, false, 0);
+}
+
+TEST_F(BuiltIns, UnderOtherNumbersGiveTheSamePicture)
+{
+    compare(false, true, 0);
+}
+
+TEST_F(BuiltIns, LeaveTangentsTheirNumber)
+{
+    static_assert(3 + kUnitAtTangents == osgFbrdf::kTangentAttribute,
+                  "after position, normal and colour");
+    compare(true, true, kUnitAtTangents + 1);
+}
+
+}  // namespace
+}  // namespace fbrdf::test

@@ -1,0 +1,108 @@
+// What a frame leaves of OpenGL's state to a host that draws in the same context: with the effect
+// the same as with an ordinary geometry in its place.
+#include "ContextState.h"
+#include "EffectTest.h"
+
+#include "support/gl/Scenes.h"
+
+#include <osg/Texture2D>
+
+#include <functional>
+
+namespace fbrdf::test {
+namespace {
+
+// More than an effect uses here.
+constexpr unsigned int kHostUnits = 6;
+
+class StateLeft : public EffectTest {
+protected:
+    void SetUp() override
+    {
+        EffectTest::SetUp();
+        mesh_ = osgMesh(sphereMesh(24));
+        osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(4, 4, 1, GL_RGB, GL_UNSIGNED_BYTE);
+        for (unsigned int unit = 0; unit < kHostUnits; ++unit)
+            host_->setTextureAttributeAndModes(unit, new osg::Texture2D(image));
+    }
+
+    /// After two frames: the first makes objects. OSG leaves the highest unit that had a texture
+    /// active, and the alignment of the last image that was loaded: those of the host, above all.
+    ContextState stateAfter(osg::Node* node, const osgFbrdf::FactorizedBrdf* effect = nullptr)
+    {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->setStateSet(host_);
+        root->addChild(node);
+        root->addChild(osgLights(testLights(9)));
+        view_->setScene(root);
+        for (int frame = 0; frame < 2; ++frame) view_->draw();
+        EXPECT_EQ(effect ? effect->lastReport().reason : "", "");
+        return contextState(context().loader());
+    }
+    ContextState stateAfterGeometry() { return stateAfter(mesh_); }
+
+    osg::ref_ptr<osg::Geometry> mesh_;
+    osg::ref_ptr<osg::StateSet> host_ = new osg::StateSet;
+};
+
+TEST_F(StateLeft, IsThatOfAnOrdinaryGeometry)
+{
+    const auto expected = stateAfterGeometry();
+    const std::vector<std::pair<bool, Transfer>> outputs{
+        {true, Transfer::linear}, {false, Transfer::linear}, {false, Transfer::srgb}};
+    for (const size_t kind : {size_t(0), size_t(4)})  // a product and a sum
+        for (const auto& [floatTarget, transfer] : outputs)
+            for (int technique = 0; technique <= osgFbrdf::kDiffuseFallback; ++technique) {
+                const osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
+                effect->setMaterial(new osgFbrdf::MaterialObject(testMaterials()[kind]));
+                effect->setFloatTarget(floatTarget);
+                effect->setTransfer(transfer);
+                effect->selectTechnique(technique);
+                effect->addChild(mesh_);
+                EXPECT_EQ(changes(expected, stateAfter(effect, effect)), "")
+                    << testMaterials()[kind].name << ", technique " << technique << ", "
+                    << floatTarget << ", transfer " << static_cast<int>(transfer);
+            }
+    EXPECT_EQ(changes(expected, stateAfterGeometry()), "");
+}
+
+/// Leaves something behind.
+class Leak : public osg::Drawable::DrawCallback {
+public:
+    explicit Leak(std::function<void(const osg::GLExtensions&)> leak) : leak_(std::move(leak)) {}
+    void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override
+    {
+        drawable->drawImplementation(info);
+        leak_(*info.getState()->get<osg::GLExtensions>());
+    }
+
+private:
+    std::function<void(const osg::GLExtensions&)> leak_;
+};
+
+TEST_F(StateLeft, ALeakIsSeen)
+{
+    using Extensions = const osg::GLExtensions&;
+    const std::vector<std::function<void(Extensions)>> leaks{
+        [](Extensions) { glEnable(GL_SCISSOR_TEST); },
+        [](Extensions) { glPixelStorei(GL_UNPACK_ALIGNMENT, 2); },
+        [](Extensions) { glLogicOp(GL_XOR); },
+        [](Extensions) { glLineWidth(3.0f); },
+        [](Extensions gl) { gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 4000); },
+        [](Extensions gl) { gl.glEnableVertexAttribArray(7); },
+        [](Extensions gl) {
+            gl.glActiveTexture(GL_TEXTURE3);
+            glBindTexture(GL_TEXTURE_3D, 4000);
+            gl.glActiveTexture(GL_TEXTURE0);
+        }};
+    for (size_t i = 0; i < leaks.size(); ++i) {
+        const auto expected = stateAfterGeometry();
+        mesh_->setDrawCallback(new Leak(leaks[i]));
+        EXPECT_NE(changes(expected, stateAfterGeometry()), "") << "leak " << i;
+        mesh_->setDrawCallback(nullptr);
+    }
+}
+
+}  // namespace
+}  // namespace fbrdf::test
