@@ -1,6 +1,7 @@
 // What osgDB does with materials and scenes: plugin, options, pseudo-loader, serializers.
 #include "FilesTest.h"
 
+#include "NewerFile.h"
 #include "support/gl/Scenes.h"
 
 #include <Arguments.h>
@@ -178,16 +179,7 @@ TEST_F(Files, AChangedFileIsReadAgainAndABrokenOneIsNot)
 
 TEST_F(Files, AFileOfANewerVersionIsRefusedWithItsReason)
 {
-    std::ifstream whole(path("noise.fbrdf"), std::ios::binary);
-    std::ostringstream bytes;
-    bytes << whole.rdbuf();
-    std::string text = bytes.str();
-    const std::string name("fbrdf:version\0int\0\4\0\0\0", 22);
-    const size_t at = text.find(name);
-    ASSERT_NE(at, std::string::npos);
-    for (size_t i = at; i != std::string::npos; i = text.find(name, i + 1))
-        text[i + name.size()] = 9;
-    std::ofstream(path("newer.fbrdf"), std::ios::binary) << text;
+    writeNewerVersion(path("noise.fbrdf"), path("newer.fbrdf"));
     const Notices notices;
     osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
     EXPECT_FALSE(effect->setMaterialFile(path("newer.fbrdf")));

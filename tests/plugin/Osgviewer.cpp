@@ -58,6 +58,21 @@ Screen Screen::ofDump(const std::string& dump)
     return screen;
 }
 
+Screen Screen::ofFile(const std::string& file)
+{
+    Screen screen;
+    const auto picture = OIIO::ImageInput::open(file);
+    if (picture && picture->spec().nchannels == 3) {
+        screen.width = picture->spec().width;
+        screen.height = picture->spec().height;
+        screen.rgb.resize(static_cast<size_t>(screen.width * screen.height) * 3);
+    }
+    if (screen.rgb.empty() ||
+        !picture->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, screen.rgb.data()))
+        ADD_FAILURE() << "could not read " << file;
+    return screen;
+}
+
 void Screen::save(const std::string& pngFile) const
 {
     const auto file = OIIO::ImageOutput::create(pngFile);
@@ -105,8 +120,8 @@ Screen beside(const Screen& left, const Screen& right)
 bool Osgviewer::installed()
 {
     return std::system(
-               "{ command -v xvfb-run && command -v osgviewer && command -v xdotool; } "
-               ">/dev/null") == 0;
+               "{ command -v xvfb-run && command -v osgviewer && command -v osgfxbrowser && "
+               "command -v xdotool; } >/dev/null") == 0;
 }
 
 // A shell beside osgviewer in the X server does what does() and quit() say. A server starts anew
@@ -115,18 +130,19 @@ bool Osgviewer::installed()
 Osgviewer::Osgviewer(const std::string& scene, const Options& options)
 {
     std::ostringstream server, viewer;
-    server << "env -u LD_LIBRARY_PATH -u WAYLAND_DISPLAY OSG_GL_ERROR_CHECKING=ONCE_PER_ATTRIBUTE "
-           << "OSG_LIBRARY_PATH=" << FBRDF_OSG_LIBRARY_PATH << " xvfb-run -a -n " << displayNumber()
-           << " -s '-noreset -fbdir " << folder_.file("");
+    server << "cd " << folder_.file("") << " && env -u LD_LIBRARY_PATH -u WAYLAND_DISPLAY "
+           << "OSG_GL_ERROR_CHECKING=ONCE_PER_ATTRIBUTE OSG_LIBRARY_PATH=" << options.libraryPath
+           << " xvfb-run -a -n " << displayNumber() << " -s '-noreset -fbdir " << folder_.file("");
     for (int i = 0; i < options.screens; ++i)
         server << " -screen " << i << ' ' << options.width << 'x' << options.height << "x24";
-    server << "' sh >" << folder_.file("shell") << " 2>&1";
-    viewer << "env " FBRDF_OSG_ENVIRONMENT "osgviewer " << options.arguments << ' ';
+    server << "' sh >shell 2>&1";
+    viewer << "env " FBRDF_OSG_ENVIRONMENT << options.environment << ' ';
     if (!options.window.empty())
-        viewer << "--window " << options.window << ' ';
+        viewer << "OSG_WINDOW='" << options.window << "' ";
     else if (options.screens == 1)
-        viewer << "--window 0 0 " << options.width << ' ' << options.height << ' ';
-    viewer << scene << " >" << folder_.file("log") << " 2>&1 </dev/null & viewer=$!\n";
+        viewer << "OSG_WINDOW='0 0 " << options.width << ' ' << options.height << "' ";
+    viewer << options.program << ' ' << options.arguments << ' ' << scene
+           << " >log 2>&1 </dev/null & viewer=$!\n";
     shell_ = popen(server.str().c_str(), "w");
     if (!shell_) throw std::runtime_error("no shell for xvfb-run");
     std::fputs(viewer.str().c_str(), shell_);
@@ -160,10 +176,10 @@ void Osgviewer::does(const std::string& commands)
 int Osgviewer::quit()
 {
     does("key Escape");
-    std::fprintf(shell_,
-                 "{ sleep 10; kill $viewer && echo killed >%s; } & limit=$!\n"
-                 "wait $viewer\necho $? >%s\nkill $limit\n",
-                 folder_.file("killed").c_str(), folder_.file("status").c_str());
+    std::fputs(
+        "{ sleep 10; kill $viewer && echo killed >killed; } & limit=$!\n"
+        "wait $viewer\necho $? >status\nkill $limit\n",
+        shell_);
     pclose(shell_);
     shell_ = nullptr;
     if (!contents(folder_.file("killed")).empty()) return -1;

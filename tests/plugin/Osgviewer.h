@@ -20,6 +20,8 @@ struct Screen {
     /// Of a screen that Xvfb keeps in a file (X Window Dump, 32 bits a pixel); empty while it is
     /// not whole.
     static Screen ofDump(const std::string& dump);
+    /// Of a picture; empty, with a failure, where that cannot be read.
+    static Screen ofFile(const std::string& file);
     void save(const std::string& pngFile) const;
 };
 
@@ -31,16 +33,20 @@ size_t pixelsApart(const Screen& a, const Screen& b, int levels = 3);
 /// `left` with `right` at its right side; they are of one height.
 Screen beside(const Screen& left, const Screen& right);
 
-/// osgviewer with the plugins that OSG_LIBRARY_PATH names and nothing else, from the constructor to
-/// the destructor.
+/// osgviewer, or another program with its keys, with the plugins that OSG_LIBRARY_PATH names and
+/// nothing else, from the constructor to the destructor. It runs in a folder of its own.
 class Osgviewer {
 public:
     struct Options {
         int width = 160, height = 160;  ///< of a screen; the window covers it unless `window`
         int screens = 1;                ///< with two: a window, a context and a view on each
-        std::string window;             ///< what follows --window
+        std::string window;             ///< "x y width height"
         std::string arguments;
+        std::string program = "osgviewer";
+        std::string libraryPath = FBRDF_OSG_LIBRARY_PATH;
+        std::string environment;  ///< of the program: "NAME=value NAME=value"
     };
+    /// scene: one file or several.
     Osgviewer(const std::string& scene, const Options& options);
     ~Osgviewer() { close(); }
     Osgviewer(const Osgviewer&) = delete;
@@ -50,7 +56,9 @@ public:
     static bool installed();
 
     Screen screen(int number = 0) const;
-    /// What it printed.
+    /// A file that the program writes to where it runs.
+    std::string file(const std::string& name) const { return folder_.file(name); }
+    /// What it printed: errors (OSG's WARN) at once, the rest when it has ended.
     std::string said() const;
     /// Commands of xdotool ("key f click 1"), the pointer over its window.
     void does(const std::string& commands);

@@ -217,12 +217,14 @@ bool PassTechnique::mayDraw(osg::State& state) const
         effect_.refuse(kNoGlsl);
         return false;
     }
-    // 1: OSG has not asked yet.
-    const int limit = static_cast<int>(state.getMaxTextureUnits());
+    // 1: OSG has not asked yet, so what every context has decides; the next frame has a reason.
+    const int known = static_cast<int>(state.getMaxTextureUnits());
+    const int limit = known > 1 ? known : assumedCapabilities().maxTextureUnits;
     const int units =
         effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
-    if (limit > 1 && units > limit) effect_.refuse(tooFew("texture units", units, limit));
-    return limit <= 1 || units <= limit;
+    if (units <= limit) return true;
+    effect_.refuse(known > 1 ? tooFew("texture units", units, limit) : "");
+    return false;
 }
 
 ContextNeeds PassTechnique::needs() const

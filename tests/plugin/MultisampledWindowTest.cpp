@@ -1,0 +1,44 @@
+// osgviewer --samples 4: one pass needs nothing, passes that add up off screen cannot be drawn.
+#include "OsgviewerTest.h"
+
+namespace fbrdf::test {
+namespace {
+
+using MultisampledWindow = OsgviewerTest;
+
+// Pixels of the outline of a ball, which several samples smooth.
+constexpr size_t kOutline = 500;
+
+Osgviewer::Options fourSamples()
+{
+    Osgviewer::Options options;
+    options.arguments = "--samples 4";
+    return options;
+}
+
+TEST_F(MultisampledWindow, ShowsTheMaterialInASinglePass)
+{
+    const std::string scene = written(groupOf({ball(0, osgFbrdf::kSinglePass)}));
+    const auto node = read(scene);
+    ViewerTwin twin(context().loader(), node, 160, 160);
+    Osgviewer viewer(scene, fourSamples());
+    expectSame(viewer, twin, "samples", kOutline);
+    // The tester: that it has four samples is seen.
+    EXPECT_GT(pixelsApart(viewer.screen(), twin.frame()), kEdges);
+    expectGoodEnd(viewer);
+}
+
+TEST_F(MultisampledWindow, ShowsTheFallbackWherePassesAddUp)
+{
+    const auto expected = read(written(groupOf({ball(0, osgFbrdf::kDiffuseFallback)})));
+    ViewerTwin twin(context().loader(), expected, 160, 160);
+    Osgviewer viewer(written(groupOf({ball(0, osgFbrdf::kTwoLookups)})), fourSamples());
+    expectSame(viewer, twin, "samples-fallback", kOutline);
+    EXPECT_EQ(viewer.quit(), 0);
+    EXPECT_NE(viewer.said().find("noise0.fbrdf: diffuse fallback is drawn"), std::string::npos)
+        << viewer.said();
+    EXPECT_EQ(viewer.said().find("GL error"), std::string::npos) << viewer.said();
+}
+
+}  // namespace
+}  // namespace fbrdf::test
