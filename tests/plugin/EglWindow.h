@@ -6,6 +6,7 @@
 #include <fbrdf/headless/Offscreen.h>
 
 #include <osgViewer/GraphicsWindow>
+#include <osgViewer/View>
 
 #include <condition_variable>
 #include <memory>
@@ -44,5 +45,8 @@ private:
     std::condition_variable shown_;
     std::vector<std::vector<float>> pictures_;  ///< guarded by mutex_
 };
+
+/// A view that fills the window: perspectiveView(), black, no headlight.
+osg::ref_ptr<osgViewer::View> viewIn(EglWindow& window, osg::Node* scene);
 
 }  // namespace fbrdf::test

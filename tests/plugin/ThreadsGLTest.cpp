@@ -100,24 +100,6 @@ struct Stage {
     }
 };
 
-osg::ref_ptr<osgViewer::View> viewOf(osg::Node* scene, EglWindow* window, double turn)
-{
-    osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
-    view->setLightingMode(osg::View::NO_LIGHT);
-    osg::Camera* camera = view->getCamera();
-    camera->setGraphicsContext(window);
-    camera->setViewport(0, 0, kSize, kSize);
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
-    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setProjectionMatrix(osgMatrix(perspectiveView().projection));
-    camera->setViewMatrix(osg::Matrixd::rotate(turn, 0.0, 0.0, 1.0) *
-                          osgMatrix(perspectiveView().view));
-    view->setSceneData(scene);
-    return view;
-}
-
 constexpr size_t kViews = 2, kRounds = 3;
 
 /// What each view showed in each frame of the script, over and over.
@@ -129,7 +111,11 @@ std::vector<std::vector<Picture>> shownBy(Model model)
     std::vector<osg::ref_ptr<EglWindow>> windows;
     for (size_t i = 0; i < kViews; ++i) {
         windows.emplace_back(new EglWindow(kSize));
-        viewer.addView(viewOf(stage.root, windows.back(), 0.5 * static_cast<double>(i)));
+        const auto view = viewIn(*windows.back(), stage.root);
+        view->getCamera()->setViewMatrix(
+            osg::Matrixd::rotate(0.5 * static_cast<double>(i), 0.0, 0.0, 1.0) *
+            osgMatrix(perspectiveView().view));
+        viewer.addView(view);
     }
     viewer.realize();
     const size_t frames = kRounds * stage.script->size();
@@ -172,6 +158,34 @@ INSTANTIATE_TEST_SUITE_P(Models, Threads,
                                            Model::DrawThreadPerContext,
                                            Model::CullThreadPerCameraDrawThreadPerContext),
                          modelName);
+
+// The viewer waits for as many dynamic leaves as were culled: those of a pass that cannot be drawn
+// must not be missing.
+TEST_P(Threads, DoNotWaitForWhatASurfaceRefuses)
+{
+    const auto effect = osgEffect(testMaterials()[4], sphereMesh(12));
+    effect->setFloatTarget(false);
+    effect->selectTechnique(osgFbrdf::kTwoLookups);
+    effect->getChild(0)->setDataVariance(osg::Object::DYNAMIC);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(effect);
+    root->addChild(osgLights(testLights(3)));
+    const osg::ref_ptr<EglWindow> window = new EglWindow(kSize);
+    osgViewer::CompositeViewer viewer;
+    viewer.setThreadingModel(GetParam());
+    viewer.addView(viewIn(*window, root));
+    viewer.realize();
+    viewer.frame();
+    EXPECT_GT(meanOf(window->picture(0), 3), 0.3);
+    auto* gl = osg::GLExtensions::Get(window->getState()->getContextID(), true);
+    gl->isFrameBufferObjectSupported = false;
+    const Notices notices;
+    for (int frame = 0; frame < 3; ++frame) viewer.frame();
+    EXPECT_GT(meanOf(window->picture(3), 3), 0.3);
+    gl->isFrameBufferObjectSupported = true;
+    EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+    EXPECT_NE(notices.text(), "");
+}
 
 // osgFX chooses while it draws: what is added would be missing for a frame.
 TEST_P(Threads, ShowWhatWasAddedInTheNextFrame)

@@ -101,14 +101,29 @@ bool SurfaceDraw::bind(osg::State& state) const
     return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
 }
 
+/// Nothing is drawn. The viewer waits until as many leaves as are dynamic were drawn.
+void SurfaceDraw::refuse(const osgUtil::RenderBin& bin, osg::State& state) const
+{
+    surfaces_->refuse();
+    for (unsigned int n = bin.computeNumberOfDynamicRenderLeaves(); n > 0; --n)
+        state.decrementDynamicObjectCount();
+}
+
+bool SurfaceDraw::canDraw(osg::State& state) const
+{
+    if (bind(state)) return true;
+    surfaces_->attachAnew(surface_);
+    return bind(state);
+}
+
 void SurfaceDraw::drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
                                      osgUtil::RenderLeaf*& previous)
 {
     osg::State& state = *info.getState();
     const auto& gl = *state.get<osg::GLExtensions>();
-    if (!gl.isFrameBufferObjectSupported) return surfaces_->refuse();
+    if (!gl.isFrameBufferObjectSupported) return refuse(*bin, state);
     const BoundFramebuffers bound(gl);
-    if (!bind(state)) return surfaces_->refuse();
+    if (!canDraw(state)) return refuse(*bin, state);
     if (clearsDepth_) clearDepth(state);
     bin->drawImplementation(info, previous);
 }

@@ -6,6 +6,7 @@
 #pragma once
 #include <fbrdf/plan/Plan.h>
 
+#include <osg/Camera>
 #include <osg/FrameBufferObject>
 #include <osg/Texture2D>
 #include <osgUtil/RenderBin>
@@ -30,6 +31,14 @@ public:
     const osg::FrameBufferObject& framebuffer(fbrdf::Surface surface) const
     {
         return *one(surface).framebuffer;
+    }
+    /// OSG numbers framebuffers by context, but deletes one in any context that shares objects:
+    /// this puts the attachments back.
+    void attachAnew(fbrdf::Surface surface)
+    {
+        const One& lost = one(surface);
+        lost.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
+                                        osg::FrameBufferAttachment(lost.texture));
     }
     bool usable() const { return usable_; }
     void refuse() { usable_ = false; }
@@ -63,7 +72,9 @@ public:
                             osgUtil::RenderLeaf*& previous) override;
 
 private:
+    bool canDraw(osg::State& state) const;
     bool bind(osg::State& state) const;
+    void refuse(const osgUtil::RenderBin& bin, osg::State& state) const;
 
     osg::ref_ptr<Surfaces> surfaces_;
     fbrdf::Surface surface_;
