@@ -1,4 +1,4 @@
-# What `cmake --install` leaves: libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg).
+# What `cmake --install` leaves: programs, libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg).
 # Without components it gives brdf, plan, shaders, runtime and c; io needs OpenImageIO, osg OpenSceneGraph.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -24,6 +24,15 @@ endif()
 foreach(part brdf io plan shaders gl)
   install(DIRECTORY runtime/${part}/include/fbrdf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
+
+foreach(program fbrdf fbrdf-viewer)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+endforeach()
+
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/fbrdfConfig.cmake.in ${CMAKE_BINARY_DIR}/fbrdfConfig.cmake
   INSTALL_DESTINATION ${FBRDF_PACKAGE_DIR})

@@ -1,7 +1,7 @@
-// osgdb_fbrdf: materials for osgDB. FILE.fbrdf as an object is the material, as a node it is a
-// sphere of that material; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it. SCENE.EXT.fbrdf,
-// where that is no material, is SCENE.EXT in the plain form (osgFbrdf/PlainForm.h): written and
-// restored.
+// osgdb_fbrdf: materials for osgDB. FILE.fbrdf is a sphere of that material, or the material itself
+// where osgFbrdf::readMaterialObject() asks; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it.
+// SCENE.EXT.fbrdf, where that is no material, is SCENE.EXT in the plain form
+// (osgFbrdf/PlainForm.h): written and restored.
 #include "Arguments.h"
 #include "Sphere.h"
 
@@ -35,17 +35,8 @@ public:
 
     ReadResult readObject(const std::string& file, const Options* options) const override
     {
-        const std::string path = osgDB::findDataFile(file, options);
-        // osgconv asks for objects only.
-        if (path.empty() && (!pseudoName(file).model.empty() || !plainName(file).empty()))
-            return readNode(file, options);
-        if (path.empty()) return notFound(file);
-        if (!fbrdf::isMaterialFile(path)) return ReadResult::FILE_NOT_HANDLED;
-        try {
-            return new MaterialObject(fbrdf::readMaterial(path), file);
-        } catch (const fbrdf::Error& error) {
-            return ReadResult(std::string(error.what()));
-        }
+        const bool material = options && !options->getPluginStringData(kReadMaterial).empty();
+        return material ? readMaterialFile(file, options) : readNode(file, options);
     }
 
     ReadResult readNode(const std::string& file, const Options* options) const override
@@ -56,7 +47,7 @@ public:
         if (!name.model.empty()) return readModel(name, options);
         if (osgDB::findDataFile(file, options).empty() && !plainName(file).empty())
             return readPlain(plainName(file), options);
-        const ReadResult material = readObject(file, options);
+        const ReadResult material = readMaterialFile(file, options);
         if (!material.success()) return material;
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setMaterialFile(file, options);
@@ -81,6 +72,18 @@ public:
     }
 
 private:
+    static ReadResult readMaterialFile(const std::string& file, const Options* options)
+    {
+        const std::string path = osgDB::findDataFile(file, options);
+        if (path.empty()) return notFound(file);
+        if (!fbrdf::isMaterialFile(path)) return ReadResult::FILE_NOT_HANDLED;
+        try {
+            return new MaterialObject(fbrdf::readMaterial(path), file);
+        } catch (const fbrdf::Error& error) {
+            return ReadResult(std::string(error.what()));
+        }
+    }
+
     static ReadResult readPlain(const std::string& name, const Options* options)
     {
         const std::string path = osgDB::findDataFile(name, options);

@@ -70,12 +70,23 @@ TEST(Options, AreAppliedOrRefusedByName)
 
 TEST_F(Files, AMaterialIsAnObject)
 {
-    const auto object = osgDB::readRefObjectFile(path("noise.fbrdf"));
-    const auto* material = dynamic_cast<osgFbrdf::MaterialObject*>(object.get());
+    const auto material = osgFbrdf::readMaterialObject(path("noise.fbrdf"));
     ASSERT_TRUE(material);
     EXPECT_TRUE(material->valid());
     EXPECT_EQ(material->material().form.name, material_.form.name);
     for (unsigned int c = 0; c < 3; ++c) EXPECT_GT(material->albedo()[c], 0.0f);
+}
+
+// It asks for objects, and crashes when it gets one that is no node.
+TEST_F(Files, OsgconvMakesASceneOfAMaterial)
+{
+    const std::string text = run("osgconv " + path("noise.fbrdf") + " " + path("ball.osgt"));
+    EXPECT_EQ(status_, 0) << text;
+    const auto node = osgDB::readRefNodeFile(path("ball.osgt"));
+    auto* effect = dynamic_cast<FactorizedBrdf*>(node.get());
+    ASSERT_TRUE(effect) << text;
+    ASSERT_TRUE(effect->getMaterial());
+    EXPECT_GT(meanOf(imageOf(effect), 3), 0.3);
 }
 
 TEST_F(Files, AMaterialIsANodeASphere)

@@ -33,7 +33,10 @@ osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
                  << "it in OSG_LIBRARY_PATH" << std::endl;
         return nullptr;
     }
-    auto result = reader->readObject(file, options);
+    const osg::ref_ptr<osgDB::Options> local =
+        options ? new osgDB::Options(*options) : new osgDB::Options;
+    local->setPluginStringData(kReadMaterial, "1");
+    auto result = reader->readObject(file, local);
     osg::ref_ptr<MaterialObject> material = dynamic_cast<MaterialObject*>(result.getObject());
     if (!material)
         OSG_WARN << "osgFbrdf: "

@@ -143,6 +143,11 @@ private:
     std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
 };
 
+/// Plugin data of the options by which osgdb_fbrdf is asked for a MaterialObject. Without it a
+/// material is read as a node, also where an object is asked for: osgconv 3.6 asks for objects, and
+/// crashes when it gets anything but nodes and images.
+constexpr const char* kReadMaterial = "osgFbrdf::MaterialObject";
+
 /// Reads a material file through the osgdb_fbrdf plugin; null, with a warning through osg::notify
 /// that names file and reason, where that fails.
 osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
