@@ -1,9 +1,13 @@
-// fbrdf-osg-knot: a torus knot of a measured material under 200 lights, as OpenSceneGraph draws it.
-//   fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
-// With a second name the scene is not shown but saved, as a scene or as its first picture.
+// fbrdf-osg-knot: a torus knot of a measured material under many lights, as OpenSceneGraph draws
+// it.
+//   fbrdf-osg-knot [--lights N] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
+//   fbrdf-osg-knot --model MODEL.osgt
+// With a second name the scene is not shown but saved, as a scene or as its first picture. The
+// model alone is for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
+#include <osg/ArgumentParser>
 #include <osg/Geometry>
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
@@ -14,15 +18,15 @@
 
 namespace {
 
-constexpr int kSegments = 400, kSides = 32, kLights = 200;
+constexpr int kSegments = 400, kSides = 32, kLights = 200, kMostLights = 100000;
 constexpr float kTube = 0.3f;
 
-/// The (2, 5) torus knot.
+/// The (2, 5) torus knot, about the y axis, along which OSG's viewers look at first.
 osg::Vec3f centreLine(double u)
 {
     const double r = 1.0 + 0.4 * std::cos(5.0 * u);
-    return {static_cast<float>(r * std::cos(2.0 * u)), static_cast<float>(r * std::sin(2.0 * u)),
-            static_cast<float>(0.4 * std::sin(5.0 * u))};
+    return {static_cast<float>(r * std::cos(2.0 * u)), static_cast<float>(-0.4 * std::sin(5.0 * u)),
+            static_cast<float>(r * std::sin(2.0 * u))};
 }
 
 void addRing(osg::Geometry& knot, double u)
@@ -33,7 +37,7 @@ void addRing(osg::Geometry& knot, double u)
         static_cast<osg::Vec3Array&>(*knot.getVertexAttribArray(osgFbrdf::kTangentAttribute));
     osg::Vec3f along = centreLine(u + 1e-3) - centreLine(u - 1e-3);
     along.normalize();
-    osg::Vec3f side = along ^ osg::Vec3f(0.0f, 0.0f, 1.0f);
+    osg::Vec3f side = along ^ osg::Vec3f(0.0f, 1.0f, 0.0f);
     side.normalize();
     const osg::Vec3f up = side ^ along;
     for (int j = 0; j <= kSides; ++j) {
@@ -65,16 +69,17 @@ osg::ref_ptr<osg::Geometry> knotOf()
     return knot;
 }
 
-/// Lights evenly over a sphere (golden angle), in all hues, the upper ones brighter.
-osg::ref_ptr<osgFbrdf::PointLights> lightsAround()
+/// Lights evenly over a sphere (golden angle), in many hues, every eighth a strong one; together as
+/// bright whatever their number.
+osg::ref_ptr<osgFbrdf::PointLights> lightsAround(int count)
 {
     osg::ref_ptr<osgFbrdf::PointLights> lights = new osgFbrdf::PointLights;
-    for (int i = 0; i < kLights; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / kLights, r = std::sqrt(1.0 - z * z),
+    for (int i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / count, r = std::sqrt(1.0 - z * z),
                      phi = i * osg::PI * (3.0 - std::sqrt(5.0));
-        const double size = 0.02 + 0.6 * std::pow(0.5 + 0.5 * z, 8.0);
+        const double size = (i % 8 == 0 ? 200.0 : 5.0) / count;
         const auto hue = [phi, size](double offset) {
-            return static_cast<float>(size * (1.0 + 0.4 * std::cos(phi + offset)));
+            return static_cast<float>(size * (1.0 + 0.1 * std::cos(phi + offset)));
         };
         lights->addPoint(osg::Vec3f(static_cast<float>(r * std::cos(phi)),
                                     static_cast<float>(r * std::sin(phi)), static_cast<float>(z)) *
@@ -103,21 +108,33 @@ bool savePicture(osg::Node& scene, const std::string& file)
     viewer.setUpViewInWindow(0, 0, 640, 480);
     viewer.setSceneData(&scene);
     viewer.getCamera()->setClearColor({0.04f, 0.04f, 0.05f, 1.0f});
-    viewer.getCamera()->setViewMatrixAsLookAt({0.0, -2.9, 5.8}, {}, {0.0, 0.0, 1.0});
+    viewer.getCamera()->setViewMatrixAsLookAt({0.0, -6.2, 1.6}, {}, {0.0, 0.0, 1.0});
     const osg::ref_ptr<Keep> keep = new Keep;
     viewer.getCamera()->setFinalDrawCallback(keep);
     for (int i = 0; i < 2; ++i) viewer.frame();
     return osgDB::writeImageFile(*keep->picture, file);
 }
 
+int usage()
+{
+    std::cerr << "usage: fbrdf-osg-knot [--lights N] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
+                 "       fbrdf-osg-knot --model MODEL.osgt\n";
+    return 2;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    if (argc < 2 || argc > 3) {
-        std::cerr << "usage: fbrdf-osg-knot MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n";
-        return 2;
-    }
+    osg::ArgumentParser arguments(&argc, argv);
+    int lightCount = kLights;
+    std::string model;
+    arguments.read("--lights", lightCount);
+    arguments.read("--model", model);
+    if (arguments.errors() || arguments.containsOptions() || lightCount < 1 ||
+        lightCount > kMostLights || argc > 3 || (argc > 1) == !model.empty())
+        return usage();
+    if (!model.empty()) return osgDB::writeNodeFile(*knotOf(), model) ? 0 : 5;
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
@@ -127,12 +144,13 @@ int main(int argc, char** argv)
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(effect);
-    scene->addChild(lightsAround());
+    scene->addChild(lightsAround(lightCount));
     // 3. Saved, or shown.
     if (argc == 3 && osgDB::getLowerCaseFileExtension(argv[2]) == "png")
         return savePicture(*scene, argv[2]) ? 0 : 5;
     if (argc == 3) return osgDB::writeNodeFile(*scene, argv[2]) ? 0 : 5;
     osgViewer::Viewer viewer;
     viewer.setSceneData(scene);
-    return viewer.run();
+    viewer.realize();
+    return viewer.isRealized() ? viewer.run() : 6;  // 6: no display
 }

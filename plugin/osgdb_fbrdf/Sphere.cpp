@@ -17,11 +17,11 @@ osg::ref_ptr<osg::Geometry> unitSphere()
     for (unsigned int i = 0; i <= kRings; ++i)
         for (unsigned int j = 0; j <= kColumns; ++j) {
             const double theta = osg::PI * i / kRings, phi = 2.0 * osg::PI * j / kColumns;
-            positions->push_back({static_cast<float>(std::sin(theta) * std::sin(phi)),
-                                  static_cast<float>(std::cos(theta)),
-                                  static_cast<float>(std::sin(theta) * std::cos(phi))});
+            positions->push_back({static_cast<float>(std::sin(theta) * std::cos(phi)),
+                                  static_cast<float>(std::sin(theta) * std::sin(phi)),
+                                  static_cast<float>(std::cos(theta))});
             tangents->push_back(
-                {static_cast<float>(std::cos(phi)), 0.0f, static_cast<float>(-std::sin(phi))});
+                {static_cast<float>(-std::sin(phi)), static_cast<float>(std::cos(phi)), 0.0f});
         }
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     for (unsigned int i = 0; i < kRings; ++i)

@@ -5,7 +5,7 @@
 namespace osgFbrdf {
 
 /// Unit sphere at the origin, normals outward, tangents (kTangentAttribute) along increasing
-/// azimuth about +y.
+/// azimuth about +z: OSG's viewers look along +y, so that no pole is in the middle.
 osg::ref_ptr<osg::Geometry> unitSphere();
 
 }  // namespace osgFbrdf

@@ -246,6 +246,28 @@ TEST_F(Files, TheSceneOfTheExampleLoadsByTheEnvironmentAlone)
     EXPECT_GT(meanOf(imageOf(effect), 3), 0.1);
 }
 
+TEST_F(Files, TheExampleHasAnyNumberOfLightsAndABareModel)
+{
+    const std::string knot = FBRDF_OSG_KNOT;
+    std::string text = run(knot + " --lights 64 " + path("noise.fbrdf") + " " + path("64.osgt"));
+    EXPECT_EQ(status_, 0) << text;
+    const auto scene = osgDB::readRefNodeFile(path("64.osgt"));
+    ASSERT_TRUE(scene && scene->asGroup()->getNumChildren() == 2) << text;
+    const auto* lights = dynamic_cast<PointLights*>(scene->asGroup()->getChild(1));
+    ASSERT_TRUE(lights);
+    EXPECT_EQ(lights->getLights().size(), 64u);
+    text = run(knot + " --model " + path("knot.osgt"));
+    EXPECT_EQ(status_, 0) << text;
+    const auto model = osgDB::readRefNodeFile(path("knot.osgt") + ".noise.fbrdf");
+    const auto* effect = dynamic_cast<FactorizedBrdf*>(model.get());
+    ASSERT_TRUE(effect) << text;
+    EXPECT_TRUE(effect->getMaterial());
+    for (const char* bad : {" --lights 0 ", " --lights x ", " --lights 1000000 ", " --model a.osgt "}) {
+        text = run(knot + bad + path("noise.fbrdf"));
+        EXPECT_EQ(WEXITSTATUS(status_), 2) << bad << text;
+    }
+}
+
 class RoundTrip : public Files, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(RoundTrip, KeepsEverything)

@@ -18,4 +18,4 @@ for dependency in libopenscenegraph libopenimageio libc6; do
   [[ $depends == *$dependency* ]] || { echo "found no $dependency in: $depends"; exit 1; }
 done
 # Libraries are made known to the loader by ldconfig.
-dpkg-deb --ctrl-tarfile "$package" | tar -xO ./postinst | grep -q ldconfig || { echo "found no ldconfig"; exit 1; }
+dpkg-deb --ctrl-tarfile "$package" | tar -xO ./triggers | grep -q ldconfig || { echo "found no ldconfig"; exit 1; }
