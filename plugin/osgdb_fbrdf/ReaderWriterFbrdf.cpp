@@ -1,8 +1,10 @@
 // osgdb_fbrdf: materials for osgDB. FILE.fbrdf is a sphere of that material, or the material itself
 // where osgFbrdf::readMaterialObject() asks; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it.
 // SCENE.EXT.fbrdf, where that is no material, is SCENE.EXT in the plain form
-// (osgFbrdf/PlainForm.h): written and restored.
+// (osgFbrdf/PlainForm.h): written and restored. Written to FILE.fbrdf and to streams are materials:
+// of an object, or the one of a scene.
 #include "Arguments.h"
+#include "MaterialOf.h"
 #include "Sphere.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
@@ -17,6 +19,8 @@
 #include <osgDB/ReadFile>
 #include <osgDB/Registry>
 
+#include <iterator>
+
 namespace osgFbrdf {
 namespace {
 
@@ -26,7 +30,7 @@ public:
     {
         supportsExtension(
             "fbrdf",
-            "Factored BRDF; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it; "
+            "Factored BRDF, read and written; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it; "
             "SCENE.EXT.fbrdf writes and reads SCENE.EXT for readers without osgFbrdf");
         for (const OptionText& option : optionTexts()) supportsOption(option.name, option.text);
     }
@@ -55,23 +59,86 @@ public:
         return effect.get();
     }
 
+    /// The bytes of a .fbrdf, as a scene file has them.
+    ReadResult readObject(std::istream& stream, const Options*) const override
+    {
+        try {
+            const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+            return new MaterialObject(fbrdf::materialFromFileBytes(bytes, "material in a stream"));
+        } catch (const fbrdf::Error& error) {
+            return ReadResult(std::string(error.what()));
+        }
+    }
+
+    ReadResult readNode(std::istream& stream, const Options* options) const override
+    {
+        ReadResult read = readObject(stream, options);
+        auto* material = dynamic_cast<MaterialObject*>(read.getObject());
+        if (!material) return read;
+        osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
+        effect->setMaterial(material);
+        effect->addChild(unitSphere());
+        return effect.get();
+    }
+
     WriteResult writeObject(const osg::Object& object, const std::string& file,
                             const Options* options) const override
     {
         const auto* node = dynamic_cast<const osg::Node*>(&object);
-        return node ? writeNode(*node, file, options) : WriteResult::FILE_NOT_HANDLED;
+        if (node) return writeNode(*node, file, options);
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
+            return WriteResult::FILE_NOT_HANDLED;
+        return writeMaterialOf(object, file);
     }
 
     WriteResult writeNode(const osg::Node& node, const std::string& file,
                           const Options* options) const override
     {
-        const std::string plain = plainName(file);
-        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)) || plain.empty())
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
             return WriteResult::FILE_NOT_HANDLED;
+        const std::string plain = plainName(file);
+        if (plain.empty()) return writeMaterialOf(node, file);
         return osgDB::Registry::instance()->writeNode(*plainForm(node), plain, options);
     }
 
+    WriteResult writeObject(const osg::Object& object, std::ostream& stream,
+                            const Options*) const override
+    {
+        return written(object, "stream", [&stream](const fbrdf::Material& material) {
+            if (!(stream << fbrdf::materialFileBytes(material)))
+                throw fbrdf::Error(fbrdf::ErrorKind::output, "stream", "cannot be written");
+        });
+    }
+
+    WriteResult writeNode(const osg::Node& node, std::ostream& stream,
+                          const Options* options) const override
+    {
+        return writeObject(node, stream, options);
+    }
+
 private:
+    static WriteResult writeMaterialOf(const osg::Object& object, const std::string& file)
+    {
+        return written(object, file, [&file](const fbrdf::Material& material) {
+            fbrdf::writeMaterial(material, file);
+        });
+    }
+
+    /// What became of write(the material of the object).
+    template <class Write>
+    static WriteResult written(const osg::Object& object, const std::string& where, Write write)
+    {
+        std::string problem;
+        const auto material = materialOf(object, problem);
+        if (!material) return WriteResult(where + ": " + problem);
+        try {
+            write(material->material());
+        } catch (const fbrdf::Error& error) {
+            return WriteResult(std::string(error.what()));
+        }
+        return WriteResult::FILE_SAVED;
+    }
+
     static ReadResult readMaterialFile(const std::string& file, const Options* options)
     {
         const std::string path = osgDB::findDataFile(file, options);

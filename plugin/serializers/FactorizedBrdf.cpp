@@ -1,5 +1,6 @@
-// The material is saved by the name of its file; it is found again by osgDB's search paths, the
-// folder of the scene file among them.
+// A material that has a file is saved by its name; it is found again by osgDB's search paths, the
+// folder of the scene file among them. One that has none is saved itself, once for all effects that
+// share it.
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <osg/Notify>
@@ -11,34 +12,57 @@ namespace {
 
 using osgFbrdf::FactorizedBrdf;
 
-bool checkMaterialFile(const FactorizedBrdf& effect)
+bool hasMaterial(const FactorizedBrdf& effect)
 {
-    const bool named = !effect.getMaterialFile().empty();
-    if (effect.getMaterial() && !named) {
-        OSG_WARN << "osgFbrdf: material '" << effect.getMaterial()->getName()
-                 << "' is not saved: found no file name, expected one" << std::endl;
-    }
-    return named;
+    return effect.getMaterial() && effect.getMaterial()->valid();
 }
 
+bool isEmbedded(const FactorizedBrdf& effect)
+{
+    return effect.getMaterialFile().empty() && hasMaterial(effect);
+}
+
+bool checkMaterialFile(const FactorizedBrdf& effect)
+{
+    return !effect.getMaterialFile().empty() || hasMaterial(effect);
+}
+
+void readEmbedded(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    stream >> stream.BEGIN_BRACKET;
+    const auto material = stream.readObjectOfType<osgFbrdf::MaterialObject>();
+    stream >> stream.END_BRACKET;
+    if (material && material->valid()) effect.setMaterial(material);
+}
+
+/// No name: format 2, and the material itself follows.
 bool readMaterialFile(osgDB::InputStream& stream, FactorizedBrdf& effect)
 {
     std::string file;
     stream.readWrappedString(file);
     // A missing material has been warned of; the model is worth having without it.
-    effect.setMaterialFile(file, stream.getOptions());
+    if (file.empty())
+        readEmbedded(stream, effect);
+    else
+        effect.setMaterialFile(file, stream.getOptions());
     return true;
 }
 
 bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
 {
     stream.writeWrappedString(effect.getMaterialFile());
+    if (isEmbedded(effect)) {
+        stream << stream.BEGIN_BRACKET << std::endl;
+        stream.writeObject(effect.getMaterial());
+        stream << stream.END_BRACKET;
+    }
     stream << std::endl;
     return true;
 }
 
 // Binary files hold all properties in order, so what is added later must ask for a later format.
-constexpr int kFormat = 1;
+// 2: materials in the scene itself.
+constexpr int kFormat = 2;
 
 bool checkFormat(const FactorizedBrdf&)
 {
@@ -55,9 +79,10 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
     return true;
 }
 
-bool writeFormat(osgDB::OutputStream& stream, const FactorizedBrdf&)
+/// The lowest that holds the effect, so that older readers are warned of what they lose only.
+bool writeFormat(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
 {
-    stream << kFormat << std::endl;
+    stream << (isEmbedded(effect) ? kFormat : 1) << std::endl;
     return true;
 }
 

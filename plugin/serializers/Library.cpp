@@ -2,6 +2,7 @@
 #include <osgDB/Registry>
 
 USE_SERIALIZER_WRAPPER(osgFbrdf_FactorizedBrdf)
+USE_SERIALIZER_WRAPPER(osgFbrdf_MaterialObject)
 USE_SERIALIZER_WRAPPER(osgFbrdf_PointLights)
 
 extern "C" void wrapper_serializer_library_osgFbrdf(void) {}

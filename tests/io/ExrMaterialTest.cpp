@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 using namespace fbrdf;
@@ -80,6 +81,40 @@ TEST(ExrMaterial, RoundTripsLog8OfNearlyConstantTables)
         writeMaterial(material, path);
         EXPECT_EQ(test::firstDifference(readMaterial(path), material), "") << spread;
     }
+}
+
+TEST(ExrMaterial, RoundTripsThroughBytes)
+{
+    const TemporaryDir folder;
+    for (const Form& form : test::testForms()) {
+        const Material material = test::testMaterial(form, Storage::log8);
+        const std::string bytes = materialFileBytes(material);
+        EXPECT_EQ(test::firstDifference(materialFromFileBytes(bytes, "bytes"), material), "")
+            << form.name;
+        writeMaterial(material, folder.file("m.fbrdf"));
+        EXPECT_EQ(bytes, test::fileBytes(folder.file("m.fbrdf")));
+    }
+}
+
+TEST(ExrMaterial, NoPrefixOfItsBytesReads)
+{
+    const std::string bytes =
+        materialFileBytes(test::testMaterial(test::testForms()[0], Storage::log8));
+    for (size_t size = 0; size < bytes.size(); size += 1 + size / 50)
+        expectError(ErrorKind::input, "in a scene",
+                    [&] { materialFromFileBytes(bytes.substr(0, size), "in a scene"); });
+}
+
+TEST(ExrMaterial, BytesLeaveNothingBehind)
+{
+    const char* before = std::getenv("TMPDIR");
+    const std::string kept = before ? before : "";
+    const TemporaryDir folder;
+    setenv("TMPDIR", folder.file("").c_str(), 1);
+    const Material material = test::testMaterial(test::testForms()[0], Storage::log8);
+    EXPECT_FALSE(materialFileBytes(material).empty());
+    EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
+    before ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
 }
 
 TEST(ExrMaterial, SameMaterialGivesTheSameBytes)

@@ -57,6 +57,14 @@ MaterialObject::MaterialObject(const MaterialObject& other, const osg::CopyOp& o
 {
 }
 
+void MaterialObject::take(const MaterialObject& other)
+{
+    material_ = other.material_;
+    fileName_ = other.fileName_;
+    albedo_ = other.albedo_;
+    states_ = other.states_;
+}
+
 void MaterialObject::resizeGLObjectBuffers(unsigned int maxSize)
 {
     if (states_) states_->resizeGLObjectBuffers(maxSize);

@@ -94,6 +94,21 @@ std::string readBeginning(const std::string& path, size_t count)
     return bytes;
 }
 
+TemporaryFolder::TemporaryFolder()
+{
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    path_ = ((error ? fs::path("/tmp") : folder) / "fbrdf-XXXXXX").string();
+    if (!::mkdtemp(path_.data()))
+        failOutput(path_, std::string("cannot be made: ") + std::strerror(errno));
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+    std::error_code error;
+    fs::remove_all(path_, error);
+}
+
 PendingFiles::~PendingFiles()
 {
     for (const Entry& entry : entries_) std::remove(entry.temporary.c_str());

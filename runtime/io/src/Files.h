@@ -13,6 +13,22 @@ std::string readFile(const std::string& path);
 /// The first bytes of a regular file, at most `count`; empty when it cannot be read.
 std::string readBeginning(const std::string& path, size_t count);
 
+/// A folder that nobody else has, for as long as this lives.
+class TemporaryFolder {
+public:
+    /// Throws Error(output) where the system's folder for temporary files takes none.
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    /// Path of a file in it.
+    std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+private:
+    std::string path_;
+};
+
 /// Files that appear together or not at all: each is written under a temporary name beside its
 /// target, commit() renames them in the order they were added, and the destructor removes what was
 /// not committed. A target that is a symbolic link is followed.

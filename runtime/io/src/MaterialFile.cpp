@@ -56,4 +56,19 @@ void writeMaterial(const Material& material, const std::string& path)
                 "found extension '" + extension + "', expected .fbrdf, .txt or .json");
 }
 
+Material materialFromFileBytes(const std::string& bytes, const std::string& where)
+{
+    if (!looksLikeExrMaterial(bytes.substr(0, kBeginning)))
+        throw Error(ErrorKind::input, where, "found other bytes, expected those of a .fbrdf");
+    return readExrMaterial(bytes, where);
+}
+
+std::string materialFileBytes(const Material& material)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("material.fbrdf");
+    writeMaterial(material, path);
+    return readFile(path);
+}
+
 }  // namespace fbrdf

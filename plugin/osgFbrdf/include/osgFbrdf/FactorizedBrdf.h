@@ -73,7 +73,8 @@ public:
     /// material stays.
     void setReloading(bool reloading);
     bool getReloading() const { return reloading_; }
-    /// A material from memory or shared with other effects; null: the fallback.
+    /// A material from memory or shared with other effects; null: the fallback. Where it has no
+    /// file name, scene files hold the material itself.
     void setMaterial(MaterialObject* material);
     MaterialObject* getMaterial() const { return material_.get(); }
 

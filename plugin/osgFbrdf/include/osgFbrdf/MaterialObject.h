@@ -23,10 +23,11 @@ public:
     MaterialObject(const MaterialObject& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgFbrdf, MaterialObject)
 
-        bool valid() const
-    {
-        return states_.valid();
-    }
+        /// For readers of scenes, which make an object before they know what it holds: takes the
+        /// material of another. Only while nobody else has this one.
+        void take(const MaterialObject& other);
+
+    bool valid() const { return states_.valid(); }
     const fbrdf::Material& material() const { return material_; }
     const std::string& fileName() const { return fileName_; }  ///< empty: made from memory
     /// Linear RGB in [0, 1]: what a diffuse surface that reflects as much would be painted.

@@ -20,4 +20,12 @@ bool isMaterialFile(const std::string& path);
 /// that the format cannot hold.
 void writeMaterial(const Material& material, const std::string& path);
 
+/// The material of the bytes of a whole .fbrdf, as from inside another file. Throws Error(input)
+/// with `where`, which stands for a path, and part.
+Material materialFromFileBytes(const std::string& bytes, const std::string& where);
+
+/// The bytes that writeMaterial writes to a .fbrdf. Throws as it does: OpenImageIO writes several
+/// parts to files only, so there is one for a moment, in the folder for temporary files.
+std::string materialFileBytes(const Material& material);
+
 }  // namespace fbrdf
