@@ -64,6 +64,20 @@ TEST_F(SurfacesOf, AreDrawnToInTurnByEffectsThatOverlap)
     EXPECT_LT(d.maxRelative, kMoved) << describe(d);
 }
 
+// A draw callback of ours on a bin of the host's would take all that is in it off the target.
+TEST_F(SurfacesOf, StandInBinsOfTheirOwnWhereTheHostOverridesBins)
+{
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    effect->setFloatTarget(false);
+    effect->selectTechnique(osgFbrdf::kTwoLookups);
+    const auto root = scene(effect, osgLights(testLights(9)));
+    root->addChild(osg::createTexturedQuadGeometry({-4, -4, -1.5f}, {8, 0, 0}, {0, 8, 0}));
+    const auto before = view_->frame();
+    root->getOrCreateStateSet()->setRenderBinDetails(0, "RenderBin",
+                                                     osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
+    EXPECT_EQ(view_->frame(), before);
+}
+
 TEST_F(SurfacesOf, FollowTheViewport)
 {
     const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));

@@ -3,6 +3,7 @@
 #include "DiffuseTechnique.h"
 #include "FileWatch.h"
 #include "PassTechnique.h"
+#include "ShapeCameras.h"
 #include "TechniqueChoice.h"
 
 #include <osg/Notify>
@@ -234,6 +235,8 @@ void FactorizedBrdf::compile(osgUtil::GLObjectsVisitor& visitor)
 
 void FactorizedBrdf::cull(osgUtil::CullVisitor& visitor)
 {
+    const osg::Camera* camera = visitor.getCurrentCamera();
+    if (camera && drawsShapes(*camera)) return inherited_traverse(visitor);
     const osg::State* state = visitor.getState();
     osg::ref_ptr<osg::StateSet> question;
     if (state && !choice_->asked(state->getContextID())) question = choice_->question(needs());

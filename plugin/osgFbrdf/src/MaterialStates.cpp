@@ -204,7 +204,8 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, con
     setDepth(*state, pass.depth);
     state->setMode(GL_ALPHA_TEST, kOff);
     // The bins of the model would tear the passes apart.
-    state->setRenderBinDetails(place.bin, "RenderBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
+    state->setRenderBinDetails(place.bin, "RenderBin",
+                               osg::StateSet::OVERRIDE_PROTECTED_RENDERBIN_DETAILS);
     return state;
 }
 

@@ -26,7 +26,9 @@ class NestedBin {
 public:
     NestedBin(osgUtil::CullVisitor& visitor, int number) : visitor_(visitor)
     {
-        state_->setRenderBinDetails(number, "RenderBin");
+        // Else a host that overrides bins would have its own drawn in our stead.
+        state_->setRenderBinDetails(number, "RenderBin",
+                                    osg::StateSet::PROTECTED_RENDERBIN_DETAILS);
         visitor_.pushStateSet(state_);
     }
     ~NestedBin() { visitor_.popStateSet(); }

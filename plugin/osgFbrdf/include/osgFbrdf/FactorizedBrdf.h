@@ -3,7 +3,8 @@
 //
 // Techniques, best first: "single pass", "batched", "two look-ups per pass", "diffuse fallback".
 // Each needs less than the one before, so a choice that suits one context suits a lesser one; every
-// context is asked when it first draws. selectTechnique() forces one. Plans and shaders are the
+// context is asked when it first draws. selectTechnique() forces one. Cameras of shadow maps, which
+// draw no colour or override materials, draw the children as they are. Plans and shaders are the
 // runtime's (fbrdf/plan, fbrdf/shaders).
 //
 // Lights. osg::Light's diffuse colour is read so that a white Lambertian looks as it does in fixed

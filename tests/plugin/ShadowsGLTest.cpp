@@ -1,0 +1,179 @@
+// Under every technique of osgShadow: they cull the scene several times in a frame, by cameras of
+// their own, and put programs and textures above it. The effect looks as it does without, and the
+// floor gets the shadow that an ordinary sphere would cast. All of OSG 3.6.5's but ShadowVolume,
+// which Debian's package does not have.
+#include "EffectTest.h"
+#include "Pictures.h"
+
+#include "support/gl/Scenes.h"
+
+#include <osg/LightSource>
+#include <osgShadow/LightSpacePerspectiveShadowMap>
+#include <osgShadow/MinimalCullBoundsShadowMap>
+#include <osgShadow/MinimalDrawBoundsShadowMap>
+#include <osgShadow/ParallelSplitShadowMap>
+#include <osgShadow/ShadowedScene>
+#include <osgShadow/ShadowMap>
+#include <osgShadow/ShadowTexture>
+#include <osgShadow/SoftShadowMap>
+#include <osgShadow/StandardShadowMap>
+#include <osgShadow/ViewDependentShadowMap>
+
+namespace fbrdf::test {
+namespace {
+
+using Picture = std::vector<float>;
+
+struct Kind {
+    const char* name;
+    osgShadow::ShadowTechnique* (*make)();
+    bool dividesScene = false;  ///< what casts must not receive
+    float shade = 0.7f;         ///< shadows are darker than that part of the light
+};
+
+constexpr unsigned int kReceives = 1, kCasts = 2;
+
+template <class Technique>
+osgShadow::ShadowTechnique* make()
+{
+    return new Technique;
+}
+
+class Shadows : public EffectTest, public ::testing::WithParamInterface<Kind> {
+protected:
+    void SetUp() override
+    {
+        EffectTest::SetUp();
+        lamp_->setPosition({0.8f, 0.5f, 1.2f, 0.0f});
+        lamp_->setDiffuse({1.0f, 1.0f, 1.0f, 1.0f});
+        lamp_->setAmbient({0.2f, 0.2f, 0.2f, 1.0f});
+    }
+
+    // osg::Identifier deadlocks where a cull visitor is deleted after the technique that knew it.
+    void TearDown() override
+    {
+        EffectTest::TearDown();
+        techniques_.clear();
+    }
+
+    /// The caster over the floor, with a shadow of the technique or without.
+    Picture picture(osg::Node* caster, bool shadowed)
+    {
+        const osg::ref_ptr<osg::Group> root = shadowed ? shadowedScene() : new osg::Group;
+        root->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
+        root->getOrCreateStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
+        const osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
+        source->setLight(lamp_);
+        root->addChild(source);
+        const osg::ref_ptr<osg::Node> floor =
+            osg::createTexturedQuadGeometry({-4, -4, -1.5f}, {8, 0, 0}, {0, 8, 0});
+        if (GetParam().dividesScene) {
+            floor->setNodeMask(kReceives);
+            caster->setNodeMask(kCasts);
+        }
+        root->addChild(floor);
+        root->addChild(caster);
+        view_->setScene(root);
+        for (int frame = 0; frame < 2; ++frame) view_->frame();
+        const Picture image = view_->frame();
+        view_->setScene(nullptr);
+        return image;
+    }
+
+    osg::Group* shadowedScene()
+    {
+        techniques_.emplace_back(GetParam().make());
+        auto* scene = new osgShadow::ShadowedScene(techniques_.back());
+        if (GetParam().dividesScene) {
+            scene->setReceivesShadowTraversalMask(kReceives);
+            scene->setCastsShadowTraversalMask(kCasts);
+        }
+        return scene;
+    }
+
+    std::vector<osg::ref_ptr<osgShadow::ShadowTechnique>> techniques_;
+    osg::ref_ptr<osg::Light> lamp_ = new osg::Light(0);
+};
+
+/// Pixels beside the object that a technique made darker.
+double inShadow(const Picture& with, const Picture& without, const Picture& object, float shade)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < with.size(); i += 4)
+        count += object[i + 3] == 0.0f && with[i] < shade * without[i] ? 1 : 0;
+    return static_cast<double>(count);
+}
+
+/// Numbers of the object that a technique changed.
+size_t changed(const Picture& with, const Picture& without, const Picture& object)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < with.size(); ++i)
+        count += object[i - i % 4 + 3] > 0.0f &&
+                         std::abs(with[i] - without[i]) > 1e-5f * std::abs(without[i])
+                     ? 1
+                     : 0;
+    return count;
+}
+
+struct Way {
+    std::string name;
+    int technique;
+    bool surfaces;
+    Picture without = {};
+};
+
+TEST_P(Shadows, LeaveTheEffectAsItIsAndDarkenTheFloor)
+{
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    effect->addChild(osgLights(testLights(3)));
+    scene(effect, nullptr);
+    const Picture alone = view_->frame();
+    std::vector<Way> ways{{"single", osgFbrdf::kSinglePass, false},
+                          {"two", osgFbrdf::kTwoLookups, false},
+                          {"surfaces", osgFbrdf::kTwoLookups, true}};
+    const auto choose = [&](const Way& way) {
+        effect->setFloatTarget(!way.surfaces);
+        effect->selectTechnique(way.technique);
+    };
+    // Before: some techniques leave lights behind in the context.
+    for (Way& way : ways) {
+        choose(way);
+        way.without = picture(effect, false);
+    }
+    const osg::ref_ptr<osg::Node> sphere = osgMesh(sphereMesh(24));
+    const Picture sphereWithout = picture(sphere, false), sphereWith = picture(sphere, true);
+    const double expected = inShadow(sphereWith, sphereWithout, alone, GetParam().shade);
+    EXPECT_GT(expected, 50.0);
+    const std::string name = std::string("shadow-") + GetParam().name + "-";
+    keepPicture(sphereWith, kSize, name + "ordinary");
+    for (const Way& way : ways) {
+        choose(way);
+        const Picture with = picture(effect, true);
+        keepPicture(with, kSize, name + way.name);
+        EXPECT_EQ(changed(with, way.without, alone), 0u) << way.name;
+        EXPECT_NEAR(inShadow(with, way.without, alone, GetParam().shade), expected, 0.05 * expected)
+            << way.name;
+        EXPECT_EQ(effect->lastReport().reason, "");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Techniques, Shadows,
+    ::testing::Values(
+        Kind{"ShadowMap", make<osgShadow::ShadowMap>},
+        Kind{"SoftShadowMap", make<osgShadow::SoftShadowMap>},
+        Kind{"StandardShadowMap", make<osgShadow::StandardShadowMap>},
+        Kind{"MinimalShadowMap", make<osgShadow::MinimalShadowMap>},
+        Kind{"MinimalCullBounds", make<osgShadow::MinimalCullBoundsShadowMap>},
+        Kind{"MinimalDrawBounds", make<osgShadow::MinimalDrawBoundsShadowMap>},
+        Kind{"LightSpaceViewBounds", make<osgShadow::LightSpacePerspectiveShadowMapVB>},
+        Kind{"LightSpaceCullBounds", make<osgShadow::LightSpacePerspectiveShadowMapCB>},
+        Kind{"LightSpaceDrawBounds", make<osgShadow::LightSpacePerspectiveShadowMapDB>},
+        Kind{"ParallelSplit", make<osgShadow::ParallelSplitShadowMap>, false, 0.9f},
+        Kind{"ViewDependent", make<osgShadow::ViewDependentShadowMap>},
+        Kind{"ShadowTexture", make<osgShadow::ShadowTexture>, true}),
+    [](const ::testing::TestParamInfo<Kind>& kind) { return std::string(kind.param.name); });
+
+}  // namespace
+}  // namespace fbrdf::test
