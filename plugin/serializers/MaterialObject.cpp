@@ -1,15 +1,16 @@
-// A material without a file, as the bytes of a .fbrdf in base64: what the text, binary and XML
-// streams of osgDB all carry whole. The plugin osgdb_fbrdf makes and reads them, so that this
-// library needs no OpenImageIO.
+// A material without a file: the bytes of a .fbrdf as numbers of 32 bits, which the text, binary
+// and XML streams of osgDB all carry whole. Not as a string in quotes: where a text file ends
+// within one, OSG 3.6.5 reads on for ever. The plugin osgdb_fbrdf makes and reads the bytes, so
+// that this library needs no OpenImageIO.
 #include <osgFbrdf/MaterialObject.h>
 
 #include <osg/Notify>
-#include <osgDB/ConvertBase64>
 #include <osgDB/InputStream>
 #include <osgDB/ObjectWrapper>
 #include <osgDB/OutputStream>
 #include <osgDB/Registry>
 
+#include <algorithm>
 #include <sstream>
 
 namespace {
@@ -34,13 +35,42 @@ bool checkFile(const MaterialObject& material)
     return material.valid();
 }
 
+// Longer ones are damage: the reader of .fbrdf takes as much.
+constexpr unsigned int kMostBytes = 256u << 20;
+constexpr unsigned int kWordsInRow = 8;
+
+std::string readBytes(osgDB::InputStream& stream)
+{
+    unsigned int count = 0, word = 0;
+    stream >> count >> stream.BEGIN_BRACKET;
+    std::string bytes;
+    while (bytes.size() < std::min(count, kMostBytes) && !stream.getException()) {
+        stream >> word;
+        for (unsigned int k = 0; k < 4; ++k)
+            bytes += static_cast<char>(static_cast<unsigned char>(word >> (8 * k)));
+    }
+    stream >> stream.END_BRACKET;
+    bytes.resize(std::min<size_t>(count, bytes.size()));
+    return bytes;
+}
+
+void writeBytes(osgDB::OutputStream& stream, const std::string& bytes)
+{
+    stream << static_cast<unsigned int>(bytes.size()) << stream.BEGIN_BRACKET << std::endl;
+    for (size_t i = 0; i < bytes.size(); i += 4) {
+        unsigned int word = 0;
+        for (size_t k = i; k < std::min(i + 4, bytes.size()); ++k)
+            word |= static_cast<unsigned int>(static_cast<unsigned char>(bytes[k]))
+                    << (8 * (k - i));
+        stream << word;
+        if (i / 4 % kWordsInRow == kWordsInRow - 1) stream << std::endl;
+    }
+    stream << std::endl << stream.END_BRACKET << std::endl;
+}
+
 bool readFile(osgDB::InputStream& stream, MaterialObject& material)
 {
-    std::string text;
-    stream.readWrappedString(text);
-    std::istringstream code(text);
-    std::stringstream bytes;
-    osgDB::Base64decoder().decode(code, bytes);
+    std::istringstream bytes(readBytes(stream));
     auto* format = materialFormat();
     auto result = format ? format->readObject(bytes, nullptr) : osgDB::ReaderWriter::ReadResult();
     if (const auto* read = dynamic_cast<const MaterialObject*>(result.getObject()))
@@ -57,11 +87,7 @@ bool writeFile(osgDB::OutputStream& stream, const MaterialObject& material)
     const auto result =
         format ? format->writeObject(material, bytes, nullptr) : osgDB::ReaderWriter::WriteResult();
     if (!result.success()) warn(material, format ? result.message() : "");
-    std::istringstream plain(bytes.str());
-    std::ostringstream code;
-    osgDB::Base64encoder().encode(plain, code);
-    stream.writeWrappedString(code.str());
-    stream << std::endl;
+    writeBytes(stream, bytes.str());
     return true;
 }
 
