@@ -38,6 +38,7 @@ void FactorizedBrdf::setUpDemo()
     for (const fbrdf::TableSpec& spec : metal.form.tables) metal.tables.push_back(tableOf(spec));
     metal.scales.emplace_back(1.6f, 1.2f, 0.55f);
     setMaterial(new MaterialObject(metal));
+    setTransfer(fbrdf::Transfer::toneMap);  // the browser's window holds sRGB codes
 }
 
 }  // namespace osgFbrdf
