@@ -68,6 +68,17 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_EQ(effect->getExposure(), 2.5f);
 }
 
+TEST(Options, AreAllInTheDocumentation)
+{
+    std::ostringstream text;
+    text << std::ifstream("docs/openscenegraph.md").rdbuf();
+    ASSERT_FALSE(text.str().empty());
+    for (const osgFbrdf::OptionText& option : osgFbrdf::optionTexts()) {
+        const std::string name = option.name.substr(0, option.name.find('=') + 1);
+        EXPECT_NE(text.str().find("| `" + name), std::string::npos) << name;
+    }
+}
+
 TEST_F(Files, AMaterialIsAnObject)
 {
     const auto material = osgFbrdf::readMaterialObject(path("noise.fbrdf"));
@@ -262,7 +273,8 @@ TEST_F(Files, TheExampleHasAnyNumberOfLightsAndABareModel)
     const auto* effect = dynamic_cast<FactorizedBrdf*>(model.get());
     ASSERT_TRUE(effect) << text;
     EXPECT_TRUE(effect->getMaterial());
-    for (const char* bad : {" --lights 0 ", " --lights x ", " --lights 1000000 ", " --model a.osgt "}) {
+    for (const char* bad :
+         {" --lights 0 ", " --lights x ", " --lights 1000000 ", " --model a.osgt "}) {
         text = run(knot + bad + path("noise.fbrdf"));
         EXPECT_EQ(WEXITSTATUS(status_), 2) << bad << text;
     }
