@@ -133,6 +133,29 @@ osg::ref_ptr<osg::Group> throughCamera(osg::Node* scene, const gl::View& view, i
     return root;
 }
 
+// The cull visitor comes back from the camera to the view, and must not begin its bins anew.
+TEST_F(SurfacesOf, AreDrawnToInTurnWithACameraInBetween)
+{
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    for (const int lightsPerPass : {1, 2}) {  // what writes where differs from pass to pass
+        const auto effect = osgEffect(testMaterials()[4], sphereMesh(24));
+        effect->setFloatTarget(false);
+        effect->setLightsPerPass(lightsPerPass);
+        effect->setLookupsPerPass(lightsPerPass == 1 ? 2 : 5);
+        effect->selectTechnique(osgFbrdf::kBatched);
+        osg::ref_ptr<osg::MatrixTransform> above = new osg::MatrixTransform(
+            osg::Matrixd::translate(0.2 * static_cast<double>(lightsPerPass), 0.0, 0.0));
+        above->addChild(effect);
+        root->addChild(above);
+    }
+    root->addChild(osgLights(testLights(3)));
+    view_->setScene(root);
+    const auto expected = view_->frame();
+    const auto seen = osgEffect(testMaterials()[0], sphereMesh(6));
+    root->insertChild(1, throughCamera(seen, perspectiveView(), 0)->getChild(0));
+    EXPECT_EQ(view_->frame(), expected);
+}
+
 TEST_F(SurfacesOf, WorkWithinACameraThatDrawsToATexture)
 {
     const Material material = testMaterials()[4];

@@ -209,7 +209,8 @@ SceneLights& sceneLights(osgUtil::CullVisitor& visitor)
     scene->plain.clear();
     scene->dropped = 0;
     scene->fallbackPlaced = false;
-    scene->lastOwnBin = 0;
+    // Not for another root: the visitor comes back from the cameras within a view.
+    if (scene->frame_ != frame) scene->lastOwnBin = 0;
     scene->root_ = root;
     scene->frame_ = frame;
     scene->filled_ = true;
