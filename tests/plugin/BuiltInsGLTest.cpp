@@ -29,11 +29,16 @@ protected:
 
     void compare(bool uniforms, bool aliasing, unsigned int units)
     {
-        const auto ball = effect(units);
+        compare(effect(units), runtimeImage(testMaterials()[0], sphereMesh(24), testLights(9)),
+                uniforms, aliasing);
+    }
+
+    void compare(osgFbrdf::FactorizedBrdf* ball, const std::vector<float>& expected, bool uniforms,
+                 bool aliasing)
+    {
         const osg::ref_ptr<osg::Group> root = new osg::Group;
         root->addChild(ball);
         root->addChild(osgLights(testLights(9)));
-        const auto expected = runtimeImage(testMaterials()[0], sphereMesh(24), testLights(9));
         view_.reset();  // a state of its own: programs are compiled for its settings
         const auto other = newContext();
         OsgView view(other->loader());
@@ -46,8 +51,8 @@ protected:
         for (int technique = 0; technique < osgFbrdf::kDiffuseFallback; ++technique) {
             ball->selectTechnique(technique);
             const auto d = compareImages(view.frame(), expected);
-            EXPECT_LT(d.maxRelative, kSame) << uniforms << aliasing << units << ", technique "
-                                            << technique << ": " << describe(d);
+            EXPECT_LT(d.maxRelative, kSame)
+                << uniforms << aliasing << ", technique " << technique << ": " << describe(d);
             EXPECT_EQ(ball->lastReport().reason, "");
         }
         EXPECT_EQ(notices.text(), "");
@@ -63,6 +68,20 @@ TEST_F(BuiltIns, OfOsgsStateGiveTheSamePicture)
 TEST_F(BuiltIns, UnderOtherNumbersGiveTheSamePicture)
 {
     compare(false, true, 0);
+}
+
+// By texture coordinates, which have a number of OSG's too.
+TEST_F(BuiltIns, ServeTangentsThatAreDerived)
+{
+    const auto ball = effect(1);
+    auto& coordinates =
+        static_cast<osg::Vec2Array&>(*ball->getChild(0)->asGeometry()->getTexCoordArray(0));
+    for (unsigned int i = 0; i < coordinates.size(); ++i)
+        coordinates[i].set(static_cast<float>(i % 49), static_cast<float>(i / 49));
+    ball->setDerivedTangents(true);
+    scene(ball, osgLights(testLights(9)));
+    const auto expected = view_->frame();
+    compare(ball, expected, true, true);
 }
 
 TEST_F(BuiltIns, LeaveTangentsTheirNumber)

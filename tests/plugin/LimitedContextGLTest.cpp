@@ -1,6 +1,8 @@
 // Contexts that lack what the techniques need: each falls to what it can draw, and says why.
 #include "EffectTest.h"
 
+#include <fbrdf/brdf/Error.h>
+
 #include "support/gl/CompareImages.h"
 #include "support/gl/Scenes.h"
 
@@ -81,6 +83,8 @@ private:
     std::string disabled_;
 };
 
+using LimitedDriver = OsgTest;
+
 GLenum GL_APIENTRY unsupported(GLenum)
 {
     return GL_FRAMEBUFFER_UNSUPPORTED_EXT;
@@ -149,6 +153,27 @@ TEST_F(LimitedContext, WithoutBlitsIsNotAskedWhatReadsApart)
     EXPECT_EQ(view_->frame(), expected);
     EXPECT_EQ(readBindingAsked, 0);
     EXPECT_EQ(effect->lastReport().reason, "");
+}
+
+// Mesa itself, where neither textures nor framebuffers are RGBA32F.
+TEST_F(LimitedDriver, WithoutFloatTexturesHasTheFallback)
+{
+    const char* missing = std::getenv("MESA_EXTENSION_OVERRIDE");
+    if (!missing || std::string(missing).find("-GL_ARB_texture_float") == std::string::npos)
+        GTEST_SKIP() << "needs a driver without float textures: see osg_as_no_floats";
+    EXPECT_THROW(OsgView(context().loader(), OffscreenFormat::rgba32f), Error);
+    OsgView view(context().loader(), OffscreenFormat::rgba8);
+    view.setView(perspectiveView());
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    effect->setFloatTarget(false);
+    const osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(effect);
+    root->addChild(osgLights(testLights(9)));
+    view.setScene(root);
+    const Notices notices;
+    for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view.frame(), 3), 0.3);
+    EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+    EXPECT_NE(notices.text().find("no float textures"), std::string::npos) << notices.text();
 }
 
 // OSG asks for the extensions of shaders where the version is too old to have them.

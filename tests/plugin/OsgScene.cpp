@@ -53,8 +53,8 @@ osg::Matrixd osgMatrix(const glm::mat4& matrix)
     return result;
 }
 
-OsgView::OsgView(HeadlessContext::Load load)
-    : offscreen_(load, {kSize, kSize, OffscreenFormat::rgba32f, true}),
+OsgView::OsgView(HeadlessContext::Load load, OffscreenFormat format)
+    : offscreen_(load, {kSize, kSize, format, true}),
       viewer_(new osgViewer::Viewer),
       window_(viewer_->setUpViewerAsEmbeddedInWindow(0, 0, kSize, kSize))
 {

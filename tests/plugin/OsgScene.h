@@ -25,10 +25,10 @@ constexpr int kSize = 64;
 osg::ref_ptr<osg::Geometry> osgMesh(const gl::MeshData& mesh);
 osg::Matrixd osgMatrix(const glm::mat4& matrix);
 
-/// A viewer in a context that is current, drawing to a float framebuffer. Black, no headlight.
+/// A viewer in a context that is current, drawing to a framebuffer of its own. Black, no headlight.
 class OsgView {
 public:
-    explicit OsgView(HeadlessContext::Load load);
+    explicit OsgView(HeadlessContext::Load load, OffscreenFormat format = OffscreenFormat::rgba32f);
     ~OsgView();
     void setScene(osg::Node* scene);
     void setView(const gl::View& view);

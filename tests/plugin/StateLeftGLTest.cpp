@@ -67,6 +67,39 @@ TEST_F(StateLeft, IsThatOfAnOrdinaryGeometry)
     EXPECT_EQ(changes(expected, stateAfterGeometry()), "");
 }
 
+/// Binds a framebuffer to read from, as a host does that copies pictures.
+class ReadsFrom : public osg::Camera::DrawCallback {
+public:
+    explicit ReadsFrom(GLuint framebuffer) : framebuffer_(framebuffer) {}
+    void operator()(osg::RenderInfo& info) const override
+    {
+        info.getState()->get<osg::GLExtensions>()->glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT,
+                                                                     framebuffer_);
+    }
+
+private:
+    GLuint framebuffer_;
+};
+
+TEST_F(StateLeft, ReadsFromWhereTheHostDid)
+{
+    view_->draw();
+    const unsigned int id =
+        view_->viewer().getCamera()->getGraphicsContext()->getState()->getContextID();
+    if (!osg::isGLExtensionOrVersionSupported(id, "GL_EXT_framebuffer_blit", 3.0f))
+        GTEST_SKIP() << "needs framebuffers that are read apart from the one drawn to";
+    const Offscreen source(context().loader(), {kSize, kSize, OffscreenFormat::rgba8, true});
+    view_->viewer().getCamera()->setPreDrawCallback(new ReadsFrom(source.framebuffer()));
+    const auto expected = stateAfterGeometry();
+    EXPECT_EQ(expected.at("GL_READ_FRAMEBUFFER_BINDING").at(0), source.framebuffer());
+    const auto effect = osgEffect(testMaterials()[4], sphereMesh(24));
+    effect->setFloatTarget(false);
+    effect->selectTechnique(osgFbrdf::kTwoLookups);
+    const auto found = stateAfter(effect, effect);
+    for (const char* name : {"GL_READ_FRAMEBUFFER_BINDING", "GL_DRAW_FRAMEBUFFER_BINDING"})
+        EXPECT_EQ(found.at(name), expected.at(name)) << name;
+}
+
 /// Leaves something behind.
 class Leak : public osg::Drawable::DrawCallback {
 public:
