@@ -112,6 +112,7 @@ TEST_P(EmbeddedIn, ThePlainFormKeepsItToo)
     ASSERT_EQ(effects.size(), 3u);
     expectMaterial(effects[0], testMaterials()[0]);
     expectMaterial(effects[2], testMaterials()[4]);
+    EXPECT_EQ(effects[0]->getMaterial(), effects[1]->getMaterial());
     EXPECT_EQ(notices.text(), "");
 }
 

@@ -12,6 +12,7 @@
 #include <osgDB/Registry>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace osgFbrdf {
@@ -171,6 +172,21 @@ osg::ref_ptr<osg::Group> nodeFrom(osg::Group& plain, const std::string& record,
     return node;
 }
 
+/// Materials without a file that are equal become one: each effect has recorded its own.
+void shareMaterials(const std::vector<osg::ref_ptr<FactorizedBrdf>>& effects)
+{
+    auto* format = osgDB::Registry::instance()->getReaderWriterForExtension("fbrdf");
+    std::map<std::string, MaterialObject*> byBytes;
+    for (const auto& effect : effects) {
+        std::ostringstream bytes;
+        if (!format || !effect->getMaterial() || !effect->getMaterialFile().empty() ||
+            !format->writeObject(*effect->getMaterial(), bytes).success())
+            continue;
+        const auto [entry, isFirst] = byBytes.emplace(bytes.str(), effect->getMaterial());
+        if (!isFirst) effect->setMaterial(entry->second);
+    }
+}
+
 }  // namespace
 
 osg::ref_ptr<osg::Node> plainForm(const osg::Node& scene)
@@ -194,6 +210,7 @@ osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options
     above->addChild(&plain);
     Collector found;
     above->accept(found);
+    std::vector<osg::ref_ptr<FactorizedBrdf>> effects;
     for (const auto& group : found.records) {
         std::string record;
         group->getUserValue(kRecord, record);
@@ -201,7 +218,9 @@ osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options
         const osg::ref_ptr<osg::Node> node =
             isLit ? group->getChild(0) : nodeFrom(*group, record, options).get();
         if (node) replace(*group, *node);
+        if (auto* effect = dynamic_cast<FactorizedBrdf*>(node.get())) effects.emplace_back(effect);
     }
+    shareMaterials(effects);
     return above->getChild(0);
 }
 

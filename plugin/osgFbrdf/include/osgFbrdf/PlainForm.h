@@ -5,7 +5,6 @@
 // osg::LightSources for the eight most intense of all PointLights. What stood there is kept as text
 // in a user value of the group, so that restored() gives the scene back. Files: osgdb_fbrdf writes
 // the plain form to SCENE.EXT for the name SCENE.EXT.fbrdf, and restores it where that is read.
-// Effects that share a material from memory have one each then.
 #pragma once
 #include <osg/Node>
 #include <osgDB/Options>
