@@ -8,7 +8,6 @@
 
 #include <fbrdf/io/MaterialFile.h>
 
-#include <osg/Fog>
 #include <osg/LightSource>
 #include <osg/LOD>
 #include <osg/MatrixTransform>
@@ -71,18 +70,14 @@ protected:
     }
 };
 
-TEST_F(RealScenes, FogAndFixedFunctionStateAboveDoNotReachIt)
+TEST_F(RealScenes, FixedFunctionStateAboveDoesNotReachIt)
 {
-    osg::ref_ptr<osg::Group> foggy = new osg::Group;
-    osg::ref_ptr<osg::Fog> fog = new osg::Fog;
-    fog->setMode(osg::Fog::LINEAR);
-    fog->setStart(0.0f);
-    fog->setEnd(1.0f);
-    fog->setColor({1.0f, 0.0f, 0.0f, 1.0f});
-    foggy->getOrCreateStateSet()->setAttributeAndModes(fog);
-    foggy->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
-    foggy->addChild(effect_);
-    EXPECT_EQ(beside(foggy), alone_);
+    osg::ref_ptr<osg::Group> above = new osg::Group;
+    above->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
+    above->getOrCreateStateSet()->setMode(GL_ALPHA_TEST, osg::StateAttribute::ON);
+    above->getOrCreateStateSet()->setMode(GL_TEXTURE_2D, osg::StateAttribute::ON);
+    above->addChild(effect_);
+    EXPECT_EQ(beside(above), alone_);
 }
 
 // Its shadow map is drawn by a camera of its own, without the lights: the effect must be in it, and

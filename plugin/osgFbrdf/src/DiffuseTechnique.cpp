@@ -1,6 +1,7 @@
 #include "DiffuseTechnique.h"
 
 #include "GlLights.h"
+#include "InheritedState.h"
 #include "SceneLights.h"
 
 #include <osg/LightModel>
@@ -52,7 +53,8 @@ void placeLights(osgUtil::CullVisitor& visitor, SceneLights& scene, const osg::V
         visitor.addPositionedAttribute(nullptr, glLight(lights[i], numbers[i]).get());
 }
 
-osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const SceneLights& scene)
+osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const SceneLights& scene,
+                                         const InheritedState& inherited)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     osg::Vec3f albedo(0.5f, 0.5f, 0.5f);
@@ -68,7 +70,7 @@ osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const Sce
     for (size_t i = 0; i < std::min(numbers.size(), scene.lights.size()); ++i)
         state->setMode(GL_LIGHT0 + static_cast<GLenum>(numbers[i]), kOurs);
     for (const PlainLight& plain : scene.plain)
-        if (plain.light->getLightNum() < kMostGlLights)
+        if (plain.light->getLightNum() < kMostGlLights && isOn(plain, inherited))
             state->setMode(GL_LIGHT0 + static_cast<GLenum>(plain.light->getLightNum()), kOurs);
     return state;
 }
@@ -82,9 +84,13 @@ void cullDiffuse(osgUtil::CullVisitor& visitor, FactorizedBrdf& effect, const st
                 osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix());
     const int given = static_cast<int>(scene.lights.size());
     const int used = std::min(given, static_cast<int>(freeNumbers(scene).size()));
-    const int plain = static_cast<int>(scene.plain.size());
-    effect.report({"diffuse fallback", reason, 1, used + plain, scene.dropped + given - used, 0});
-    const auto state = diffuseState(effect, scene);
+    const InheritedState inherited(visitor);
+    const auto plain =
+        std::count_if(scene.plain.begin(), scene.plain.end(),
+                      [&](const PlainLight& light) { return isOn(light, inherited); });
+    effect.report({"diffuse fallback", reason, 1, used + static_cast<int>(plain),
+                   scene.dropped + given - used});
+    const auto state = diffuseState(effect, scene, inherited);
     visitor.pushStateSet(state);
     effect.inherited_traverse(visitor);
     visitor.popStateSet();

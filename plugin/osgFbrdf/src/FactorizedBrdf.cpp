@@ -2,8 +2,10 @@
 
 #include "DiffuseTechnique.h"
 #include "FileWatch.h"
+#include "KeptTransforms.h"
 #include "PassTechnique.h"
 #include "ShapeCameras.h"
+#include "Surfaces.h"
 #include "TechniqueChoice.h"
 
 #include <osg/Notify>
@@ -152,6 +154,10 @@ void FactorizedBrdf::setFloatTarget(bool isFloat)
 /// What contexts said about the techniques no longer holds.
 void FactorizedBrdf::changed()
 {
+    {
+        const Lock lock(reporting_);
+        said_.clear();
+    }
     choice_->forget();
 }
 
@@ -171,16 +177,37 @@ DrawReport FactorizedBrdf::lastReport() const
     return report_;
 }
 
+// A warning a frame would drown the log: views and frames may differ in what they can draw.
+void FactorizedBrdf::warnOnce(const std::string& problem)
+{
+    if (!said_.insert(problem).second) return;
+    std::string who = getName().empty() ? "an effect without a name" : "'" + getName() + "'";
+    if (!materialFile_.empty())
+        who = getName().empty() ? materialFile_ : who + ", " + materialFile_;
+    OSG_WARN << "osgFbrdf: " << who << ": " << problem << std::endl;
+}
+
 void FactorizedBrdf::report(const DrawReport& report)
 {
     const Lock lock(reporting_);
-    if (!report.reason.empty() && report.reason != report_.reason)
-        OSG_WARN << "osgFbrdf: "
-                 << (!getName().empty()       ? getName()
-                     : !materialFile_.empty() ? materialFile_
-                                              : "an effect without a name")
-                 << ": " << report.technique << " is drawn: " << report.reason << std::endl;
+    if (!report.reason.empty()) warnOnce(report.technique + " is drawn: " + report.reason);
+    // Who forces the fallback knows that it has eight lights.
+    if (report.lightsDropped > 0 && getSelectedTechnique() != kDiffuseFallback)
+        warnOnce("lights are left out: found " +
+                 std::to_string(report.lightsDropped + report.lightsUsed) + ", " +
+                 std::to_string(report.lightsUsed) +
+                 " of which are valid and within what the technique can draw");
     report_ = report;
+}
+
+void FactorizedBrdf::uses(Surfaces& surfaces) const
+{
+    const Lock lock(reporting_);
+    if (std::find(surfaces_.begin(), surfaces_.end(), &surfaces) != surfaces_.end()) return;
+    surfaces_.erase(std::remove_if(surfaces_.begin(), surfaces_.end(),
+                                   [](const auto& known) { return !known.valid(); }),
+                    surfaces_.end());
+    surfaces_.emplace_back(&surfaces);
 }
 
 bool FactorizedBrdf::arraysReleased(unsigned int contextId) const
@@ -222,6 +249,7 @@ void FactorizedBrdf::traverse(osg::NodeVisitor& visitor)
         reloadWhenChanged(visitor);
     if (auto* culling = visitor.asCullVisitor(); culling && getEnabled()) return cull(*culling);
     if (auto* compiling = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor)) compile(*compiling);
+    keepTransformsAboveTangents(visitor, *this);
     inherited_traverse(visitor);
 }
 
@@ -259,6 +287,10 @@ void FactorizedBrdf::releaseGLObjects(osg::State* state) const
     if (material_) material_->releaseGLObjects(state);
     state ? choice_->forget(state->getContextID()) : choice_->forget();
     const Lock lock(reporting_);
+    for (const auto& known : surfaces_) {
+        osg::ref_ptr<Surfaces> surfaces;
+        if (known.lock(surfaces)) surfaces->releaseGLObjects(state);
+    }
     ++releases_;
 }
 

@@ -1,11 +1,14 @@
 #include "MaterialStates.h"
 
+#include "EmbeddedShaders.h"
+#include "FogPass.h"
+#include "PassState.h"
+
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/shaders/TextureImage.h>
 
 #include <osg/BlendFunc>
-#include <osg/Depth>
 #include <osg/Texture2D>
 #include <osg/Texture3D>
 
@@ -17,11 +20,6 @@ namespace osgFbrdf {
 namespace {
 
 using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
-// Stronger than the model's state, and safe from the host's: osgShadow puts its map over a unit of
-// ours.
-constexpr auto kStrong = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-constexpr auto kOurs = osg::StateAttribute::ON | kStrong;
-constexpr auto kOff = osg::StateAttribute::OFF | kStrong;
 
 struct Format {
     GLint internal;
@@ -76,9 +74,9 @@ osg::Vec3f toOsg(const fbrdf::Vec3f& v)
 
 std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, const PassPlace& place)
 {
-    std::string key = (place.derivedTangents ? "t" : "") + std::to_string(place.bin) + '@' +
-                      std::to_string(place.firstTextureUnit) + 'b' +
-                      std::to_string(static_cast<int>(pass.blend)) + 'd' +
+    std::string key = std::string(place.derivedTangents ? "t" : "") + (place.laws ? "w" : "") +
+                      std::to_string(place.bin) + '@' + std::to_string(place.firstTextureUnit) +
+                      'b' + std::to_string(static_cast<int>(pass.blend)) + 'd' +
                       std::to_string(static_cast<int>(pass.depth)) + (spec.reads ? 'r' : '-') +
                       (spec.lit ? 'l' : 'u') + std::to_string(spec.lightSlots) + 'o' +
                       std::to_string(static_cast<int>(spec.transfer));
@@ -97,13 +95,6 @@ void setBlend(osg::StateSet& state, fbrdf::Blend blend)
     state.setAttributeAndModes(
         new osg::BlendFunc(add ? GL_ONE : GL_DST_COLOR, add ? GL_ONE : GL_ZERO, GL_ZERO, GL_ONE),
         kOurs);
-}
-
-void setDepth(osg::StateSet& state, fbrdf::Depth depth)
-{
-    const bool lay = depth == fbrdf::Depth::lay;
-    state.setAttributeAndModes(
-        new osg::Depth(lay ? osg::Depth::LESS : osg::Depth::EQUAL, 0.0, 1.0, lay), kOurs);
 }
 
 osg::Shader* vertexShader(bool derivesTangents)
@@ -163,15 +154,17 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
 }
 
 osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec,
-                                                     bool derivedTangents)
+                                                     const PassPlace& place)
 {
-    const std::string fragment = fbrdf::fragmentSource(
-        form_, encodings_, spec, assumedCapabilities().glsl, {true, derivedTangents});
-    osg::ref_ptr<osg::Program>& program = programs_[fragment + (derivedTangents ? "t" : "")];
+    fbrdf::SurfaceInputs inputs{true, place.derivedTangents};
+    if (place.laws) inputs.shadowHook = fbrdf::osgFbrdfShader("laws.glsl");
+    const std::string fragment =
+        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl, inputs);
+    osg::ref_ptr<osg::Program>& program = programs_[fragment + (place.derivedTangents ? "t" : "")];
     if (program) return program;
     program = new osg::Program;
     program->setName("fbrdf " + name_);
-    program->addShader(derivedTangents ? derivingVertex_ : vertex_);
+    program->addShader(place.derivedTangents ? derivingVertex_ : vertex_);
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
     program->addBindAttribLocation("fbrdfVertexTangent", kTangentAttribute);
     return program;
@@ -198,14 +191,19 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, con
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, place)];
     if (state) return state;
     state = new osg::StateSet;
-    state->setAttributeAndModes(programOf(spec, place.derivedTangents), kOurs);
+    state->setAttributeAndModes(programOf(spec, place), kOurs);
     addMaps(*state, place.firstTextureUnit);
     setBlend(*state, pass.blend);
-    setDepth(*state, pass.depth);
-    state->setMode(GL_ALPHA_TEST, kOff);
-    // The bins of the model would tear the passes apart.
-    state->setRenderBinDetails(place.bin, "RenderBin",
-                               osg::StateSet::OVERRIDE_PROTECTED_RENDERBIN_DETAILS);
+    setPlace(*state, pass.depth, place.bin);
+    return state;
+}
+
+osg::ref_ptr<osg::StateSet> MaterialStates::fogStateOf(int bin)
+{
+    const Lock lock(mutex_);
+    osg::ref_ptr<osg::StateSet>& state = states_["fog" + std::to_string(bin)];
+    if (!fog_) fog_ = fogProgram(vertex_);
+    if (!state) state = fogState(fog_, bin);
     return state;
 }
 

@@ -20,11 +20,13 @@ namespace osgFbrdf {
 /// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has.
 fbrdf::Capabilities assumedCapabilities();
 
-/// Where a pass stands: bin number within the effect, its textures, where tangents come from.
+/// Where a pass stands: bin number within the effect, its textures, where tangents come from,
+/// whether lights have laws of their own (PlainLights.h).
 struct PassPlace {
     int bin = 0;
     int firstTextureUnit = 0;
     bool derivedTangents = false;
+    bool laws = false;
 };
 
 class MaterialStates : public osg::Referenced {
@@ -36,6 +38,8 @@ public:
     int textureUnits() const { return static_cast<int>(textures_.size()); }
     /// Program, maps, blending, depth and bin of a pass. The caller adds lights, scales and eye.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, const PassPlace& place);
+    /// The same of the pass that blends fog over the others.
+    osg::ref_ptr<osg::StateSet> fogStateOf(int bin);
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state);
@@ -49,7 +53,7 @@ private:
         std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     };
     Map mapOf(int index, const fbrdf::Table& table);
-    osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, bool derivedTangents);
+    osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassPlace& place);
     void addMaps(osg::StateSet& state, int firstTextureUnit) const;
 
     fbrdf::Form form_;
@@ -61,6 +65,7 @@ private:
     osg::ref_ptr<osg::Shader> vertex_, derivingVertex_;
     OpenThreads::Mutex mutex_;
     std::map<std::string, osg::ref_ptr<osg::Program>> programs_;  ///< by fragment shader
+    osg::ref_ptr<osg::Program> fog_;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> states_;
 };
 

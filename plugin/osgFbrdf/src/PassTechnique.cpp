@@ -1,7 +1,10 @@
 #include "PassTechnique.h"
 
 #include "DiffuseTechnique.h"
+#include "FogPass.h"
+#include "InheritedState.h"
 #include "MaterialStates.h"
+#include "PassState.h"
 #include "SceneLights.h"
 #include "Surfaces.h"
 
@@ -11,11 +14,13 @@
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace osgFbrdf {
 namespace {
 
-// Beside lights and knots: as in the planner, generous.
+// Beside lights, their laws and knots: as in the planner, generous.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
 // Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
@@ -26,9 +31,7 @@ class NestedBin {
 public:
     NestedBin(osgUtil::CullVisitor& visitor, int number) : visitor_(visitor)
     {
-        // Else a host that overrides bins would have its own drawn in our stead.
-        state_->setRenderBinDetails(number, "RenderBin",
-                                    osg::StateSet::PROTECTED_RENDERBIN_DETAILS);
+        setBin(*state_, number);
         visitor_.pushStateSet(state_);
     }
     ~NestedBin() { visitor_.popStateSet(); }
@@ -98,8 +101,8 @@ int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
     if (kind == fbrdf::Technique::single) return assumedCapabilities().maxUniformVectors;
     const int lights = kind == fbrdf::Technique::batched ? effect.getLightsPerPass() : 1;
     const fbrdf::Form& form = effect.getMaterial()->material().form;
-    int vectors = kOtherUniformVectors + fbrdf::kVectorsPerLight * lights +
-                  2 * static_cast<int>(form.tables.size());
+    int vectors = kOtherUniformVectors + kVectorsPerLaw * kMostLaws +
+                  (fbrdf::kVectorsPerLight + 1) * lights + 2 * static_cast<int>(form.tables.size());
     for (const fbrdf::TableSpec& table : form.tables)
         if (table.uniform) vectors += fbrdf::texelCount(table.domain);
     return std::min(vectors, assumedCapabilities().maxUniformVectors);
@@ -127,12 +130,56 @@ osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
     return uniform;
 }
 
+osg::ref_ptr<osg::Uniform> lawUniform(const std::vector<Law>& laws)
+{
+    osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
+        osg::Uniform::FLOAT_VEC4, "osgFbrdfLaws", static_cast<int>(kVectorsPerLaw * laws.size()));
+    unsigned int at = 0;
+    for (const Law& law : laws)
+        for (const osg::Vec4f& v : law) uniform->setElement(at++, v);
+    return uniform;
+}
+
+/// For laws.glsl: of each light of the pass.
+osg::ref_ptr<osg::Uniform> lawNumbers(const std::vector<int>& lawOf, const fbrdf::Pass& pass)
+{
+    osg::ref_ptr<osg::Uniform> uniform =
+        new osg::Uniform(osg::Uniform::INT, "fbrdfLightNumbers", pass.lightCount);
+    for (int i = 0; i < pass.lightCount; ++i)
+        uniform->setElement(static_cast<unsigned int>(i),
+                            lawOf[static_cast<size_t>(pass.firstLight + i)]);
+    return uniform;
+}
+
+/// How much longer a matrix can make a vector, at most: the square root of the largest row sum of
+/// M M^T, exact where rows are at right angles.
+double largestScale(const osg::Matrixd& matrix)
+{
+    const auto row = [&](int i) { return osg::Vec3d(matrix(i, 0), matrix(i, 1), matrix(i, 2)); };
+    double largest = 0.0;
+    for (int i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(row(i) * row(0)) + std::abs(row(i) * row(1)) +
+                                        std::abs(row(i) * row(2)));
+    return std::sqrt(largest);
+}
+
+/// The bounds of what is below the effect, in eye coordinates.
+fbrdf::Sphere boundsInEye(const FactorizedBrdf& effect, const osg::Matrixd& toEye)
+{
+    const osg::BoundingSphere& bound = effect.getBound();
+    const osg::Vec3d centre = osg::Vec3d(bound.center()) * toEye;
+    const double radius = std::max(0.0, static_cast<double>(bound.radius()));
+    return {fbrdf::Vec3f(fbrdf::Vec3d(centre.x(), centre.y(), centre.z())),
+            static_cast<float>(largestScale(toEye) * radius)};
+}
+
 /// What changes with frame and view. Fresh each time: the last one may still be being drawn.
 class FrameStates {
 public:
-    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
-                std::vector<fbrdf::Light> lights, Surfaces* surfaces)
+    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
+                Surfaces* surfaces)
         : lights_(std::move(lights)),
+          laws_(lights_.laws.empty() ? nullptr : lawUniform(lights_.laws)),
           surfaces_(surfaces),
           readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
           eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
@@ -153,9 +200,11 @@ public:
         for (const fbrdf::Part& part : pass.parts)
             if (part.scaled) state->addUniform(scales_[static_cast<size_t>(part.term)]);
         if (pass.lightCount > 0) {
-            state->addUniform(lightUniform(lights_, pass));
+            state->addUniform(lightUniform(lights_.lights, pass));
             state->addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
+            if (laws_) state->addUniform(lawNumbers(lights_.lawOf, pass));
         }
+        if (laws_) state->addUniform(laws_);
         if (pass.reads) addSurface(*state, *pass.reads);
         return state;
     }
@@ -172,7 +221,8 @@ private:
                                          1.0f / static_cast<float>(surfaces_->height()))));
     }
 
-    std::vector<fbrdf::Light> lights_;
+    EyeLights lights_;
+    osg::ref_ptr<osg::Uniform> laws_;  ///< null: no light has one
     osg::ref_ptr<Surfaces> surfaces_;
     int readUnit_;
     osg::ref_ptr<osg::Uniform> eye_;
@@ -278,46 +328,67 @@ void PassTechnique::cull(osgUtil::CullVisitor& visitor)
         return cullDiffuse(visitor, effect_, "no material");
     if (visitor.getState() && !mayDraw(*visitor.getState()))
         return cullDiffuse(visitor, effect_, effect_.refusal());
-    const osg::Vec3d centre =
-        osg::Vec3d(effect_.getBound().center()) * *visitor.getModelViewMatrix();
-    auto lights = lightsInEye(scene, worldToEye(visitor), centre);
-    const int count = static_cast<int>(lights.size());
-    osg::ref_ptr<Surfaces> surfaces;
-    fbrdf::Plan plan = this->plan(count, !isMultisampled(visitor));
-    if (needsSurfaces(plan)) {
-        surfaces = surfacesOf(visitor);
-        if (!surfaces || !surfaces->usable()) {
-            surfaces = nullptr;
-            plan = this->plan(count, false);
-            if (!plan.feasible()) plan.reason = kNoSurfaces + plan.reason;
-        }
+    const InheritedState inherited(visitor);
+    EyeLights lights = lightsOf(scene, worldToEye(visitor),
+                                boundsInEye(effect_, *visitor.getModelViewMatrix()), inherited);
+    const int count = static_cast<int>(lights.lights.size());
+    const Drawing drawing = drawingOf(visitor, count);
+    if (!drawing.plan.feasible()) return cullDiffuse(visitor, effect_, drawing.plan.reason);
+    const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
+    const int passes = static_cast<int>(drawing.plan.passes.size()) + (fog ? 1 : 0);
+    effect_.report({techniqueName(), "", passes, count, scene.dropped, lights.culled,
+                    drawing.plan.maxLookups});
+    cullPasses(visitor, drawing, std::move(lights), fog);
+}
+
+/// The plan, and what it draws to; a plan without surfaces where they cannot be drawn to.
+PassTechnique::Drawing PassTechnique::drawingOf(osgUtil::CullVisitor& visitor, int lights) const
+{
+    Drawing drawing{plan(lights, !isMultisampled(visitor)), nullptr};
+    if (!needsSurfaces(drawing.plan)) return drawing;
+    Surfaces* surfaces = surfacesOf(visitor);
+    if (!surfaces || !surfaces->usable()) {
+        drawing.plan = plan(lights, false);
+        if (!drawing.plan.feasible()) drawing.plan.reason = kNoSurfaces + drawing.plan.reason;
+        return drawing;
     }
-    if (!plan.feasible()) return cullDiffuse(visitor, effect_, plan.reason);
-    effect_.report({techniqueName(), "", static_cast<int>(plan.passes.size()), count, scene.dropped,
-                    plan.maxLookups});
-    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), surfaces);
-    const auto cullPass = [&](size_t i) {
-        const osg::ref_ptr<osg::StateSet> state = effect_.getMaterial()->states()->stateOf(
-            plan.passes[i],
-            {static_cast<int>(i) + 1, effect_.getFirstTextureUnit(), effect_.getDerivedTangents()});
-        const osg::ref_ptr<osg::StateSet> varying = frame.stateOf(plan.passes[i]);
+    drawing.surfaces = surfaces;
+    effect_.uses(*surfaces);
+    return drawing;
+}
+
+void PassTechnique::cullPasses(osgUtil::CullVisitor& visitor, const Drawing& drawing,
+                               EyeLights lights, osg::StateSet* fog)
+{
+    const bool laws = !lights.laws.empty();
+    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights),
+                            drawing.surfaces);
+    MaterialStates& states = *effect_.getMaterial()->states();
+    const auto cullUnder = [&](osg::StateSet* state, osg::StateSet* varying) {
         visitor.pushStateSet(state);
         visitor.pushStateSet(varying);
         effect_.inherited_traverse(visitor);
         visitor.popStateSet();
         visitor.popStateSet();
     };
+    const auto& passes = drawing.plan.passes;
+    const auto cullPass = [&](size_t i) {
+        const PassPlace place{static_cast<int>(i) + 1, effect_.getFirstTextureUnit(),
+                              effect_.getDerivedTangents(), laws};
+        cullUnder(states.stateOf(passes[i], place), frame.stateOf(passes[i]));
+    };
 
     NestedBin effectBin(visitor, kEffectBin);
     if (visitor.getState() && effect_.arraysReleased(visitor.getState()->getContextID()))
         effectBin.setDrawCallback(new ForgetArrays(effect_));
-    if (!surfaces) {
-        for (size_t i = 0; i < plan.passes.size(); ++i) cullPass(i);
-        return;
-    }
+    std::optional<NestedBin> own;
     // Surfaces are shared: whole effects one after another, before those that need none.
-    const NestedBin own(visitor, --scene.lastOwnBin);
-    cullRuns(visitor, plan, *surfaces, cullPass);
+    if (drawing.surfaces) own.emplace(visitor, --sceneLights(visitor).lastOwnBin);
+    if (drawing.surfaces)
+        cullRuns(visitor, drawing.plan, *drawing.surfaces, cullPass);
+    else
+        for (size_t i = 0; i < passes.size(); ++i) cullPass(i);
+    if (fog) cullUnder(states.fogStateOf(static_cast<int>(passes.size()) + 1), fog);
 }
 
 }  // namespace osgFbrdf

@@ -3,6 +3,8 @@
 // drawn before what comes after the effect (OSG's bin 10 holds what is transparent).
 #pragma once
 #include "ContextNeeds.h"
+#include "SceneLights.h"
+#include "Surfaces.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
@@ -10,7 +12,7 @@
 
 #include <osgFX/Technique>
 
-#include <memory>
+#include <string>
 
 namespace osgUtil {
 class CullVisitor;
@@ -36,6 +38,14 @@ protected:
     void define_passes() override {}  // they depend on the lights: see traverse
 
 private:
+    struct Drawing {
+        fbrdf::Plan plan;
+        osg::ref_ptr<Surfaces> surfaces;  ///< null: the plan needs none
+    };
+    Drawing drawingOf(osgUtil::CullVisitor& visitor, int lights) const;
+    /// fog: of the scene, null where there is none.
+    void cullPasses(osgUtil::CullVisitor& visitor, const Drawing& drawing, EyeLights lights,
+                    osg::StateSet* fog);
     /// False, with a refusal, where what is known of the context without asking OpenGL rules this
     /// technique out: before the first frame, or when it is forced.
     bool mayDraw(osg::State& state) const;

@@ -1,5 +1,7 @@
 #include <osgFbrdf/PointLights.h>
 
+#include "KeptTransforms.h"
+
 namespace osgFbrdf {
 namespace {
 
@@ -13,6 +15,12 @@ fbrdf::Vec3f toVec3(const osg::Vec3f& v)
 PointLights::PointLights(const PointLights& other, const osg::CopyOp& op)
     : osg::Group(other, op), lights_(other.lights_)
 {
+}
+
+void PointLights::traverse(osg::NodeVisitor& visitor)
+{
+    keepTransformsAbove(visitor);
+    osg::Group::traverse(visitor);
 }
 
 void PointLights::addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius)

@@ -1,5 +1,7 @@
 #include "SceneLights.h"
 
+#include "GlLights.h"
+#include "InheritedState.h"
 #include "Surfaces.h"
 
 #include <osgFbrdf/PointLights.h>
@@ -52,11 +54,24 @@ fbrdf::Light moved(fbrdf::Light light, const osg::Matrixd& matrix)
 }
 
 /// Collects lights with the matrices above them; cameras with a view of their own are left out.
+/// Sees what the view sees: its mask, and levels of detail from where it is.
 class Collector : public osg::NodeVisitor {
 public:
-    explicit Collector(SceneLights& scene)
-        : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN), scene_(scene)
+    Collector(SceneLights& scene, osgUtil::CullVisitor& view)
+        : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN),
+          scene_(scene),
+          eye_(osg::Matrixd::inverse(worldToEye(view)).getTrans()),
+          scale_(view.getLODScale())
     {
+        setTraversalMask(view.getTraversalMask());
+        setNodeMaskOverride(view.getNodeMaskOverride());
+        setFrameStamp(const_cast<osg::FrameStamp*>(view.getFrameStamp()));
+    }
+
+    float getDistanceToViewPoint(const osg::Vec3& place, bool scaled) const override
+    {
+        const double distance = (osg::Vec3d(place) * matrix_ - eye_).length();
+        return static_cast<float>(distance) * (scaled ? scale_ : 1.0f);
     }
 
     void apply(osg::Group& group) override
@@ -100,6 +115,8 @@ private:
 
     SceneLights& scene_;
     osg::Matrixd matrix_;
+    osg::Vec3d eye_;
+    float scale_;
 };
 
 /// Where the coordinates of the lights begin: below the last camera with a view of its own.
@@ -119,45 +136,6 @@ void findViewLight(SceneLights& scene, const osg::Camera* camera)
     scene.viewNumber = view->getLight()->getLightNum();
     if (!scene.lights.empty() || !scene.plain.empty()) return;
     scene.plain.push_back({view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT});
-}
-
-/// OpenGL's cone: nothing beyond the cut-off. Within it cos^exponent, of which is kept only whether
-/// the edge is sharp (exponent 0) or the light fades from the axis on.
-void setCone(fbrdf::Light& light, const osg::Light& source, const osg::Matrixd& toEye)
-{
-    if (source.getSpotCutoff() > 90.0f) return;  // OpenGL: 180 or at most 90
-    light.type = fbrdf::Light::Type::spot;
-    light.axis = toVec3(osg::Matrixd::transform3x3(osg::Vec3d(source.getDirection()), toEye));
-    light.outerAngle = osg::DegreesToRadians(source.getSpotCutoff());
-    light.innerAngle = source.getSpotExponent() > 0.0f ? 0.0f : light.outerAngle;
-}
-
-/// The light that stands for an osg::Light at a place: same direction, same irradiance.
-fbrdf::Light standIn(const PlainLight& plain, const osg::Matrixd& toEye, const osg::Vec3d& centre)
-{
-    const osg::Light& source = *plain.light;
-    const osg::Matrixd matrix = plain.inEye ? plain.toWorld : plain.toWorld * toEye;
-    const osg::Vec4d position = osg::Vec4d(source.getPosition()) * matrix;
-    const osg::Vec4f& diffuse = source.getDiffuse();
-    fbrdf::Light light;
-    // A white Lambertian (1 / pi) then reflects `diffuse`, as in fixed function.
-    light.intensity =
-        static_cast<float>(fbrdf::kPi) * fbrdf::Vec3f(diffuse.r(), diffuse.g(), diffuse.b());
-    osg::Vec3d place(position.x(), position.y(), position.z());
-    if (position.w() == 0.0) {
-        light.type = fbrdf::Light::Type::directional;
-        place.normalize();
-    } else {
-        place /= position.w();
-        const double d = (place - centre).length();
-        const double attenuation = static_cast<double>(source.getConstantAttenuation()) +
-                                   static_cast<double>(source.getLinearAttenuation()) * d +
-                                   static_cast<double>(source.getQuadraticAttenuation()) * d * d;
-        if (attenuation > 0.0) light.intensity *= static_cast<float>(d * d / attenuation);
-        setCone(light, source, matrix);
-    }
-    light.position = toVec3(place);
-    return light;
 }
 
 // Main window, and cameras within the view that have other sizes.
@@ -214,7 +192,7 @@ SceneLights& sceneLights(osgUtil::CullVisitor& visitor)
     scene->root_ = root;
     scene->frame_ = frame;
     scene->filled_ = true;
-    Collector collector(*scene);
+    Collector collector(*scene, visitor);
     root->accept(collector);
     findViewLight(*scene, visitor.getCurrentCamera());
     return *scene;
@@ -234,12 +212,35 @@ std::vector<fbrdf::Light> pointLightsInEye(const SceneLights& scene, const osg::
     return lights;
 }
 
-std::vector<fbrdf::Light> lightsInEye(const SceneLights& scene, const osg::Matrixd& toEye,
-                                      const osg::Vec3d& centre)
+bool isOn(const PlainLight& plain, const InheritedState& state)
 {
-    std::vector<fbrdf::Light> lights = pointLightsInEye(scene, toEye);
-    for (const PlainLight& plain : scene.plain) lights.push_back(standIn(plain, toEye, centre));
-    return lights;
+    const int number = plain.light->getLightNum();
+    return number < 0 || number >= kMostGlLights ||
+           state.mode(GL_LIGHT0 + static_cast<GLenum>(number)).value_or(true);
+}
+
+EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
+                   const InheritedState& state)
+{
+    std::vector<fbrdf::Light> all = pointLightsInEye(scene, toEye);
+    std::vector<int> lawOf(all.size(), -1);
+    EyeLights found;
+    const osg::Vec3d centre = toOsg(bounds.centre);
+    for (const PlainLight& plain : scene.plain) {
+        if (!isOn(plain, state)) continue;
+        const StandIn source = standIn(plain, toEye);
+        const bool applied = source.hasLaw && found.laws.size() < kMostLaws;
+        all.push_back(applied ? source.light : approximated(source, centre));
+        lawOf.push_back(applied ? static_cast<int>(found.laws.size()) : -1);
+        if (applied) found.laws.push_back(source.law);
+    }
+    const fbrdf::LightSelection selection = fbrdf::selectLights(all, bounds, 0);
+    found.culled = selection.culled;
+    for (const int index : selection.lights) {
+        found.lights.push_back(all[static_cast<size_t>(index)]);
+        found.lawOf.push_back(lawOf[static_cast<size_t>(index)]);
+    }
+    return found;
 }
 
 }  // namespace osgFbrdf

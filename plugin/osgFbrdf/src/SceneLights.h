@@ -5,12 +5,11 @@
 // They are kept with the CullVisitor, which belongs to one view and one thread at a time: nothing
 // is shared.
 #pragma once
-#include <fbrdf/plan/Light.h>
+#include "PlainLights.h"
 
-#include <osg/Light>
-#include <osg/Matrixd>
+#include <fbrdf/plan/LightSelection.h>
+
 #include <osg/Object>
-#include <osg/Vec4f>
 
 #include <vector>
 
@@ -20,14 +19,8 @@ class CullVisitor;
 
 namespace osgFbrdf {
 
+class InheritedState;
 class Surfaces;
-
-/// An osg::LightSource. `toWorld` ends in the coordinates of the root, or of the eye.
-struct PlainLight {
-    osg::ref_ptr<const osg::Light> light;
-    osg::Matrixd toWorld;
-    bool inEye = false;
-};
 
 class SceneLights : public osg::Object {
 public:
@@ -63,12 +56,22 @@ Surfaces* surfacesOf(osgUtil::CullVisitor& visitor);
 /// From the coordinates of the lights to those of the eye.
 osg::Matrixd worldToEye(osgUtil::CullVisitor& visitor);
 
-/// Lights of PointLights in eye coordinates.
+/// Lights of PointLights in eye coordinates, all of them.
 std::vector<fbrdf::Light> pointLightsInEye(const SceneLights& scene, const osg::Matrixd& toEye);
 
-/// All lights in eye coordinates (as fbrdf::Light, whose window and fall-off are the runtime's).
-/// osg::Light has other laws of attenuation: theirs is taken at `centre` (eye).
-std::vector<fbrdf::Light> lightsInEye(const SceneLights& scene, const osg::Matrixd& toEye,
-                                      const osg::Vec3d& centre);
+/// The lights of one object in eye coordinates.
+struct EyeLights {
+    std::vector<fbrdf::Light> lights;
+    std::vector<int> lawOf;  ///< of each light; -1: falloff and cone are the runtime's
+    std::vector<Law> laws;   ///< at most kMostLaws
+    int culled = 0;          ///< cannot reach the object
+};
+
+/// False where a state set says that the mode GL_LIGHTn of the light is off.
+bool isOn(const PlainLight& plain, const InheritedState& state);
+
+/// Of the lights that are on; bounds: of the object, in eye coordinates.
+EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
+                   const InheritedState& state);
 
 }  // namespace osgFbrdf

@@ -78,17 +78,27 @@ void clearDepth(osg::State& state)
 
 }  // namespace
 
-Surfaces::Surfaces(int width, int height) : width_(width), height_(height)
+Surfaces::Surfaces(int width, int height)
+    : width_(width),
+      height_(height),
+      depth_(new osg::RenderBuffer(width, height, GL_DEPTH_COMPONENT24))
 {
-    const osg::ref_ptr<osg::RenderBuffer> depth =
-        new osg::RenderBuffer(width, height, GL_DEPTH_COMPONENT24);
     for (One& one : surfaces_) {
         one.texture = colourTexture(width, height);
         one.framebuffer = new osg::FrameBufferObject;
         one.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
                                        osg::FrameBufferAttachment(one.texture));
         one.framebuffer->setAttachment(osg::Camera::DEPTH_BUFFER,
-                                       osg::FrameBufferAttachment(depth));
+                                       osg::FrameBufferAttachment(depth_));
+    }
+}
+
+void Surfaces::releaseGLObjects(osg::State* state) const
+{
+    depth_->releaseGLObjects(state);
+    for (const One& one : surfaces_) {
+        one.texture->releaseGLObjects(state);
+        one.framebuffer->releaseGLObjects(state);
     }
 }
 

@@ -40,6 +40,8 @@ public:
         lost.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
                                         osg::FrameBufferAttachment(lost.texture));
     }
+    /// Of the context of `state`; null: of all. They are made anew when drawn to.
+    void releaseGLObjects(osg::State* state) const;
     bool usable() const { return usable_; }
     void refuse() { usable_ = false; }
 
@@ -57,6 +59,7 @@ private:
     }
 
     int width_, height_;
+    osg::ref_ptr<osg::RenderBuffer> depth_;
     std::array<One, 3> surfaces_;
     std::atomic<bool> usable_{true};
 };

@@ -7,17 +7,20 @@
 // draw no colour or override materials, draw the children as they are. Plans and shaders are the
 // runtime's (fbrdf/plan, fbrdf/shaders).
 //
-// Lights. osg::Light's diffuse colour is read so that a white Lambertian looks as it does in fixed
-// function; its attenuation is taken where the middle of the object is; of a spot's exponent only
-// whether it is 0.
-// Where the scene has no light, the light of the osg::View is used (osgViewer's headlight). Output
-// is radiance times exposure through the transfer, alpha 1. Tangents matter to anisotropic
-// materials only.
+// Lights. An osg::Light is read so that a white Lambertian looks as it does in fixed function:
+// diffuse colour, attenuation, cut-off and exponent; not while its mode GL_LIGHTn is off in a state
+// set above. Beyond eight lights whose attenuation is not 1 / r^2 it is taken where the middle of
+// the object is. Where the scene has no light, the light of the osg::View is used (osgViewer's
+// headlight). A camera sees the lights that its cull mask lets it see; those whose radius or cone
+// ends before the object cost nothing.
+// Output is radiance times exposure through the transfer, then osg::Fog where that is on; alpha 1.
+// Tangents matter to anisotropic materials only.
 #pragma once
 #include <osgFbrdf/MaterialObject.h>
 
 #include <fbrdf/plan/Transfer.h>
 
+#include <osg/observer_ptr>
 #include <osgDB/Options>
 #include <osgFX/Effect>
 
@@ -25,6 +28,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,13 +49,16 @@ struct DrawReport {
     std::string technique;  ///< techniqueName() of what was drawn
     std::string reason;     ///< why that is not the one selected; empty when it is
     int passes = 0;
-    int lightsUsed = 0, lightsDropped = 0;
-    int maxLookups = 0;  ///< in any pass
+    int lightsUsed = 0;
+    int lightsDropped = 0;  ///< not valid, or too many for the fallback
+    int lightsCulled = 0;   ///< cannot reach the object
+    int maxLookups = 0;     ///< in any pass
 };
 
 struct ContextNeeds;
 class FileWatch;
 class TechniqueChoice;
+class Surfaces;
 
 class FactorizedBrdf : public osgFX::Effect {
 public:
@@ -110,6 +117,8 @@ public:
     /// the techniques.
     std::string refusal() const;
     void refuse(const std::string& reason) const;
+    /// Called by the techniques: releaseGLObjects() releases these too, as long as they are there.
+    void uses(Surfaces& surfaces) const;
     /// True until arraysForgotten says that the context has drawn since releaseGLObjects; both are
     /// called by the techniques.
     bool arraysReleased(unsigned int contextId) const;
@@ -130,6 +139,7 @@ private:
     void compile(osgUtil::GLObjectsVisitor& visitor);
     bool replaceMaterial(const osg::ref_ptr<MaterialObject>& material);
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
+    void warnOnce(const std::string& problem);
 
     std::string materialFile_;
     osg::ref_ptr<MaterialObject> material_;
@@ -140,8 +150,10 @@ private:
     std::unique_ptr<FileWatch> watch_;
     osg::ref_ptr<TechniqueChoice> choice_;
     mutable OpenThreads::Mutex reporting_;
-    DrawReport report_;
-    mutable unsigned int releases_ = 0;               ///< guarded by reporting_
+    DrawReport report_;           ///< guarded by reporting_, as what follows
+    std::set<std::string> said_;  ///< what the log has, since the last change
+    mutable std::vector<osg::observer_ptr<Surfaces>> surfaces_;
+    mutable unsigned int releases_ = 0;
     std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
 };
 

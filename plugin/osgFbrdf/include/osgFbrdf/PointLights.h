@@ -32,6 +32,9 @@ public:
     void setLights(const std::vector<fbrdf::Light>& lights) { lights_ = lights; }
     const std::vector<fbrdf::Light>& getLights() const { return lights_; }
 
+    /// Makes transforms above DYNAMIC where osgUtil::Optimizer would flatten them.
+    void traverse(osg::NodeVisitor& visitor) override;
+
 protected:
     ~PointLights() override = default;
 

@@ -1,0 +1,22 @@
+#include "PassState.h"
+
+#include <osg/Depth>
+
+namespace osgFbrdf {
+
+void setBin(osg::StateSet& state, int number)
+{
+    state.setRenderBinDetails(number, "RenderBin",
+                              osg::StateSet::OVERRIDE_PROTECTED_RENDERBIN_DETAILS);
+}
+
+void setPlace(osg::StateSet& state, fbrdf::Depth depth, int bin)
+{
+    const bool lay = depth == fbrdf::Depth::lay;
+    state.setAttributeAndModes(
+        new osg::Depth(lay ? osg::Depth::LESS : osg::Depth::EQUAL, 0.0, 1.0, lay), kOurs);
+    state.setMode(GL_ALPHA_TEST, kOff);
+    setBin(state, bin);
+}
+
+}  // namespace osgFbrdf
