@@ -120,6 +120,19 @@ TEST_F(SharedContexts, AreWholeAfterObjectsWereReleased)
     }
 }
 
+// With its cull visitor, and so with its surfaces.
+TEST_F(SharedContexts, ACameraMovesToAnotherWindow)
+{
+    const osg::ref_ptr<EglWindow> third = new EglWindow(kSize, windows_[0]);
+    third->realize();
+    views_[0]->getCamera()->setGraphicsContext(third);
+    for (size_t frame = 0; frame < 3; ++frame) {
+        viewer_->frame();
+        EXPECT_TRUE(third->picture(frame) == expected_) << frame;
+    }
+    EXPECT_EQ(effect_->lastReport().reason, "");
+}
+
 // Where names of framebuffers belong to a context, as in OpenGL 3, the one that OSG deletes for the
 // other may have been ours. Mesa has them in common: this stands in for such a driver.
 TEST_F(SharedContexts, SurfacesOutliveTheirFramebuffers)
