@@ -5,6 +5,8 @@
 
 #include "support/gl/Scenes.h"
 
+#include <osg/Fog>
+#include <osg/LightSource>
 #include <osg/MatrixTransform>
 #include <osgViewer/CompositeViewer>
 
@@ -72,8 +74,11 @@ struct Stage {
                 guest->selectTechnique(osgFbrdf::kBatched);
             },
             [this] { effect->setFirstTextureUnit(2); },
+            [this] { addLightSource(); },
+            [this] { addFog(); },
             [this] {
-                root->removeChild(root->getNumChildren() - 1);
+                root->setStateSet(nullptr);
+                root->removeChildren(2, 2);
                 guest = nullptr;  // it may still be being drawn
                 setMaterial(0);
             },
@@ -90,6 +95,25 @@ struct Stage {
     void setMaterial(size_t i)
     {
         effect->setMaterial(new osgFbrdf::MaterialObject(testMaterials()[i]));
+    }
+
+    /// With a law of attenuation that is not the runtime's.
+    void addLightSource()
+    {
+        osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
+        source->getLight()->setPosition({1.0f, 2.0f, 3.0f, 1.0f});
+        source->getLight()->setLinearAttenuation(0.5f);
+        root->addChild(source);
+    }
+
+    /// In a state set of its own: the last one may still be being drawn with.
+    void addFog()
+    {
+        osg::ref_ptr<osg::Fog> fog = new osg::Fog;
+        fog->setDensity(0.2f);
+        osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+        state->setAttributeAndModes(fog);
+        root->setStateSet(state);
     }
 
     void addGuest()
@@ -143,7 +167,8 @@ protected:
                 EXPECT_TRUE(found[i][frame] == expected[i][frame])
                     << "window " << i << ", frame " << frame;
             }
-        for (size_t frame = 1; frame < 6; ++frame)  // what the script did is to be seen
+        for (const size_t frame :
+             {1, 2, 3, 4, 5, 6, 10, 11, 12})  // what the script did is to be seen
             EXPECT_FALSE(expected[0][frame] == expected[0][frame - 1]) << frame;
         EXPECT_EQ(notices.text(), "");
     }
