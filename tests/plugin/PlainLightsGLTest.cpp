@@ -155,6 +155,39 @@ TEST_F(PlainLights, EightOfThemAddUp)
     }
 }
 
+// Which light has which law goes with each batch.
+TEST_F(PlainLights, LawsAreKeptAmongHundredsOfOthers)
+{
+    std::vector<Light> many;
+    for (int i = 0; i < 300; ++i) {
+        Light light;
+        light.position = {std::cos(0.3f * static_cast<float>(i)), 2.0f, 3.0f};
+        light.intensity = Vec3f(0.01f);
+        many.push_back(light);
+    }
+    const auto plain = lightAt(0, {-2.0f, 0.5f, 3.0f, 1.0f});
+    plain->setLinearAttenuation(0.3f);
+    effect_ = osgEffect(white(), sphereMesh(24));
+    const auto root = lit(effect_, {plain});
+    view_->setScene(root);
+    const auto alone = view_->frame();
+    const auto node = osgLights(many);
+    root->addChild(node);
+    const auto both = view_->frame();
+    EXPECT_EQ(effect_->lastReport().passes, 2);  // a light with a law needs more uniforms
+    root->removeChild(1);
+    auto sum = view_->frame();
+    EXPECT_EQ(effect_->lastReport().passes, 1);
+    for (size_t i = 0; i < sum.size(); ++i)
+        if (i % 4 != 3) sum[i] += alone[i];
+    const auto d = compareImages(both, sum);
+    EXPECT_LT(d.maxRelative, 1e-4) << describe(d);
+    root->addChild(sourceOf(plain));
+    effect_->selectTechnique(osgFbrdf::kTwoLookups);
+    const auto one = compareImages(view_->frame(), both);
+    EXPECT_LT(one.maxRelative, 1e-4) << describe(one);
+}
+
 // Beyond the laws that a program has room for: as bright in the middle.
 TEST_F(PlainLights, TheNinthIsTakenWhereTheObjectIs)
 {

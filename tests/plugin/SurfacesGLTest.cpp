@@ -173,6 +173,42 @@ TEST_F(SurfacesOf, WorkWithinACameraThatDrawsToATexture)
     EXPECT_LT(d.maxRelative, kAgainstRuntime) << describe(d);
 }
 
+// One pass takes what it has uniforms for, and a sum cannot wait for its curve there.
+TEST_F(SurfacesOf, WhereThereAreNoneTheStrongestLightsAreDrawnInOnePass)
+{
+    const Material material = testMaterials()[0];
+    const auto effect = osgEffect(material, sphereMesh(24));
+    effect->setFloatTarget(false);
+    effect->setTransfer(Transfer::toneMap);
+    std::vector<Light> lights = testLights(9), weak;
+    for (int i = 0; i < 500; ++i) {
+        Light light;
+        light.position = {0.01f * static_cast<float>(i), 3.0f, 4.0f};
+        light.intensity = Vec3f(1e-6f);
+        weak.push_back(light);
+    }
+    weak.insert(weak.end(), lights.begin(), lights.end());
+    osg::ref_ptr<osg::Group> inner = new osg::Group;
+    inner->addChild(effect);
+    const auto node = osgLights(weak);
+    inner->addChild(node);
+    view_->setScene(throughCamera(inner, perspectiveView(), 4));
+    const Notices notices;
+    view_->frame();
+    const auto many = view_->frame();
+    EXPECT_EQ(effect->lastReport().technique, "single pass");
+    EXPECT_EQ(effect->lastReport().passes, 1);
+    EXPECT_GT(effect->lastReport().lightsUsed, 200);
+    EXPECT_EQ(effect->lastReport().lightsUsed + effect->lastReport().lightsDropped +
+                  effect->lastReport().lightsCulled,
+              509);
+    EXPECT_NE(notices.text().find("lights are left out"), std::string::npos) << notices.text();
+    node->setLights(lights);
+    const auto d = compareImages(many, view_->frame());
+    EXPECT_LT(d.maxRelative, 1e-2) << describe(d);
+    EXPECT_EQ(effect->lastReport().lightsDropped, 0);
+}
+
 TEST_F(SurfacesOf, AreRefusedWhereTheTargetIsMultisampled)
 {
     const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));

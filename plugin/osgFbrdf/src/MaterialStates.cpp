@@ -3,6 +3,7 @@
 #include "EmbeddedShaders.h"
 #include "FogPass.h"
 #include "PassState.h"
+#include "PlainLights.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
@@ -105,11 +106,15 @@ osg::Shader* vertexShader(bool derivesTangents)
 
 }  // namespace
 
-fbrdf::Capabilities assumedCapabilities()
+fbrdf::Capabilities assumedCapabilities(bool laws)
 {
     fbrdf::Capabilities assumed;
     assumed.maxTextureUnits = 16;
     assumed.maxUniformVectors = 1024;
+    // The laws, and of each light which one it has: a quarter of what lights can have, as an int of
+    // an array may fill a vector.
+    if (laws)
+        assumed.maxUniformVectors -= kVectorsPerLaw * kMostLaws + assumed.maxUniformVectors / 4;
     assumed.floatTextures = true;
     assumed.framebufferObjects = assumed.floatTargets = true;
     return assumed;
@@ -185,8 +190,8 @@ void MaterialStates::addMaps(osg::StateSet& state, int firstTextureUnit) const
 
 osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, const PassPlace& place)
 {
-    const auto spec =
-        fbrdf::programSpec(pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities()));
+    const auto spec = fbrdf::programSpec(
+        pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(place.laws)));
     const Lock lock(mutex_);
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, place)];
     if (state) return state;

@@ -17,8 +17,9 @@
 namespace osgFbrdf {
 
 /// What plans assume of every context (a technique's validate() asks the context): GLSL 1.20,
-/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has.
-fbrdf::Capabilities assumedCapabilities();
+/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has, less what laws.glsl
+/// needs where lights have laws.
+fbrdf::Capabilities assumedCapabilities(bool laws = false);
 
 /// Where a pass stands: bin number within the effect, its textures, where tangents come from,
 /// whether lights have laws of their own (PlainLights.h).

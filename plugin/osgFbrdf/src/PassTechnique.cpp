@@ -286,18 +286,18 @@ ContextNeeds PassTechnique::needs() const
         needs.refusal = "no material";
         return needs;
     }
-    const fbrdf::Plan several = plan(2, true);
+    const fbrdf::Plan several = plan(2, false, true);
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     needs.refusal = several.reason;
-    needs.withoutSurfaces = plan(2, false).reason;
+    needs.withoutSurfaces = plan(2, false, false).reason;
     needs.textureUnits = effect_.getFirstTextureUnit() +
                          effect_.getMaterial()->states()->textureUnits() + (reads ? 1 : 0);
     needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
     return needs;
 }
 
-fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
+fbrdf::Plan PassTechnique::plan(int lights, bool laws, bool offscreen) const
 {
     fbrdf::PlanRequest request;
     request.technique = kind_;
@@ -310,7 +310,7 @@ fbrdf::Plan PassTechnique::plan(int lights, bool offscreen) const
     request.transfer = effect_.getTransfer();
     request.signs = effect_.getMaterial()->states()->hasSigns();
     return fbrdf::planPasses(effect_.getMaterial()->states()->form(), request,
-                             assumedCapabilities());
+                             assumedCapabilities(laws));
 }
 
 void PassTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
@@ -329,26 +329,44 @@ void PassTechnique::cull(osgUtil::CullVisitor& visitor)
     if (visitor.getState() && !mayDraw(*visitor.getState()))
         return cullDiffuse(visitor, effect_, effect_.refusal());
     const InheritedState inherited(visitor);
-    EyeLights lights = lightsOf(scene, worldToEye(visitor),
-                                boundsInEye(effect_, *visitor.getModelViewMatrix()), inherited);
-    const int count = static_cast<int>(lights.lights.size());
-    const Drawing drawing = drawingOf(visitor, count);
+    const fbrdf::Sphere bounds = boundsInEye(effect_, *visitor.getModelViewMatrix());
+    EyeLights lights = lightsOf(scene, worldToEye(visitor), bounds, inherited);
+    Drawing drawing = drawingOf(visitor, lights);
+    if (!drawing.plan.feasible() && kind_ == fbrdf::Technique::single) {
+        // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
+        lights = strongest(lights, bounds, lightsInOnePass(lights));
+        drawing = drawingOf(visitor, lights);
+    }
     if (!drawing.plan.feasible()) return cullDiffuse(visitor, effect_, drawing.plan.reason);
     const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
-    const int passes = static_cast<int>(drawing.plan.passes.size()) + (fog ? 1 : 0);
-    effect_.report({techniqueName(), "", passes, count, scene.dropped, lights.culled,
-                    drawing.plan.maxLookups});
+    DrawReport report;
+    report.technique = techniqueName();
+    report.passes = static_cast<int>(drawing.plan.passes.size()) + (fog ? 1 : 0);
+    report.lightsUsed = static_cast<int>(lights.lights.size());
+    report.lightsDropped = scene.dropped + lights.dropped;
+    report.lightsCulled = lights.culled;
+    report.maxLookups = drawing.plan.maxLookups;
+    effect_.report(report);
     cullPasses(visitor, drawing, std::move(lights), fog);
 }
 
-/// The plan, and what it draws to; a plan without surfaces where they cannot be drawn to.
-PassTechnique::Drawing PassTechnique::drawingOf(osgUtil::CullVisitor& visitor, int lights) const
+int PassTechnique::lightsInOnePass(const EyeLights& lights) const
 {
-    Drawing drawing{plan(lights, !isMultisampled(visitor)), nullptr};
+    return fbrdf::maxLightsInUniforms(effect_.getMaterial()->states()->form(),
+                                      assumedCapabilities(!lights.laws.empty()));
+}
+
+/// The plan, and what it draws to; a plan without surfaces where they cannot be drawn to.
+PassTechnique::Drawing PassTechnique::drawingOf(osgUtil::CullVisitor& visitor,
+                                                const EyeLights& lights) const
+{
+    const int count = static_cast<int>(lights.lights.size());
+    const bool laws = !lights.laws.empty();
+    Drawing drawing{plan(count, laws, !isMultisampled(visitor)), nullptr};
     if (!needsSurfaces(drawing.plan)) return drawing;
     Surfaces* surfaces = surfacesOf(visitor);
     if (!surfaces || !surfaces->usable()) {
-        drawing.plan = plan(lights, false);
+        drawing.plan = plan(count, laws, false);
         if (!drawing.plan.feasible()) drawing.plan.reason = kNoSurfaces + drawing.plan.reason;
         return drawing;
     }

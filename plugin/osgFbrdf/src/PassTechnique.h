@@ -31,7 +31,8 @@ public:
 
     ContextNeeds needs() const;
     /// The plan for so many lights, or its reason for being none. offscreen: Surfaces can be used.
-    fbrdf::Plan plan(int lights, bool offscreen) const;
+    /// laws: some lights have one (PlainLights.h).
+    fbrdf::Plan plan(int lights, bool laws, bool offscreen) const;
 
 protected:
     ~PassTechnique() override = default;
@@ -42,7 +43,8 @@ private:
         fbrdf::Plan plan;
         osg::ref_ptr<Surfaces> surfaces;  ///< null: the plan needs none
     };
-    Drawing drawingOf(osgUtil::CullVisitor& visitor, int lights) const;
+    Drawing drawingOf(osgUtil::CullVisitor& visitor, const EyeLights& lights) const;
+    int lightsInOnePass(const EyeLights& lights) const;
     /// fog: of the scene, null where there is none.
     void cullPasses(osgUtil::CullVisitor& visitor, const Drawing& drawing, EyeLights lights,
                     osg::StateSet* fog);

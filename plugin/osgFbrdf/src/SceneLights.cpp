@@ -219,28 +219,45 @@ bool isOn(const PlainLight& plain, const InheritedState& state)
            state.mode(GL_LIGHT0 + static_cast<GLenum>(number)).value_or(true);
 }
 
+namespace {
+
+/// The same laws, but only the lights that were selected.
+EyeLights selected(const EyeLights& from, const fbrdf::LightSelection& selection)
+{
+    EyeLights found;
+    found.laws = from.laws;
+    found.culled = from.culled + selection.culled;
+    found.dropped = from.dropped + selection.dropped;
+    for (const int index : selection.lights) {
+        found.lights.push_back(from.lights[static_cast<size_t>(index)]);
+        found.lawOf.push_back(from.lawOf[static_cast<size_t>(index)]);
+    }
+    return found;
+}
+
+}  // namespace
+
 EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
                    const InheritedState& state)
 {
-    std::vector<fbrdf::Light> all = pointLightsInEye(scene, toEye);
-    std::vector<int> lawOf(all.size(), -1);
-    EyeLights found;
+    EyeLights all;
+    all.lights = pointLightsInEye(scene, toEye);
+    all.lawOf.assign(all.lights.size(), -1);
     const osg::Vec3d centre = toOsg(bounds.centre);
     for (const PlainLight& plain : scene.plain) {
         if (!isOn(plain, state)) continue;
         const StandIn source = standIn(plain, toEye);
-        const bool applied = source.hasLaw && found.laws.size() < kMostLaws;
-        all.push_back(applied ? source.light : approximated(source, centre));
-        lawOf.push_back(applied ? static_cast<int>(found.laws.size()) : -1);
-        if (applied) found.laws.push_back(source.law);
+        const bool applied = source.hasLaw && all.laws.size() < kMostLaws;
+        all.lights.push_back(applied ? source.light : approximated(source, centre));
+        all.lawOf.push_back(applied ? static_cast<int>(all.laws.size()) : -1);
+        if (applied) all.laws.push_back(source.law);
     }
-    const fbrdf::LightSelection selection = fbrdf::selectLights(all, bounds, 0);
-    found.culled = selection.culled;
-    for (const int index : selection.lights) {
-        found.lights.push_back(all[static_cast<size_t>(index)]);
-        found.lawOf.push_back(lawOf[static_cast<size_t>(index)]);
-    }
-    return found;
+    return selected(all, fbrdf::selectLights(all.lights, bounds, 0));
+}
+
+EyeLights strongest(const EyeLights& lights, const fbrdf::Sphere& bounds, int most)
+{
+    return selected(lights, fbrdf::selectLights(lights.lights, bounds, most));
 }
 
 }  // namespace osgFbrdf

@@ -65,6 +65,7 @@ struct EyeLights {
     std::vector<int> lawOf;  ///< of each light; -1: falloff and cone are the runtime's
     std::vector<Law> laws;   ///< at most kMostLaws
     int culled = 0;          ///< cannot reach the object
+    int dropped = 0;         ///< too many
 };
 
 /// False where a state set says that the mode GL_LIGHTn of the light is off.
@@ -73,5 +74,8 @@ bool isOn(const PlainLight& plain, const InheritedState& state);
 /// Of the lights that are on; bounds: of the object, in eye coordinates.
 EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
                    const InheritedState& state);
+
+/// The `most` that are the strongest on the object.
+EyeLights strongest(const EyeLights& lights, const fbrdf::Sphere& bounds, int most);
 
 }  // namespace osgFbrdf
