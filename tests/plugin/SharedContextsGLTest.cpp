@@ -26,10 +26,7 @@ protected:
         effect_ = osgEffect(testMaterials()[4], sphereMesh(12));
         effect_->setFloatTarget(false);
         effect_->selectTechnique(osgFbrdf::kTwoLookups);
-        if (getenv("PLAIN"))
-            root_->addChild(osgMesh(sphereMesh(12)));
-        else
-            root_->addChild(effect_);
+        root_->addChild(effect_);
         root_->addChild(osgLights(testLights(3)));
         viewer_ = new osgViewer::CompositeViewer;
         viewer_->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
