@@ -117,8 +117,8 @@ TEST_F(SharedContexts, AreWholeAfterObjectsWereReleased)
     }
 }
 
-// With its cull visitor, and so with its surfaces.
-TEST_F(SharedContexts, ACameraMovesToAnotherWindow)
+// With its cull visitor, but not with its surfaces: their framebuffers belong to one context.
+TEST_F(SharedContexts, ACameraMovesToAnotherWindowAndBack)
 {
     const osg::ref_ptr<EglWindow> third = new EglWindow(kSize, windows_[0]);
     third->realize();
@@ -127,6 +127,9 @@ TEST_F(SharedContexts, ACameraMovesToAnotherWindow)
         viewer_->frame();
         EXPECT_TRUE(third->picture(frame) == expected_) << frame;
     }
+    views_[0]->getCamera()->setGraphicsContext(windows_[0]);
+    viewer_->frame();
+    EXPECT_TRUE(windows_[0]->picture(1) == expected_);
     EXPECT_EQ(effect_->lastReport().reason, "");
 }
 

@@ -158,10 +158,10 @@ Surfaces* surfacesOf(osgUtil::CullVisitor& visitor)
     if (width < 1 || height < 1) return nullptr;
     auto& kept = sceneLights(visitor).surfaces;
     const auto found = std::find_if(kept.begin(), kept.end(), [&](const auto& surfaces) {
-        return surfaces->width() == width && surfaces->height() == height;
+        return surfaces->fit(width, height, visitor.getState());
     });
     osg::ref_ptr<Surfaces> surfaces =
-        found == kept.end() ? new Surfaces(width, height) : found->get();
+        found == kept.end() ? new Surfaces(width, height, visitor.getState()) : found->get();
     if (found != kept.end()) kept.erase(found);
     kept.insert(kept.begin(), surfaces);
     if (kept.size() > kMostSurfaces) kept.pop_back();

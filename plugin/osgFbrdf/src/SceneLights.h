@@ -50,7 +50,7 @@ private:
 /// The lights of the scene that the visitor is in; valid until its next frame.
 SceneLights& sceneLights(osgUtil::CullVisitor& visitor);
 
-/// As large as the viewport of the visitor; null where it has none.
+/// As large as the viewport of the visitor, for its context; null where it has no viewport.
 Surfaces* surfacesOf(osgUtil::CullVisitor& visitor);
 
 /// From the coordinates of the lights to those of the eye.

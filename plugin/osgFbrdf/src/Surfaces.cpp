@@ -78,9 +78,10 @@ void clearDepth(osg::State& state)
 
 }  // namespace
 
-Surfaces::Surfaces(int width, int height)
+Surfaces::Surfaces(int width, int height, osg::State* state)
     : width_(width),
       height_(height),
+      state_(state),
       depth_(new osg::RenderBuffer(width, height, GL_DEPTH_COMPONENT24))
 {
     for (One& one : surfaces_) {

@@ -8,6 +8,8 @@
 
 #include <osg/Camera>
 #include <osg/FrameBufferObject>
+#include <osg/observer_ptr>
+#include <osg/State>
 #include <osg/Texture2D>
 #include <osgUtil/RenderBin>
 
@@ -23,7 +25,13 @@ namespace osgFbrdf {
 /// Size and attachments do not change. A context that cannot draw to them says so while drawing.
 class Surfaces : public osg::Referenced {
 public:
-    Surfaces(int width, int height);
+    /// For the context of `state` alone, as framebuffers are not shared between contexts; null:
+    /// none is known yet.
+    Surfaces(int width, int height, osg::State* state);
+    bool fit(int width, int height, const osg::State* state) const
+    {
+        return width == width_ && height == height_ && state == state_.get();
+    }
     int width() const { return width_; }
     int height() const { return height_; }
     /// surface: not the target.
@@ -59,6 +67,7 @@ private:
     }
 
     int width_, height_;
+    osg::observer_ptr<osg::State> state_;
     osg::ref_ptr<osg::RenderBuffer> depth_;
     std::array<One, 3> surfaces_;
     std::atomic<bool> usable_{true};
