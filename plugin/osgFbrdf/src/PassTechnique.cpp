@@ -2,6 +2,7 @@
 
 #include "DiffuseTechnique.h"
 #include "FogPass.h"
+#include "FrameStates.h"
 #include "InheritedState.h"
 #include "MaterialStates.h"
 #include "PassState.h"
@@ -108,49 +109,6 @@ int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
     return std::min(vectors, assumedCapabilities().maxUniformVectors);
 }
 
-osg::Vec4f eyeOf(const osg::Matrixd& projection)
-{
-    glm::dmat4 matrix;  // both store what multiplies a row vector from the right by rows
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) matrix[i][j] = projection(i, j);
-    const glm::vec4 eye(fbrdf::eyeFromProjection(matrix));
-    return {eye.x, eye.y, eye.z, eye.w};
-}
-
-osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
-                                        const fbrdf::Pass& pass)
-{
-    osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
-        osg::Uniform::FLOAT_VEC4, "fbrdfLights", fbrdf::kVectorsPerLight * pass.lightCount);
-    unsigned int at = 0;
-    for (int i = 0; i < pass.lightCount; ++i)
-        for (const glm::vec4& v :
-             fbrdf::lightVectors(lights[static_cast<size_t>(pass.firstLight + i)], glm::dmat4(1.0)))
-            uniform->setElement(at++, osg::Vec4f(v.x, v.y, v.z, v.w));
-    return uniform;
-}
-
-osg::ref_ptr<osg::Uniform> lawUniform(const std::vector<Law>& laws)
-{
-    osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
-        osg::Uniform::FLOAT_VEC4, "osgFbrdfLaws", static_cast<int>(kVectorsPerLaw * laws.size()));
-    unsigned int at = 0;
-    for (const Law& law : laws)
-        for (const osg::Vec4f& v : law) uniform->setElement(at++, v);
-    return uniform;
-}
-
-/// For laws.glsl: of each light of the pass.
-osg::ref_ptr<osg::Uniform> lawNumbers(const std::vector<int>& lawOf, const fbrdf::Pass& pass)
-{
-    osg::ref_ptr<osg::Uniform> uniform =
-        new osg::Uniform(osg::Uniform::INT, "fbrdfLightNumbers", pass.lightCount);
-    for (int i = 0; i < pass.lightCount; ++i)
-        uniform->setElement(static_cast<unsigned int>(i),
-                            lawOf[static_cast<size_t>(pass.firstLight + i)]);
-    return uniform;
-}
-
 /// How much longer a matrix can make a vector, at most: the square root of the largest row sum of
 /// M M^T, exact where rows are at right angles.
 double largestScale(const osg::Matrixd& matrix)
@@ -172,62 +130,6 @@ fbrdf::Sphere boundsInEye(const FactorizedBrdf& effect, const osg::Matrixd& toEy
     return {fbrdf::Vec3f(fbrdf::Vec3d(centre.x(), centre.y(), centre.z())),
             static_cast<float>(largestScale(toEye) * radius)};
 }
-
-/// What changes with frame and view. Fresh each time: the last one may still be being drawn.
-class FrameStates {
-public:
-    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
-                Surfaces* surfaces)
-        : lights_(std::move(lights)),
-          laws_(lights_.laws.empty() ? nullptr : lawUniform(lights_.laws)),
-          surfaces_(surfaces),
-          readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
-          eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
-    {
-        const auto& scales = effect.getMaterial()->material().scales;
-        for (size_t t = 0; t < scales.size(); ++t) {
-            const fbrdf::Vec3f scale = scales[t] * effect.getExposure();
-            const std::string name = "fbrdfScale" + std::to_string(t);
-            scales_.push_back(
-                new osg::Uniform(name.c_str(), osg::Vec3f(scale.x, scale.y, scale.z)));
-        }
-    }
-
-    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const
-    {
-        osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-        state->addUniform(eye_);
-        for (const fbrdf::Part& part : pass.parts)
-            if (part.scaled) state->addUniform(scales_[static_cast<size_t>(part.term)]);
-        if (pass.lightCount > 0) {
-            state->addUniform(lightUniform(lights_.lights, pass));
-            state->addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
-            if (laws_) state->addUniform(lawNumbers(lights_.lawOf, pass));
-        }
-        if (laws_) state->addUniform(laws_);
-        if (pass.reads) addSurface(*state, *pass.reads);
-        return state;
-    }
-
-private:
-    void addSurface(osg::StateSet& state, fbrdf::Surface surface) const
-    {
-        state.setTextureAttribute(static_cast<unsigned int>(readUnit_), surfaces_->texture(surface),
-                                  osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE |
-                                      osg::StateAttribute::PROTECTED);
-        state.addUniform(new osg::Uniform("fbrdfRead", readUnit_));
-        state.addUniform(new osg::Uniform(
-            "fbrdfReadScale", osg::Vec2f(1.0f / static_cast<float>(surfaces_->width()),
-                                         1.0f / static_cast<float>(surfaces_->height()))));
-    }
-
-    EyeLights lights_;
-    osg::ref_ptr<osg::Uniform> laws_;  ///< null: no light has one
-    osg::ref_ptr<Surfaces> surfaces_;
-    int readUnit_;
-    osg::ref_ptr<osg::Uniform> eye_;
-    std::vector<osg::ref_ptr<osg::Uniform>> scales_;
-};
 
 }  // namespace
 

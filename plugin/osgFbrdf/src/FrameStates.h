@@ -1,0 +1,38 @@
+// FrameStates.h - what changes in the passes of an effect with frame and view: lights, exposure,
+// the eye. Fresh each time, as the last one may still be being drawn.
+#pragma once
+#include "SceneLights.h"
+#include "Surfaces.h"
+
+#include <fbrdf/plan/Plan.h>
+
+#include <osg/StateSet>
+
+#include <vector>
+
+namespace osgFbrdf {
+
+class FactorizedBrdf;
+
+class FrameStates {
+public:
+    /// surfaces: null where no pass reads one.
+    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
+                Surfaces* surfaces);
+
+    /// Uniforms and the surface that the pass reads, beside what MaterialStates has of it.
+    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const;
+
+private:
+    void addLights(osg::StateSet& state, const fbrdf::Pass& pass) const;
+    void addSurface(osg::StateSet& state, fbrdf::Surface surface) const;
+
+    EyeLights lights_;
+    osg::ref_ptr<osg::Uniform> laws_;  ///< null: no light has one
+    osg::ref_ptr<Surfaces> surfaces_;
+    int readUnit_;
+    osg::ref_ptr<osg::Uniform> eye_;
+    std::vector<osg::ref_ptr<osg::Uniform>> scales_;
+};
+
+}  // namespace osgFbrdf
