@@ -93,7 +93,8 @@ TEST_F(ViewerFallback, IsDrawnForAMaterialOfANewerVersion)
 TEST_F(ViewerFallback, IsDrawnWithoutThePluginThatReadsMaterials)
 {
     const auto twin = withoutMaterial();
-    fs::copy(FBRDF_OSG_LIBRARY_PATH, path("lib"), fs::copy_options::recursive);
+    fs::copy(FBRDF_OSG_LIBRARY_PATH, path("lib"),
+             fs::copy_options::recursive | fs::copy_options::copy_symlinks);
     const fs::path plugins = fs::path(FBRDF_OSG_PLUGIN_FILE).parent_path().filename();
     ASSERT_TRUE(fs::remove(path("lib") / plugins / "osgdb_fbrdf.so"));
     Osgviewer::Options options;
