@@ -75,14 +75,10 @@ std::vector<float> EglWindow::picture(size_t frame)
 osg::ref_ptr<osgViewer::View> viewIn(EglWindow& window, osg::Node* scene)
 {
     osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
-    view->setLightingMode(osg::View::NO_LIGHT);
+    setUpView(*view);
     osg::Camera* camera = view->getCamera();
     camera->setGraphicsContext(&window);
     camera->setViewport(0, 0, window.getTraits()->width, window.getTraits()->height);
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
-    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
     camera->setProjectionMatrix(osgMatrix(perspectiveView().projection));
     camera->setViewMatrix(osgMatrix(perspectiveView().view));
     view->setSceneData(scene);

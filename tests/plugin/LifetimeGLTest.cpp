@@ -20,12 +20,8 @@ public:
     Host() : viewer_(new osgViewer::Viewer)
     {
         viewer_->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-        viewer_->setLightingMode(osg::View::NO_LIGHT);
+        setUpView(*viewer_);
         osg::Camera* camera = viewer_->getCamera();
-        camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
-        camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-        camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
-        camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
         camera->setViewport(0, 0, kSize, kSize);
         camera->setViewMatrix(osgMatrix(perspectiveView().view));
         camera->setProjectionMatrix(osgMatrix(perspectiveView().projection));

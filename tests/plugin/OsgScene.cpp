@@ -53,6 +53,16 @@ osg::Matrixd osgMatrix(const glm::mat4& matrix)
     return result;
 }
 
+void setUpView(osgViewer::View& view)
+{
+    view.setLightingMode(osg::View::NO_LIGHT);
+    osg::Camera* camera = view.getCamera();
+    camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
+    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
+}
+
 OsgView::OsgView(HeadlessContext::Load load, OffscreenFormat format)
     : offscreen_(load, {kSize, kSize, format, true}),
       viewer_(new osgViewer::Viewer),
@@ -60,12 +70,7 @@ OsgView::OsgView(HeadlessContext::Load load, OffscreenFormat format)
 {
     window_->setDefaultFboId(offscreen_.framebuffer());
     viewer_->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-    viewer_->setLightingMode(osg::View::NO_LIGHT);
-    osg::Camera* camera = viewer_->getCamera();
-    camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
+    setUpView(*viewer_);
 }
 
 OsgView::~OsgView()

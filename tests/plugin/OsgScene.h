@@ -25,6 +25,9 @@ constexpr int kSize = 64;
 osg::ref_ptr<osg::Geometry> osgMesh(const gl::MeshData& mesh);
 osg::Matrixd osgMatrix(const glm::mat4& matrix);
 
+/// Black, no headlight, near and far as they are given, into a framebuffer object.
+void setUpView(osgViewer::View& view);
+
 /// A viewer in a context that is current, drawing to a framebuffer of its own. Black, no headlight.
 class OsgView {
 public:

@@ -193,14 +193,10 @@ TEST_F(RealScenes, TwoViewsInOneViewerEachSeeTheirLights)
     window->setDefaultFboId(target.framebuffer());
     for (int i = 0; i < 2; ++i) {
         osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
-        view->setLightingMode(osg::View::NO_LIGHT);
+        setUpView(*view);
         osg::Camera* camera = view->getCamera();
         camera->setGraphicsContext(window);
         camera->setViewport(i * kSize, 0, kSize, kSize);
-        camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-        camera->setClearColor({0.0f, 0.0f, 0.0f, 0.0f});
-        camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
-        camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
         camera->setProjectionMatrix(osgMatrix(perspectiveView().projection));
         camera->setViewMatrix(osgMatrix(perspectiveView().view) *
                               osg::Matrixd::rotate(osg::PI * i, 0.0, 0.0, 1.0));
