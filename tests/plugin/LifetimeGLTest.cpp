@@ -160,6 +160,9 @@ TEST_F(Lifetime, TheLogHasEachReasonOnceWithNameAndFile)
         for (const char* reason : {"one", "", "two"}) effect->report({"t", reason, 1, 1});
     EXPECT_EQ(countOf(notices.text(), "t is drawn: one"), 1u) << notices.text();
     EXPECT_EQ(countOf(notices.text(), "t is drawn: two"), 1u) << notices.text();
+    // Numbers of lights that change.
+    for (int dropped = 1; dropped < 5; ++dropped) effect->report({"t", "", 1, 1, dropped});
+    EXPECT_EQ(countOf(notices.text(), "lights are left out"), 1u) << notices.text();
     // What is set anew is said anew.
     effect->setLightsPerPass(3);
     view_->frame();

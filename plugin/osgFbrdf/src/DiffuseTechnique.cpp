@@ -2,7 +2,9 @@
 
 #include "GlLights.h"
 #include "InheritedState.h"
+#include "PassState.h"
 #include "SceneLights.h"
+#include "Vectors.h"
 
 #include <osg/LightModel>
 #include <osg/Material>
@@ -13,9 +15,6 @@
 
 namespace osgFbrdf {
 namespace {
-
-constexpr auto kOurs =
-    osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
 float irradianceAt(const fbrdf::Light& light, const fbrdf::Vec3f& place)
 {
@@ -44,7 +43,7 @@ void placeLights(osgUtil::CullVisitor& visitor, SceneLights& scene, const osg::V
     if (scene.fallbackPlaced) return;
     scene.fallbackPlaced = true;
     auto lights = pointLightsInEye(scene, worldToEye(visitor));
-    const fbrdf::Vec3f place(fbrdf::Vec3d(centre.x(), centre.y(), centre.z()));
+    const fbrdf::Vec3f place = toVec3(centre);
     std::stable_sort(lights.begin(), lights.end(), [&](const auto& a, const auto& b) {
         return irradianceAt(a, place) > irradianceAt(b, place);
     });

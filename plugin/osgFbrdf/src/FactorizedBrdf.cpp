@@ -177,10 +177,11 @@ DrawReport FactorizedBrdf::lastReport() const
     return report_;
 }
 
-// A warning a frame would drown the log: views and frames may differ in what they can draw.
-void FactorizedBrdf::warnOnce(const std::string& problem)
+// A warning a frame would drown the log: views and frames may differ in what they can draw, and
+// numbers of lights change.
+void FactorizedBrdf::warnOnce(const std::string& kind, const std::string& problem)
 {
-    if (!said_.insert(problem).second) return;
+    if (!said_.insert(kind).second) return;
     std::string who = getName().empty() ? "an effect without a name" : "'" + getName() + "'";
     if (!materialFile_.empty())
         who = getName().empty() ? materialFile_ : who + ", " + materialFile_;
@@ -190,13 +191,14 @@ void FactorizedBrdf::warnOnce(const std::string& problem)
 void FactorizedBrdf::report(const DrawReport& report)
 {
     const Lock lock(reporting_);
-    if (!report.reason.empty()) warnOnce(report.technique + " is drawn: " + report.reason);
+    if (!report.reason.empty())
+        warnOnce(report.reason, report.technique + " is drawn: " + report.reason);
     // Who forces the fallback knows that it has eight lights.
     if (report.lightsDropped > 0 && getSelectedTechnique() != kDiffuseFallback)
-        warnOnce("lights are left out: found " +
-                 std::to_string(report.lightsDropped + report.lightsUsed) + ", " +
-                 std::to_string(report.lightsUsed) +
-                 " of which are valid and within what the technique can draw");
+        warnOnce("lights", "lights are left out: found " +
+                               std::to_string(report.lightsDropped + report.lightsUsed) + ", " +
+                               std::to_string(report.lightsUsed) +
+                               " of which are valid and within what the technique can draw");
     report_ = report;
 }
 

@@ -5,7 +5,6 @@
 #include "PassState.h"
 
 #include <osg/BlendFunc>
-#include <osg/Depth>
 #include <osg/Fog>
 
 #include <string>

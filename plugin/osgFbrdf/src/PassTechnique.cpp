@@ -8,6 +8,7 @@
 #include "PassState.h"
 #include "SceneLights.h"
 #include "Surfaces.h"
+#include "Vectors.h"
 
 #include <fbrdf/plan/LightVectors.h>
 
@@ -127,8 +128,7 @@ fbrdf::Sphere boundsInEye(const FactorizedBrdf& effect, const osg::Matrixd& toEy
     const osg::BoundingSphere& bound = effect.getBound();
     const osg::Vec3d centre = osg::Vec3d(bound.center()) * toEye;
     const double radius = std::max(0.0, static_cast<double>(bound.radius()));
-    return {fbrdf::Vec3f(fbrdf::Vec3d(centre.x(), centre.y(), centre.z())),
-            static_cast<float>(largestScale(toEye) * radius)};
+    return {toVec3(centre), static_cast<float>(largestScale(toEye) * radius)};
 }
 
 }  // namespace

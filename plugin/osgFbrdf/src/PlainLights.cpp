@@ -1,15 +1,12 @@
 #include "PlainLights.h"
 
+#include "Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace osgFbrdf {
 namespace {
-
-fbrdf::Vec3f toVec3(const osg::Vec3d& v)
-{
-    return fbrdf::Vec3f(fbrdf::Vec3d(v.x(), v.y(), v.z()));
-}
 
 /// OpenGL's cone has a sharp edge: 180 degrees are no cone, others are at most 90.
 void setCone(fbrdf::Light& light, const osg::Light& source, const osg::Vec3d& axis)

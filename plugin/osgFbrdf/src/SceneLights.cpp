@@ -3,6 +3,7 @@
 #include "GlLights.h"
 #include "InheritedState.h"
 #include "Surfaces.h"
+#include "Vectors.h"
 
 #include <osgFbrdf/PointLights.h>
 
@@ -24,11 +25,6 @@ bool isView(const osg::Node& node)
 {
     const auto* transform = node.asTransform();
     return node.asCamera() && transform->getReferenceFrame() != osg::Transform::RELATIVE_RF;
-}
-
-fbrdf::Vec3f toVec3(const osg::Vec3d& v)
-{
-    return fbrdf::Vec3f(fbrdf::Vec3d(v.x(), v.y(), v.z()));
 }
 
 osg::Vec3d toOsg(const fbrdf::Vec3f& v)

@@ -50,7 +50,7 @@ struct DrawReport {
     std::string reason;     ///< why that is not the one selected; empty when it is
     int passes = 0;
     int lightsUsed = 0;
-    int lightsDropped = 0;  ///< not valid, or too many for the fallback
+    int lightsDropped = 0;  ///< not valid, or too many for the fallback or for one pass
     int lightsCulled = 0;   ///< cannot reach the object
     int maxLookups = 0;     ///< in any pass
 };
@@ -139,7 +139,7 @@ private:
     void compile(osgUtil::GLObjectsVisitor& visitor);
     bool replaceMaterial(const osg::ref_ptr<MaterialObject>& material);
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
-    void warnOnce(const std::string& problem);
+    void warnOnce(const std::string& kind, const std::string& problem);
 
     std::string materialFile_;
     osg::ref_ptr<MaterialObject> material_;
@@ -151,7 +151,7 @@ private:
     osg::ref_ptr<TechniqueChoice> choice_;
     mutable OpenThreads::Mutex reporting_;
     DrawReport report_;           ///< guarded by reporting_, as what follows
-    std::set<std::string> said_;  ///< what the log has, since the last change
+    std::set<std::string> said_;  ///< kinds that the log has, since the last change
     mutable std::vector<osg::observer_ptr<Surfaces>> surfaces_;
     mutable unsigned int releases_ = 0;
     std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
