@@ -5,7 +5,7 @@
 #include "src/UsageMessage.h"
 #include "src/Version.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <cstdio>
 #include <new>

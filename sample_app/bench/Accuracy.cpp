@@ -4,7 +4,7 @@
 #include "bench/Stage.h"
 #include "viewer/GlFunctions.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 #include <fbrdf/truth/Reference.h>
 

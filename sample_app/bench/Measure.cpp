@@ -2,7 +2,7 @@
 
 #include "bench/Turns.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Stats.h>
 
 #include <algorithm>

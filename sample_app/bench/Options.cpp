@@ -2,7 +2,7 @@
 
 #include "viewer/CommandLine.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <CLI/CLI.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "EmbeddedShaders.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightVectors.h>
 #include <fbrdf/shaders/ShaderSource.h>
 

@@ -5,7 +5,7 @@
 
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/HalfDifference.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <cmath>
 

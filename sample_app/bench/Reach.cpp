@@ -4,7 +4,7 @@
 #include "bench/Print.h"
 #include "bench/Turns.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/scene/Stats.h>
 

@@ -1,6 +1,6 @@
 #include "bench/Stage.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/Lights.h>
 

@@ -3,7 +3,7 @@
 #include "bench/Materials.h"
 #include "bench/Peers.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <memory>
 

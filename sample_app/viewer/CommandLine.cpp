@@ -1,6 +1,6 @@
 #include "CommandLine.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #define GLAD_GL_IMPLEMENTATION
 #include "GlFunctions.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf::viewer {
 

@@ -1,6 +1,6 @@
 #include "GlfwWindow.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -3,7 +3,7 @@
 #include "FrameTimer.h"
 #include "GlScene.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "MaterialSlot.h"
 
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <fmt/core.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 
 #include "CommandLine.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Image.h>
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 #include "Headless.h"
 #include "ToneMapShaders.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf::viewer {
 namespace {

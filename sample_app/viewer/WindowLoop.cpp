@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <chrono>

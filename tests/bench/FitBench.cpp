@@ -2,10 +2,10 @@
 // documentation states about the speed and memory of the fitter comes from here.
 #include "FitTiming.h"
 
-#include <fbrdf/brdf/Error.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/base/Error.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/peers/Peer.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <fbrdf/sources/Write.h>
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/brdf/ShadingFrame.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <gtest/gtest.h>
 

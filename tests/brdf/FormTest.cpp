@@ -1,5 +1,5 @@
 // FormTest.cpp - forms as data: the named ones, what they say, and every way to be invalid.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Form.h>
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // validate refuses.
 #include "brdf/Directions.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Material.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // TableTest.cpp - storages: bounds of their errors, codes and their inverses, filtering.
 #include "brdf/Directions.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/Table.h>
 #include <gtest/gtest.h>

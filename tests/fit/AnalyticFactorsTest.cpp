@@ -1,8 +1,8 @@
 #include <fbrdf/fit/AnalyticFactors.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 

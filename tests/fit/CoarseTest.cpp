@@ -1,4 +1,4 @@
-#include "Coarse.h"
+#include "solve/Coarse.h"
 
 #include "Known.h"
 

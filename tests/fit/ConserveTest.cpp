@@ -1,6 +1,6 @@
 // ConserveTest.cpp - no material gives more light than it gets. No GL.
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/metrics/Metrics.h>
 
 #include "Known.h"
 

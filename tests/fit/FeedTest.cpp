@@ -1,4 +1,4 @@
-#include "Feed.h"
+#include "data/Feed.h"
 
 #include "Known.h"
 

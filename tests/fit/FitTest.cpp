@@ -2,7 +2,7 @@
 
 #include "Known.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 
 namespace fbrdf {

@@ -1,7 +1,7 @@
 // Known.h - functions and samples whose best fit is known.
 #pragma once
 #include <fbrdf/brdf/Material.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Source.h>
 
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "LeastSquares.h"
+#include "solve/LeastSquares.h"
 
 #include "Bake.h"
 #include "Known.h"
 #include "RankPair.h"
-#include "Solve.h"
+#include "solve/Solve.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include <fbrdf/fit/Misfit.h>
+#include <fbrdf/metrics/Misfit.h>
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 

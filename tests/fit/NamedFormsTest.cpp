@@ -1,6 +1,6 @@
-#include "NamedForms.h"
+#include "forms/NamedForms.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
 

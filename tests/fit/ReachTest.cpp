@@ -1,6 +1,7 @@
 // ReachTest.cpp - the figures that the README states, on real measurements and on models. No GL.
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include "Known.h"
 #include "support/DataDir.h"

@@ -2,7 +2,7 @@
 #include <fbrdf/fit/Disturb.h>
 #include <fbrdf/fit/Fit.h>
 #include <fbrdf/fit/NoiseFloor.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The kernels for every x86-64 and those for AVX2 against loops in double.
-#include "RowKernel.h"
-#include "Solver.h"
+#include "solve/RowKernel.h"
+#include "solve/Solver.h"
 
 #include <gtest/gtest.h>
 

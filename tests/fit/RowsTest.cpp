@@ -1,4 +1,4 @@
-#include "Rows.h"
+#include "solve/Rows.h"
 
 #include "Known.h"
 

@@ -1,12 +1,13 @@
 // SearchTest.cpp - `auto` against every form with a name, on the same data.
 #include <fbrdf/fit/Fit.h>
+#include <fbrdf/sources/OpenSource.h>
 
-#include "FormVariants.h"
+#include "data/Symmetry.h"
+#include "forms/FormVariants.h"
 #include "Known.h"
 #include "support/DataDir.h"
-#include "Symmetry.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "Solver.h"
+#include "solve/Solver.h"
 
-#include "SolverKernel.h"
+#include "solve/SolverKernel.h"
 
 #include <gtest/gtest.h>
 

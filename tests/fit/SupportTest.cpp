@@ -1,7 +1,7 @@
 #include "Support.h"
 
 #include "Known.h"
-#include "LeastSquares.h"
+#include "solve/LeastSquares.h"
 
 #include <gtest/gtest.h>
 

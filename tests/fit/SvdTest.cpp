@@ -2,11 +2,11 @@
 
 #include "support/TemporaryDir.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/SampleSets.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // fbrdf::headless: contexts and offscreen framebuffers.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 
 #include <gtest/gtest.h>

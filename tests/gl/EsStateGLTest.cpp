@@ -3,7 +3,7 @@
 #include "StateList.h"
 #include "StateScrambler.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Objects are deleted, in any order; a lost context is not touched; renderers live side by side.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
 

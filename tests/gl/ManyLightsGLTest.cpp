@@ -1,5 +1,5 @@
 // Many lights: lists, culling, scissor and caps against all lights in one pass.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Every program that the test materials can need, in every version, through glslangValidator.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/shaders/ShaderSource.h>
 #include <fbrdf/shaders/TextureImage.h>
 

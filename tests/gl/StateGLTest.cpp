@@ -1,7 +1,7 @@
 // Whatever state the host has: the picture is the same, and the state is the host's again after.
 #include "StateTest.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Targets other than RGBA32F, items in front of each other, targets that cannot be drawn to.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is stored of the radiance: against the definition, in every kind of target.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/Transfer.h>
 
 #include <gtest/gtest.h>

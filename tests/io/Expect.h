@@ -1,7 +1,7 @@
 // Expect.h - what every failing read and write must look like: one Error of a kind, whose one line
 // says a given text.
 #pragma once
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,7 +1,7 @@
 #include <fbrdf/peers/GgxFit.h>
 
-#include <fbrdf/brdf/Error.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/base/Error.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <fbrdf/peers/LinearMaps.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

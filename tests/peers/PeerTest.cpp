@@ -1,10 +1,11 @@
 #include <fbrdf/peers/Peer.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include "support/DataDir.h"
 
-#include <fbrdf/brdf/Error.h>
-#include <fbrdf/fit/Metrics.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/base/Error.h>
+#include <fbrdf/metrics/Metrics.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <gtest/gtest.h>
 
 namespace fbrdf {

@@ -2,7 +2,7 @@
 
 #include "support/TemporaryDir.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 
 #include <fstream>

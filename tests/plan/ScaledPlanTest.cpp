@@ -2,7 +2,7 @@
 // states.
 #include "PlanSimulator.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightSelection.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "AtomicFile.h"
 #include "Html.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

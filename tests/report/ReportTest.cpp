@@ -1,7 +1,7 @@
 // What the page says. That it is well formed and self-contained is for check_page.py.
 #include "TestMaterials.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/report/Report.h>
 #include <gtest/gtest.h>
 

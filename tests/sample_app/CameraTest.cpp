@@ -1,5 +1,5 @@
 // CameraTest.cpp - the camera's text, its matrices and its orbits; no GL.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Camera.h>
 #include <gtest/gtest.h>
 

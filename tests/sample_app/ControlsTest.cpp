@@ -1,5 +1,5 @@
 // ControlsTest.cpp - what keys, mouse and command line mean; no window, no GL.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Controls.h>
 #include <gtest/gtest.h>
 

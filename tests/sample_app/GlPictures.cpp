@@ -1,6 +1,6 @@
 #include "GlPictures.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // ImageTest.cpp - sRGB codes, EXR and PNG content, and files that appear whole or not at all.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Image.h>
 #include <fbrdf/scene/TextFile.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // LightsTest.cpp - lights as JSON both ways, and the made ones; no GL.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Lights.h>
 #include <gtest/gtest.h>
 #include <support/DataDir.h>

@@ -1,5 +1,5 @@
 // MeshesTest.cpp - the generated meshes against their closed forms; no GL.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Meshes.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // ObjFileTest.cpp - OBJ text to mesh: what is read, what is made up, and what is refused; no GL.
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/ObjFile.h>
 #include <fbrdf/scene/TextFile.h>
 #include <fbrdf/scene/Triangulate.h>

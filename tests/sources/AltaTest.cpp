@@ -3,6 +3,7 @@
 #include "support/DataDir.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/sources/OpenSource.h>
 
 using namespace fbrdf;
 using namespace fbrdf::test;

@@ -2,6 +2,7 @@
 #include "ReaderTest.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/sources/OpenSource.h>
 
 using namespace fbrdf;
 using namespace fbrdf::test;

@@ -1,6 +1,7 @@
 #include "ReaderTest.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <limits>
 

@@ -2,6 +2,7 @@
 #include "ReaderTest.h"
 
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/OpenSource.h>
 #include "support/DataDir.h"
 
 #include <fcntl.h>

@@ -1,8 +1,8 @@
 // ReaderTest.h - what the tests of all readers share: files in a folder of their own, and the
 // promise that every reader keeps for any bytes whatever: a Source that adds up, or Error(input).
 #pragma once
-#include <fbrdf/brdf/Error.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/base/Error.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

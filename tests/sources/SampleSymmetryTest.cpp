@@ -5,6 +5,7 @@
 #include "ReaderTest.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <functional>
 #include <random>

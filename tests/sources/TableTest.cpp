@@ -2,6 +2,7 @@
 #include "ReaderTest.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <OpenImageIO/imageio.h>
 

@@ -1,5 +1,6 @@
 #include "ReaderTest.h"
 
+#include <fbrdf/sources/OpenSource.h>
 #include <fbrdf/sources/Write.h>
 #include <SpreadPairs.h>
 #include <sys/stat.h>

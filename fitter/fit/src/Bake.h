@@ -1,6 +1,6 @@
 // Bake.h - from solved log texels to the material as it will be stored.
 #pragma once
-#include "LeastSquares.h"
+#include "solve/LeastSquares.h"
 
 namespace fbrdf {
 

@@ -1,8 +1,8 @@
 #include "Conserve.h"
 
-#include "Parallel.h"
+#include <fbrdf/base/Parallel.h>
 
-#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/metrics/Metrics.h>
 
 #include <algorithm>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "Conserve.h"
+#include "forms/MadeForms.h"
+#include "forms/NamedForms.h"
 #include "Job.h"
-#include "MadeForms.h"
-#include "NamedForms.h"
 #include "Search.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf {
 namespace {

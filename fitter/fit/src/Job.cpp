@@ -1,11 +1,11 @@
 #include "Job.h"
 
 #include "Bake.h"
-#include "NamedForms.h"
+#include "forms/NamedForms.h"
 #include "Support.h"
 
-#include <fbrdf/brdf/Error.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/base/Error.h>
+#include <fbrdf/metrics/SampleSets.h>
 
 #include <algorithm>
 

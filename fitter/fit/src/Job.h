@@ -1,8 +1,8 @@
 // Job.h - the data of one fit and what is the same for every form tried on it.
 #pragma once
-#include "Feed.h"
-#include "Solve.h"
-#include "Traits.h"
+#include "data/Feed.h"
+#include "data/Traits.h"
+#include "solve/Solve.h"
 
 #include <fbrdf/fit/Clock.h>
 #include <fbrdf/fit/Fit.h>

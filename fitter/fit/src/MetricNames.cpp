@@ -1,4 +1,4 @@
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/fit/Fit.h>
 
 namespace fbrdf {

@@ -1,10 +1,10 @@
 #include "Search.h"
 
-#include "FormVariants.h"
-#include "NamedForms.h"
-#include "Symmetry.h"
+#include "data/Symmetry.h"
+#include "forms/FormVariants.h"
+#include "forms/NamedForms.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Support.h - which texels the data say anything about.
 #pragma once
-#include "Rows.h"
+#include "solve/Rows.h"
 
 #include <fbrdf/brdf/Material.h>
 

@@ -4,10 +4,10 @@
 // "Weighted Low-Rank Approximations").
 #include <fbrdf/fit/Svd.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/HalfDifference.h>
-#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/metrics/Metrics.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include <fbrdf/peers/GgxFit.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <ceres/ceres.h>
 

@@ -1,4 +1,5 @@
 #include <fbrdf/peers/Peer.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <fbrdf/peers/LinearMaps.h>
 #include <fbrdf/peers/PublishedFits.h>
@@ -6,10 +7,10 @@
 #include <fbrdf/peers/GgxFit.h>
 #endif
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/fit/Clock.h>
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/Model.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <fbrdf/peers/PublishedFits.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "AtomicFile.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <unistd.h>
 
 #include <cerrno>

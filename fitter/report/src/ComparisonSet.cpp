@@ -1,6 +1,6 @@
 #include "ComparisonSet.h"
 
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
 
 #include <algorithm>
 

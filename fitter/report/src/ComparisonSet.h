@@ -1,6 +1,6 @@
 // ComparisonSet.h - the samples at which a report shows data against fit.
 #pragma once
-#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/metrics/Metrics.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "Html.h"
 
-#include <fbrdf/fit/Colour.h>
+#include <fbrdf/metrics/Colour.h>
 #include <fmt/format.h>
 
 #include <algorithm>

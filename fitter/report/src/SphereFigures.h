@@ -2,7 +2,7 @@
 #pragma once
 #include "Picture.h"
 
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
 
 #include <string>
 

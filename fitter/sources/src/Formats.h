@@ -3,7 +3,7 @@
 #pragma once
 #include "InputFile.h"
 
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 // InputFile.h - the bytes of a file that is being read, held or mapped, whichever suits its size.
 #pragma once
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "OutputFile.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <fcntl.h>
 #include <unistd.h>

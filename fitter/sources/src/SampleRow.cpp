@@ -1,6 +1,6 @@
 #include "SampleRow.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "OutputFile.h"
 #include "SpreadPairs.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <array>
 #include <charconv>

@@ -1,7 +1,8 @@
 #include "Arguments.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/io/FormFile.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
 
 #include <charconv>

@@ -1,6 +1,7 @@
 // Arguments.h - options whose bad values are reported as "--name: found X, expected Y".
 #pragma once
 #include <fbrdf/fit/Fit.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <CLI/CLI.hpp>
 

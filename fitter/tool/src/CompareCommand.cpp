@@ -9,9 +9,10 @@
 #include "Scene.h"
 #include "TextTable.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/fit/NoiseFloor.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
 
 namespace fbrdf::tool {

@@ -4,8 +4,9 @@
 #include "Output.h"
 #include "Progress.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <fbrdf/sources/Write.h>
 
 #include <filesystem>

@@ -5,7 +5,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/fit/NoiseFloor.h>
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
 #include <fmt/format.h>
 
 #include <algorithm>

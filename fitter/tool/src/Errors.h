@@ -1,7 +1,7 @@
 // Errors.h - measured errors under the names of the metrics, in a fixed order, as JSON and as text.
 // A value that does not exist (no sample above the floor) is not in the map.
 #pragma once
-#include <fbrdf/fit/Metrics.h>
+#include <fbrdf/metrics/Metrics.h>
 #include <nlohmann/json.hpp>
 
 #include <map>

@@ -3,7 +3,7 @@
 #include "PairRows.h"
 #include "Workers.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fmt/compile.h>
 
 #include <atomic>

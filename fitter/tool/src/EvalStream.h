@@ -3,7 +3,7 @@
 #pragma once
 #include "LineBlocks.h"
 
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
 
 #include <functional>
 #include <string_view>

@@ -7,7 +7,7 @@
 #include "Ranks.h"
 #include "TextTable.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fmt/format.h>
 

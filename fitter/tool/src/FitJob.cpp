@@ -3,7 +3,8 @@
 #include "Reflectance.h"
 #include "Version.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
 
 #include <chrono>

@@ -6,7 +6,7 @@
 #include "Scene.h"
 
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <memory>
 #include <string>

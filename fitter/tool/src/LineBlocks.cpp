@@ -1,6 +1,6 @@
 #include "LineBlocks.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,7 +1,7 @@
 // Ranks.h where MPI was not found: one process.
 #include "Ranks.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <cstdlib>
 

@@ -1,7 +1,8 @@
 #include "Reflectance.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/OpenSource.h>
 
 namespace fbrdf::tool {
 

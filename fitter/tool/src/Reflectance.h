@@ -1,7 +1,7 @@
 // Reflectance.h - a SOURCE or MATERIAL of the command line, opened for evaluation.
 #pragma once
-#include <fbrdf/fit/StandardSphere.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/metrics/StandardSphere.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include <memory>
 #include <string>

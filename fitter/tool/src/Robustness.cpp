@@ -2,9 +2,10 @@
 
 #include "TextTable.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/fit/Disturb.h>
-#include <fbrdf/fit/SampleSets.h>
+#include <fbrdf/metrics/SampleSets.h>
+#include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
 
 #include <algorithm>

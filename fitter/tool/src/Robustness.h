@@ -1,7 +1,7 @@
 // Robustness.h - what fits lose in the picture when their data get worse: noise, zeros, spikes, few
 // samples.
 #pragma once
-#include "BenchFit.h"
+#include "bench/BenchFit.h"
 
 #include <string>
 #include <vector>

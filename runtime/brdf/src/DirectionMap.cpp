@@ -4,8 +4,8 @@
 // found.
 #include "CubeFaces.h"
 
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/DirectionMap.h>
-#include <fbrdf/brdf/Error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Material.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 #include "Descriptor.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/gl/MaterialBinding.h>
 #include <fbrdf/gl/Renderer.h>
 

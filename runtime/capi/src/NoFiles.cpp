@@ -1,6 +1,6 @@
 #include "Files.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf::capi {
 

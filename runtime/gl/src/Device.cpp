@@ -1,6 +1,6 @@
 #include "Device.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <cstdio>

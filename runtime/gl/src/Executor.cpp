@@ -1,6 +1,6 @@
 #include "Executor.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,7 +1,7 @@
 #define GLAD_GL_IMPLEMENTATION
 #include "Functions.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <cstring>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #include "GpuHooks.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "GpuLibrary.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "MaterialUniforms.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/gl/MaterialBinding.h>
 #include <fbrdf/shaders/ShaderSource.h>
 

@@ -2,7 +2,7 @@
 
 #include "UploadGuard.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <limits>
 

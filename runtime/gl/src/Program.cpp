@@ -2,7 +2,7 @@
 
 #include "Mesh.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 

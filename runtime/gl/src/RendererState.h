@@ -4,7 +4,7 @@
 #include "DrawRequest.h"
 #include "GpuLibrary.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf::gl {
 

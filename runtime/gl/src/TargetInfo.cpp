@@ -1,6 +1,6 @@
 #include "TargetInfo.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf::gl {
 namespace {

@@ -1,6 +1,6 @@
 // Codes.h - stored integers of whole tables, both ways, with every check that a hostile file needs.
 #pragma once
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Table.h>
 
 #include <cstdint>

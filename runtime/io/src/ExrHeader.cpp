@@ -2,7 +2,7 @@
 
 #include "Printable.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <cstdint>

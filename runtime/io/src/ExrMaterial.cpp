@@ -6,7 +6,7 @@
 #include "FormJson.h"
 #include "Printable.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <cstring>
 #include <set>

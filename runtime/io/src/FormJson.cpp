@@ -1,6 +1,6 @@
 #include "FormJson.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "FormJson.h"
 #include "Png.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Half.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "Manifest.h"
 #include "Waterloo.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <filesystem>
 

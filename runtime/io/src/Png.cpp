@@ -1,6 +1,6 @@
 #include "Png.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <png.h>
 #include <algorithm>

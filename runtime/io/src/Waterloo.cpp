@@ -5,7 +5,7 @@
 #include "Png.h"
 #include "Printable.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "Png.h"
 #include "Waterloo.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "Planner.h"
 #include "ScaledPlan.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 // Logs are added, so a term costs one exp2 a light however many factors it has.
 #include "FactorWriter.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <set>

@@ -1,7 +1,7 @@
 #include "EmbeddedShaders.h"
 #include "FragmentWriter.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <glm/matrix.hpp>
 

@@ -1,6 +1,6 @@
 #include "Native.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 namespace fbrdf {
 

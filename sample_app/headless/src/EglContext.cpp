@@ -3,7 +3,7 @@
 // Reference: EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context, EGL_KHR_no_config_context.
 #include "Native.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -3,7 +3,7 @@
 // latter.
 #include "Native.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <dlfcn.h>
 #include <GL/osmesa.h>

@@ -1,4 +1,4 @@
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/scene/ObjFile.h>
 #include <fbrdf/scene/TextFile.h>
 #include <fbrdf/scene/Triangulate.h>

@@ -1,7 +1,7 @@
 // ModelSpecTest.cpp - specifications of models: what is accepted, and what each error says.
 #include <models/NearestName.h>
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // ExpectError.h - that an act throws an error of the right kind with words that help.
 #pragma once
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "GlTest.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 
 #include "support/DataDir.h"
 

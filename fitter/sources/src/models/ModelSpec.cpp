@@ -2,7 +2,7 @@
 #include "../Text.h"
 #include "NearestName.h"
 
-#include <fbrdf/brdf/Error.h>
+#include <fbrdf/base/Error.h>
 #include <fbrdf/sources/Model.h>
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 // channel:
 //   sum_n w_n (log2 f_n - log2 g(x)_n)^2 + smoothness |L x|^2
 #pragma once
-#include <fbrdf/fit/Metrics.h>
-#include <fbrdf/fit/Misfit.h>
+#include <fbrdf/metrics/Metrics.h>
+#include <fbrdf/metrics/Misfit.h>
 #include <fbrdf/sources/Source.h>
 
 #include <functional>

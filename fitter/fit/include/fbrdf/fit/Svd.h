@@ -10,7 +10,7 @@
 // in dark colours.
 #pragma once
 #include <fbrdf/brdf/Material.h>
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
 
 namespace fbrdf {
 

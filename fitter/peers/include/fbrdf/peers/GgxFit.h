@@ -6,7 +6,7 @@
 // or the cube root: both weigh errors as a rendering shows them (Bieron and Peers 2020 compare such
 // metrics). Several starts over the roughness; the best on few samples is refined on all.
 #pragma once
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
 #include <fbrdf/sources/Source.h>
 
 #include <string>

@@ -1,7 +1,7 @@
 // Peer.h - other compact BRDF representations, each fitted to (or published for) the same source,
 // so that one table can compare them with ours.
 #pragma once
-#include <fbrdf/fit/StandardSphere.h>
+#include <fbrdf/metrics/StandardSphere.h>
 #include <fbrdf/sources/Source.h>
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 // it was made: equal fits give equal pages.
 #pragma once
 #include <fbrdf/brdf/Material.h>
-#include <fbrdf/fit/Metrics.h>
-#include <fbrdf/fit/Misfit.h>
+#include <fbrdf/metrics/Metrics.h>
+#include <fbrdf/metrics/Misfit.h>
 #include <fbrdf/sources/Source.h>
 
 #include <cstdint>

@@ -78,20 +78,4 @@ constexpr size_t kSampleBlock = 65536;
 /// The source's report: known at once for held samples, one pass over the rows for a stream.
 SampleReport reportOf(const Source& source);
 
-struct SourceOptions {
-    bool cosine = false;  ///< CSV values include cos theta_o (--cosine)
-};
-
-/// Opens a file (recognised by content, then by extension) or an analytic model
-/// "name:key=value,...". A file that holds several data sets takes a choice after its path:
-/// FILE@0.532 (a wavelength in um), FILE#name or FILE#row (a material of a collection). Materials
-/// (.fbrdf, the 2001 layout) are sources with `evaluate`. Throws Error(usage) for an unknown model
-/// or a parameter out of range, Error(input) for a file that is missing or invalid.
-Source openSource(const std::string& spec, const SourceOptions& options = {});
-
-/// The materials that a specification stands for, each as openSource takes it: all of a collection
-/// for its FILE alone, those of a set of its materials.txt for FILE#set; for anything else the
-/// specification itself. Throws Error(input) for a file that cannot be read.
-std::vector<std::string> materialsOf(const std::string& spec);
-
 }  // namespace fbrdf

@@ -1,0 +1,199 @@
+#include "data/Feed.h"
+
+#include <fbrdf/base/Parallel.h>
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/metrics/SampleSets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace fbrdf {
+namespace {
+
+// A stream of at most this many rows (a MERL file, twice) is read once and held; 40 bytes a row.
+constexpr size_t kHeldRows = 3000000;
+
+using Owner = std::shared_ptr<const std::vector<Sample>>;
+
+Feed feedOf(Owner owner, const std::vector<Sample>& samples)
+{
+    Feed feed;
+    feed.rows = samples.size();
+    feed.held = true;
+    feed.read = [owner = std::move(owner), &samples](uint64_t first, size_t count,
+                                                     std::vector<Sample>&) {
+        return FeedBlock{samples.data() + first, count, first};
+    };
+    return feed;
+}
+
+Feed feedOf(const SampleStream& stream)
+{
+    Feed feed;
+    feed.rows = stream.rows;
+    feed.read = [&stream](uint64_t first, size_t count, std::vector<Sample>& scratch) {
+        SampleReport report;
+        scratch.clear();
+        stream.read(first, count, scratch, report);
+        return FeedBlock{scratch.data(), scratch.size(), first};
+    };
+    return feed;
+}
+
+// The parts in order, cut off at the limit.
+std::vector<Sample> joined(const std::vector<std::vector<Sample>>& parts, size_t limit)
+{
+    size_t size = 0;
+    for (const auto& part : parts) size += part.size();
+    std::vector<Sample> all;
+    all.reserve(size);
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    all.resize(std::min(size, limit));
+    return all;
+}
+
+Owner allSamples(const Feed& feed, int threads)
+{
+    std::vector<std::vector<Sample>> blocks(feed.blocks());
+    parallelTasks(blocks.size(), threads, [&](size_t b) { feed.block(b, blocks[b]); });
+    return std::make_shared<std::vector<Sample>>(joined(blocks, feed.rows));
+}
+
+// Ranges of a feed, in order: all of it, or pieces at equal distances.
+struct Ranges {
+    uint64_t distance;
+    size_t length, count;
+};
+
+Ranges rangesFor(const Feed& feed, uint64_t wanted)
+{
+    constexpr size_t kPiece = 256;  // rows: a few points of a scan, many scans
+    constexpr uint64_t kSparse = 4;
+    const uint64_t pieces = (2 * wanted + kPiece - 1) / kPiece;
+    if (feed.held || feed.rows < kSparse * pieces * kPiece)
+        return {kFeedBlock, kFeedBlock, feed.blocks()};
+    return {feed.rows / pieces, kPiece, static_cast<size_t>(pieces)};
+}
+
+// Rows to look at for `limit` of the choice.
+uint64_t wantedRows(const FoldChoice& choice, size_t limit)
+{
+    return static_cast<uint64_t>(std::ceil(static_cast<double>(limit) / choice.share()));
+}
+
+Feed feedOfSamples(const Source& source, int threads)
+{
+    if (!source.samples.empty()) return feedOf(nullptr, source.samples);
+    const Feed stream = feedOf(source.stream);
+    if (stream.rows > kHeldRows) return stream;
+    const Owner all = allSamples(stream, threads);
+    return feedOf(all, *all);
+}
+
+// A table of few nodes leaves holes that its own interpolation fills.
+Feed withFunction(const Feed& nodes, const Source& source, size_t count, uint64_t seed, int threads)
+{
+    std::vector<Sample> all = someSamples(nodes, FoldChoice::all(), nodes.rows, seed, threads);
+    const auto between = samplesAt(source, uniformPairs(count, seed + 1), threads);
+    all.insert(all.end(), between.begin(), between.end());
+    return heldFeed(std::move(all));
+}
+
+}  // namespace
+
+Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
+{
+    if (hasSamples(source)) {
+        Feed feed = feedOfSamples(source, threads);
+        if (source.evaluate && feed.rows < count)
+            feed = withFunction(feed, source, count, seed, threads);
+        feed.exact = source.exact;
+        return feed;
+    }
+    if (!source.evaluate)
+        throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,
+                    "found neither samples nor a function, expected one of them");
+    Feed feed = heldFeed(samplesAt(source, uniformPairs(count, seed + 1), threads));
+    feed.exact = true;
+    return feed;
+}
+
+Feed heldFeed(std::vector<Sample> samples)
+{
+    const auto owner = std::make_shared<const std::vector<Sample>>(std::move(samples));
+    return feedOf(owner, *owner);
+}
+
+FeedBlock Feed::block(size_t index, std::vector<Sample>& scratch) const
+{
+    const uint64_t first = index * kFeedBlock;
+    return read(first, static_cast<size_t>(std::min<uint64_t>(kFeedBlock, rows - first)), scratch);
+}
+
+// Words are multiplied in pairs, each plus a constant of its own: products of one sample do not
+// wait for each other (Black et al. 1999, "UMAC": NH).
+std::string geometryOf(const Feed& feed, int threads)
+{
+    if (!feed.held) return {};
+    std::vector<uint64_t> hashes(feed.blocks(), 0);
+    parallelTasks(hashes.size(), threads, [&](size_t b) {
+        std::vector<Sample> scratch;
+        const FeedBlock block = feed.block(b, scratch);
+        std::array<uint32_t, 8> words{}, keys;
+        for (size_t w = 0; w < keys.size(); ++w) keys[w] = static_cast<uint32_t>(splitMix64(w + 1));
+        for (size_t i = 0; i < block.count; ++i) {
+            const Sample& s = block.samples[i];
+            const float numbers[7] = {s.wo.x, s.wo.y, s.wo.z, s.wi.x, s.wi.y, s.wi.z, s.weight};
+            std::memcpy(words.data(), numbers, sizeof numbers);
+            uint64_t sum = hashes[b];
+            for (size_t w = 0; w < words.size(); w += 2)
+                sum += uint64_t{words[w] + keys[w]} * uint64_t{words[w + 1] + keys[w + 1]};
+            hashes[b] = splitMix64(sum);
+        }
+    });
+    uint64_t hash = feed.rows;
+    for (const uint64_t part : hashes) hash = splitMix64(hash ^ part);
+    return std::to_string(feed.rows) + " rows " + std::to_string(hash);
+}
+
+double FoldChoice::share() const
+{
+    if (only != kNoFold) return 1.0 / kFolds;
+    return without == kNoFold ? 1.0 : 1.0 - 1.0 / kFolds;
+}
+
+std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size_t limit,
+                                uint64_t seed, int threads)
+{
+    const Ranges ranges = rangesFor(feed, wantedRows(choice, limit));
+    const auto most = static_cast<double>(limit),
+               seen = choice.share() *
+                      double(std::min<uint64_t>(feed.rows, ranges.count * ranges.length));
+    // A regular stride would beat with the grid of a measurement: a hash decides. Four standard
+    // deviations fewer than the limit are expected, so that it cuts nothing off at the end.
+    const bool every = seen <= most;
+    const auto bound = every ? uint64_t{0}
+                             : static_cast<uint64_t>(std::ldexp(
+                                   std::max(0.0, most - 4.0 * std::sqrt(most)) / seen, 64));
+    std::vector<std::vector<Sample>> parts(ranges.count);
+    parallelTasks(ranges.count, threads, [&](size_t r) {
+        const uint64_t first = r * ranges.distance;
+        const auto length =
+            static_cast<size_t>(std::min<uint64_t>(ranges.length, feed.rows - first));
+        std::vector<Sample> scratch;
+        const FeedBlock block = feed.read(first, length, scratch);
+        for (size_t i = 0; i < block.count; ++i) {
+            const uint64_t number = block.first + i;
+            if (!every && splitMix64(number ^ ~seed) >= bound) continue;
+            if (choice.isAll() || choice.has(foldOf(number, seed)))
+                parts[r].push_back(block.samples[i]);
+        }
+    });
+    return joined(parts, limit);
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,72 @@
+// Feed.h - the samples of a source in ranges that can be read in any order, from any thread, again
+// and again. Fits read them once a pass and hold none, so memory does not grow with the number of
+// samples.
+#pragma once
+#include <fbrdf/metrics/SplitMix.h>
+
+#include <fbrdf/sources/Source.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fbrdf {
+
+constexpr size_t kFeedBlock = 8192;  ///< rows a block at most
+constexpr int kFolds = 5;
+constexpr int kNoFold = -1;
+
+struct FeedBlock {
+    const Sample* samples = nullptr;
+    size_t count = 0;
+    uint64_t first = 0;  ///< number of the first sample; numbers need not be contiguous over blocks
+};
+
+struct Feed {
+    size_t rows = 0;     ///< samples at most
+    bool exact = false;  ///< values of a function: no noise, no outliers
+    bool held = false;   ///< in memory: reading costs nothing
+    /// The samples among rows [first, first + count); the view is valid until the next read into
+    /// the same scratch.
+    std::function<FeedBlock(uint64_t first, size_t count, std::vector<Sample>& scratch)> read;
+
+    size_t blocks() const { return (rows + kFeedBlock - 1) / kFeedBlock; }
+    FeedBlock block(size_t index, std::vector<Sample>& scratch) const;
+};
+
+/// Samples, held or streamed, of the source itself; `count` of its uniform pairs where it is only a
+/// function, and beside samples that are fewer. The source must outlive the feed.
+Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads);
+
+/// The samples given, held by the feed.
+Feed heldFeed(std::vector<Sample> samples);
+
+/// Equal for two feeds whose row k is the same pair with the same weight for every k (but for one
+/// chance in 2^64); empty for a feed that is not held.
+std::string geometryOf(const Feed& feed, int threads);
+
+/// Which of kFolds a sample belongs to: folds show no pattern of the measurement.
+inline int foldOf(uint64_t number, uint64_t seed)
+{
+    return static_cast<int>(splitMix64(number ^ splitMix64(seed)) % kFolds);
+}
+
+/// All samples, those of one fold, or all but those of one.
+struct FoldChoice {
+    int only = kNoFold, without = kNoFold;
+
+    static FoldChoice all() { return {}; }
+    static FoldChoice onlyOf(int fold) { return {fold, kNoFold}; }
+    static FoldChoice allBut(int fold) { return {kNoFold, fold}; }
+    bool isAll() const { return only == kNoFold && without == kNoFold; }
+    bool has(int fold) const { return only == kNoFold ? fold != without : fold == only; }
+    /// Of all samples, how many are chosen.
+    double share() const;
+};
+
+/// Chosen samples spread over the whole feed, `limit` at most. A long stream is looked into here
+/// and there, not read through.
+std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size_t limit,
+                                uint64_t seed, int threads = 0);
+
+}  // namespace fbrdf

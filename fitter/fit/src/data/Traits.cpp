@@ -1,0 +1,104 @@
+#include "data/Traits.h"
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/fit/NoiseFloor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fbrdf {
+namespace {
+
+// With fewer than one for each held-out fold nothing could be said about the fit, and a single
+// sample fits every form.
+constexpr size_t kFewestSamples = 5;
+
+// A function that reaches 0 is cut off there, and what lies just above says no more than the
+// zeros: below this share of the median nothing is told apart. Without zeros every value counts.
+constexpr float kCutOff = 0.004f;
+
+Vec3f floorOfFunction(const std::vector<Sample>& samples)
+{
+    Vec3f floor(0.0f);
+    for (int c = 0; c < 3; ++c) {
+        std::vector<float> positive;
+        for (const Sample& s : samples)
+            if (s.f[c] > 0.0f) positive.push_back(s.f[c]);
+        if (positive.size() < samples.size()) floor[c] = kCutOff * quantile(positive, 0.5);
+    }
+    return floor;
+}
+
+}  // namespace
+
+float quantile(std::vector<float>& values, double fraction)
+{
+    if (values.empty()) return 0.0f;
+    const auto rank = std::min(values.size() - 1,
+                               static_cast<size_t>(fraction * static_cast<double>(values.size())));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+Observed observe(float f, float cosine, const DataTraits& traits, int channel, float sampleWeight)
+{
+    constexpr float kLeast = std::numeric_limits<float>::min();
+    const float floor = floorAt(traits, channel, cosine);
+    if (traits.exact && floor > 0.0f) return {std::max({f, floor, kLeast}), sampleWeight, false};
+    if (f > 0.0f && f > 0.5f * floor) {
+        const float variance = (floor / f) * (floor / f);
+        return {std::max(f, kLeast), sampleWeight / (1.0f + variance), false};
+    }
+    // Without an estimate of the floor a zero says nothing about how small f is.
+    if (floor > 0.0f) return {std::max(floor, kLeast), 0.5f * sampleWeight, true};
+    return {1.0f, 0.0f, true};
+}
+
+DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source)
+{
+    DataTraits traits;
+    traits.exact = exact;
+    if (exact) {
+        traits.floor = floorOfFunction(samples);
+    } else {
+        const NoiseModel noise = estimateNoise(samples);
+        traits.floor = noise.sigma;
+        traits.floorOverCosine = noise.overCosine;
+        traits.unclipped = noise.unclipped;
+    }
+    traits.sameWeights = true;
+    traits.grey = exact && std::all_of(samples.begin(), samples.end(), [](const Sample& s) {
+                      return s.f.x == s.f.y && s.f.y == s.f.z;
+                  });
+    std::array<std::vector<float>, 3> logs;
+    for (const Sample& s : samples) {
+        bool usable = false;
+        for (int c = 0; c < 3; ++c) {
+            const Observed o = observe(s.f[c], s.wi.z, traits, c, s.weight);
+            if (o.censored) {
+                traits.sameWeights = false;
+                continue;
+            }
+            logs[static_cast<size_t>(c)].push_back(std::log2(o.value));
+            usable = usable || o.weight > 0.0f;
+        }
+        traits.usable += usable ? 1 : 0;
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (!exact && traits.floor[c] > 0.0f) traits.sameWeights = false;
+        traits.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
+        traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
+    }
+    if (traits.usable < kFewestSamples)
+        throw Error(ErrorKind::fit, source,
+                    "found " + std::to_string(samples.size()) + ", of which " +
+                        std::to_string(traits.usable) +
+                        " have a value above the noise floor; expected at least " +
+                        std::to_string(kFewestSamples) + " samples that have");
+    return traits;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,271 @@
+#include "forms/BaseForms.h"
+
+#include <algorithm>
+
+namespace fbrdf {
+namespace {
+
+constexpr double kGamma = 0.5;  // the warp that spends texels on the highlight
+constexpr int kKnots = 24;      // of r(theta_d) and g(theta)
+
+const AxisMap kHalfAxis{AxisMap::From::oneMinusCosine, 0.25},
+    kDifferenceAxis{AxisMap::From::oneMinusCosine, 0.5}, kGrazingAxis{AxisMap::From::cosine, 0.5};
+
+using Angles = std::vector<Angle>;
+
+int quarter(int size)
+{
+    return std::max(kMinResolution, size / 4);
+}
+
+// Tables that several forms are made of.
+TableSpec discMap(const std::string& name, int size)
+{
+    return {name, DiscDomain::fitting(size, kGamma)};
+}
+
+TableSpec curve(const std::string& name, const AxisMap& map)
+{
+    return {name, GridDomain{{{kKnots, map}}}, true};
+}
+
+TableSpec zenithPair(const std::string& name, int size)
+{
+    return {name, GridDomain{{{size, kGrazingAxis}, {size, kGrazingAxis}}, true}};
+}
+
+const Angles kThetaD{Angle::theta_d}, kThetaI{Angle::theta_i}, kThetaO{Angle::theta_o},
+    kThetaIO{Angle::theta_i, Angle::theta_o};
+
+Form formIo(int size)
+{
+    return {"io", {zenithPair("T2", size)}, {{{{0, kThetaIO}}}}};
+}
+
+Form formGg(int)
+{
+    return {"gg", {curve("g", kGrazingAxis)}, {{{{0, kThetaO}, {0, kThetaI}}}}};
+}
+
+Form formHdg(int size)
+{
+    Form form = formHdio(size, quarter(size), 2);
+    form.name = "hdg";
+    form.tables[1] = curve("g", kGrazingAxis);
+    form.terms[0].factors = {form.terms[0].factors[0], {1, kThetaO}, {1, kThetaI}};
+    return form;
+}
+
+Form formPqp2001(int size)
+{
+    Form form = formPqp(size, 1.0);
+    form.name = "pqp-2001";
+    return form;
+}
+
+Form formHdp(int size)
+{
+    const int side = quarter(size);
+    return {"hdp",
+            {{"V", GridDomain{{{size, kHalfAxis},
+                               {side, kDifferenceAxis},
+                               {side, {AxisMap::From::oneMinusCosine, 0.5}}}}}},
+            {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::phi_d}}}}}};
+}
+
+// Near the highlight theta_i and theta_o hardly tell phi_d, and a table over phi_d alone hardly
+// tells shadowing: together they hold what hdio and hdp each lose. Two knots of phi_d are enough,
+// as the dependence is close to one harmonic. The exponents are the best of 0.18 to 0.28 and 0.5
+// to 0.9 for measured materials.
+Form formHdpio(int sizeH, int sizeD, int sizeIo)
+{
+    return {"hdpio",
+            {{"V", GridDomain{{{sizeH, {AxisMap::From::oneMinusCosine, 0.22}},
+                               {sizeD, {AxisMap::From::oneMinusCosine, 0.7}},
+                               {2, {AxisMap::From::oneMinusCosine, 0.5}}}}},
+             zenithPair("T2", sizeIo)},
+            {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::phi_d}}, {1, kThetaIO}}}}};
+}
+
+Form formQdg(int size)
+{
+    return {"qdg",
+            {discMap("q", size), curve("r", kDifferenceAxis), curve("g", kGrazingAxis)},
+            {{{{0, Direction::h}, {1, kThetaD}, {2, kThetaO}, {2, kThetaI}}}}};
+}
+
+Form formQdio(int size)
+{
+    return {"qdio",
+            {discMap("q", size), curve("r", kDifferenceAxis), zenithPair("T2", quarter(size))},
+            {{{{0, Direction::h}, {1, kThetaD}, {2, kThetaIO}}}}};
+}
+
+// p and q as in pqpr, and a table of their own for the light: nothing makes it reciprocal.
+Form formPqtr(int size)
+{
+    Form form = formPqpr(size, kGamma, kKnots);
+    form.name = "pqtr";
+    form.tables.push_back(discMap("t", size));
+    form.terms[0].factors[2].table = 3;
+    return form;
+}
+
+// Tables that tell light from view: U in place of the symmetric T2. Measurements and networks are
+// seldom reciprocal.
+Form unsymmetric(Form form, const std::string& name)
+{
+    form.name = name;
+    TableSpec& table = form.tables.back();
+    table.name = "U";
+    std::get<GridDomain>(table.domain).symmetric = false;
+    return form;
+}
+
+Form formU(int size)
+{
+    return unsymmetric(formIo(size), "u");
+}
+
+Form withFactor(Form form, const std::string& name, const TableSpec& table,
+                const Argument& argument)
+{
+    form.name = name;
+    form.terms[0].factors.push_back({static_cast<int>(form.tables.size()), argument});
+    form.tables.push_back(table);
+    return form;
+}
+
+Form formPqpd(int size)
+{
+    return withFactor(formPqp(size, kGamma), "pqpd", discMap("s", size / 2), Direction::d);
+}
+
+Form formPqpn(int size)
+{
+    return withFactor(formPqpr(size, kGamma, kKnots), "pqpn", discMap("s", size / 2),
+                      Direction::combination(1, 1, 1));
+}
+
+std::vector<Form> ladderOf(const std::function<Form(int)>& make, const std::vector<int>& sizes)
+{
+    std::vector<Form> ladder;
+    for (const int size : sizes) ladder.push_back(make(size));
+    return ladder;
+}
+
+BaseForm baseOf(const NamedForm& named, const std::function<Form(int)>& make)
+{
+    std::vector<int> sizes;
+    for (const int size : {8, 12, 16, 24, 32, 48, 64})
+        if (size < named.defaultResolution) sizes.push_back(size);
+    sizes.push_back(named.defaultResolution);
+    return {named, ladderOf(make, sizes), make};
+}
+
+// Of these two the smaller sizes are not the default's in proportion.
+BaseForm baseHdio()
+{
+    const auto make = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
+    return {{"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
+             "isotropic, reciprocal; N passes of two look-ups", 64},
+            {make(16), make(24), make(32), formHdio(48, 8, 8), make(48), make(64)},
+            make};
+}
+
+BaseForm baseHdpio()
+{
+    return {{"hdpio", "V(theta_h, theta_d, phi_d) T2(theta_i, theta_o)",
+             "isotropic, reciprocal; hdio that sees phi_d: N passes of two look-ups", 48},
+            {formHdpio(16, 4, 6), formHdpio(24, 5, 8), formHdpio(32, 6, 8), formHdpio(40, 9, 10),
+             formHdpio(48, 12, 12)},
+            [](int n) { return formHdpio(n, quarter(n), quarter(n)); }};
+}
+
+// What is held beyond hdpio pays for more knots of phi_d and of U.
+Form formHdpu(int size)
+{
+    Form form = formHdpio(size, std::max(kMinResolution, 5 * size / 16),
+                          std::max(kMinResolution, size / 3));
+    std::get<GridDomain>(form.tables[0].domain).axes[2].size = std::max(2, size / 16);
+    return unsymmetric(form, "hdpu");
+}
+
+BaseForm baseHdpu()
+{
+    std::vector<Form> ladder = baseHdpio().ladder;
+    for (Form& form : ladder) form = unsymmetric(form, "hdpu");
+    ladder.push_back(formHdpu(48));
+    return {{"hdpu", "V(theta_h, theta_d, phi_d) U(theta_i, theta_o)",
+             "as hdpio with U not symmetric: for isotropic data that is not reciprocal", 48},
+            ladder,
+            formHdpu};
+}
+
+std::vector<BaseForm> makeBaseForms()
+{
+    const auto pqp = [](int n) { return formPqp(n, kGamma); };
+    // p is smooth: texels beyond 32 x 32 are worth more in q.
+    const auto pqpr = [](int n) {
+        Form form = formPqpr(n, kGamma, kKnots);
+        form.tables[0].domain = DiscDomain::fitting(std::min(n, 32), kGamma);
+        return form;
+    };
+    return {
+        baseOf({"pqp", "p(wo) q(h) p(wi)",
+                "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32},
+               pqp),
+        baseOf({"pqpr", "p(wo) q(h) p(wi) r(theta_d)",
+                "as pqp; r is a uniform array and costs no look-up", 32},
+               pqpr),
+        baseHdio(),
+        baseOf({"hdg", "T1(theta_h, theta_d) g(theta_i) g(theta_o)",
+                "isotropic, reciprocal; g is a uniform array: N passes of one look-up", 64},
+               formHdg),
+        baseOf({"hdp", "V(theta_h, theta_d, phi_d)",
+                "isotropic, reciprocal; one 3D table: N passes of one look-up", 32},
+               formHdp),
+        baseHdpio(),
+        baseHdpu(),
+        baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
+                "anisotropic in h alone, reciprocal; N passes of two look-ups", 32},
+               formQdio),
+        baseOf({"qdg", "q(h) r(theta_d) g(theta_i) g(theta_o)",
+                "as qdio with r and g in uniform arrays: N passes of one look-up", 32},
+               formQdg),
+        baseOf(
+            {"pqtr", "p(wo) q(h) t(wi) r(theta_d)",
+             "as pqpr with maps of their own for wo and wi: for data that is not reciprocal", 32},
+            formPqtr),
+        baseOf({"pqpd", "p(wo) q(h) p(wi) s(d)",
+                "as pqp with a map over the difference direction: three look-ups", 32},
+               formPqpd),
+        baseOf({"pqpn", "p(wo) q(h) p(wi) r(theta_d) s(norm(wi + wo + n))",
+                "as pqpr with a map over a broader half vector: three look-ups", 32},
+               formPqpn),
+        baseOf({"pqp-2001", "p(wo) q(h) p(wi)",
+                "the maps of 2001, without the warp that spends texels on the highlight", 32},
+               formPqp2001),
+        {{"io", "T2(theta_i, theta_o)",
+          "diffuse, isotropic, reciprocal; one look-up; a term of sums", 16},
+         ladderOf(formIo, {4, 8, 12, 16}),
+         [](int n) { return formIo(quarter(n)); }},
+        {{"u", "U(theta_i, theta_o)", "as io and not symmetric; one look-up; a term of sums", 16},
+         ladderOf(formU, {4, 8, 12, 16}),
+         [](int n) { return formU(quarter(n)); }},
+        {{"gg", "g(theta_i) g(theta_o)", "as io in a uniform array: no look-up; a term of sums",
+          kKnots},
+         {formGg(kKnots)},
+         formGg},
+    };
+}
+
+}  // namespace
+
+const std::vector<BaseForm>& baseForms()
+{
+    static const std::vector<BaseForm> forms = makeBaseForms();
+    return forms;
+}
+
+}  // namespace fbrdf

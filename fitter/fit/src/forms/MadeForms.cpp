@@ -1,0 +1,193 @@
+#include "forms/MadeForms.h"
+
+#include "Bake.h"
+#include "data/Symmetry.h"
+#include "forms/NamedForms.h"
+#include "Support.h"
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/fit/AnalyticFactors.h>
+#include <fbrdf/fit/Svd.h>
+#include <fbrdf/metrics/SampleSets.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace fbrdf {
+namespace {
+
+constexpr char kAnalytic[] = "analytic", kSvd[] = "svd";
+constexpr int kUsualTerms = 4;     // of svd without a number or a budget
+constexpr int kAnalyticSize = 64;  // of q
+constexpr int kSmallestSize = 8;   // that a budget leaves q, and few samples u
+constexpr size_t kSamplesPerCell = 2;
+constexpr size_t kTestPairs = 65536;  // interfaces.md: the uniform test set
+
+[[noreturn]] void refuse(const std::string& where, const std::string& found,
+                         const std::string& expected)
+{
+    throw Error(ErrorKind::usage, where, "found " + found + ", expected " + expected);
+}
+
+// N of "svdN", 0 of "svd" alone, nothing of other names.
+std::optional<int> svdTerms(const std::string& name)
+{
+    const std::string prefix = kSvd;
+    if (name.compare(0, prefix.size(), prefix) != 0) return std::nullopt;
+    const std::string digits = name.substr(prefix.size());
+    if (digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+    if (digits.empty()) return 0;
+    const int terms = digits.size() > 3 ? kMaxSvdTerms + 1 : std::stoi(digits);
+    if (terms < 1 || terms > kMaxSvdTerms)
+        refuse("form", name, "svd1 to svd" + std::to_string(kMaxSvdTerms));
+    return terms;
+}
+
+bool fits(const Form& form, const FitOptions& options, Storage storage)
+{
+    return options.maxBytes == 0 || formBytes(form, storage) <= options.maxBytes;
+}
+
+// Scattered samples decide as many knots as their grid has cells for.
+int svdSizeFor(const Source& source, const Job& job)
+{
+    if (job.options.resolution > 0) return job.options.resolution;
+    if (source.evaluate) return kSvdSize;
+    int size = kSvdSize;
+    while (size > kSmallestSize && formTexels(formSvdGrid(size)) * kSamplesPerCell > job.feed.rows)
+        size -= size / 4;
+    return size;
+}
+
+// As many terms as the budget holds, where the name does not say.
+Form svdFormFor(const Source& source, const Job& job)
+{
+    const FitOptions& options = job.options;
+    const int size = svdSizeFor(source, job);
+    const bool isotropic = isIsotropicSource(source);
+    const Form one = formSvd(1, size, isotropic);
+    const size_t bytes = formBytes(one, Storage::signedHalf);
+    int terms = svdTerms(options.form).value();
+    if (terms == 0 && options.maxBytes == 0) terms = kUsualTerms;
+    if (terms == 0)
+        terms = static_cast<int>(std::min<size_t>(
+            options.maxBytes / bytes,
+            static_cast<size_t>(std::min({kMaxSvdTerms, texelCount(one.tables[0].domain),
+                                          texelCount(one.tables[1].domain)}))));
+    const Form form = formSvd(std::max(1, terms), size, isotropic);
+    if (!fits(form, options, Storage::signedHalf))
+        refuse("max-bytes", std::to_string(options.maxBytes),
+               "at least " + std::to_string(formBytes(form, Storage::signedHalf)) + " for " +
+                   form.name);
+    return form;
+}
+
+// Scattered samples between the knots of the grid: a table fitted to them, smooth where they leave
+// holes.
+BrdfFunction resamplingOf(const Source& source, const Job& job, int excludedFold)
+{
+    if (!isIsotropicSource(source))
+        refuse("form", std::string(kSvd) + " for scattered samples not known to be isotropic",
+               "a function, such as a model, a table or a material: its grid would have four "
+               "dimensions");
+    const Form form = formSvdGrid(svdSizeFor(source, job));
+    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
+                               problemOptions(job));
+    SolveOptions options = solveOptions(job);
+    options.excludedFold = excludedFold;
+    const auto table = std::make_shared<const Material>(
+        bake(form, problem.layout(), solve(problem, options).x, Storage::float32));
+    return [table](const Vec3d& wo, const Vec3d& wi) { return evaluate<double>(*table, wo, wi); };
+}
+
+Material svdOf(const Source& source, const Job& job, const Form& form, int excludedFold)
+{
+    const BrdfFunction brdf =
+        source.evaluate ? source.evaluate : resamplingOf(source, job, excludedFold);
+    return svdMaterial(brdf, form, job.options.threads);
+}
+
+bool hasFactors(const Source& source)
+{
+    return source.format == "model" && hasAnalyticFactors(source.name);
+}
+
+// The largest q that the budget holds.
+Material analyticOf(const Source& source, const FitOptions& options)
+{
+    if (!hasFactors(source))
+        refuse("form", std::string(kAnalytic) + " for " + source.name,
+               "a model whose structure gives the factors: ward, ashikhmin-shirley, or a preset "
+               "of them");
+    const int largest = options.resolution > 0 ? options.resolution : kAnalyticSize;
+    for (int size = largest;; size -= size / 4) {
+        Material material = *analyticFactors(source.name, size, options.storage);
+        const size_t bytes = materialBytes(material);
+        if (options.maxBytes == 0 || bytes <= options.maxBytes) return material;
+        if (size <= kSmallestSize || options.resolution > 0)
+            refuse("max-bytes", std::to_string(options.maxBytes),
+                   "at least " + std::to_string(bytes) + " for " + kAnalytic);
+    }
+}
+
+}  // namespace
+
+bool isMadeForm(const std::string& name)
+{
+    return name == kAnalytic || svdTerms(name).has_value();
+}
+
+bool suitsForm(const Source& source, const std::string& form)
+{
+    if (form == kAnalytic) return hasFactors(source);
+    return !svdTerms(form) || source.evaluate || isIsotropicSource(source);
+}
+
+void checkMadeOptions(const FitOptions& options)
+{
+    const bool analytic = options.form == kAnalytic;
+    if (options.metric != Metric::log)
+        refuse("metric", metricName(options.metric),
+               analytic ? "none: the factors are written down"
+                        : "none: singular values minimise the absolute error");
+    if (options.sharedShape)
+        refuse("shared", "it beside form " + options.form, "maps of three channels");
+    if (analytic && options.storage == Storage::linear8)
+        refuse("storage", "linear8 for the form analytic", "log8, half or float");
+    const int least = 4, most = 256;
+    if (options.resolution != 0 && (options.resolution < least || options.resolution > most))
+        refuse("resolution", std::to_string(options.resolution),
+               std::to_string(least) + " to " + std::to_string(most));
+}
+
+Fitted makeFitted(const Source& source, const Job& job)
+{
+    if (job.options.form == kAnalytic) return {analyticOf(source, job.options), 0.0};
+    Fitted fitted{svdOf(source, job, svdFormFor(source, job), kNoFold), 0.0};
+    // Which texels the samples look up does not depend on how the texels were found.
+    const LeastSquares problem(fitted.material.form, job.feed, job.traits, job.options.seed,
+                               job.options.threads, problemOptions(job));
+    markUnsupported(fitted.material, problem.layout(), problem.support());
+    return fitted;
+}
+
+SampleErrors madeHeldOutErrors(const Source& source, const Job& job, const Fitted& fitted)
+{
+    std::vector<Sample> held;
+    std::vector<Vec3f> values;
+    if (source.evaluate) {
+        held = samplesAt(source, uniformPairs(kTestPairs), job.options.threads);
+        values = evaluateAt(fitted.material, held, job.options.threads);
+    }
+    for (int fold = 0; !source.evaluate && fold < job.folds; ++fold) {
+        const Material material = svdOf(source, job, fitted.material.form, fold);
+        const auto part = probeOf(job, FoldChoice::onlyOf(fold));
+        const auto found = evaluateAt(material, part, job.options.threads);
+        held.insert(held.end(), part.begin(), part.end());
+        values.insert(values.end(), found.begin(), found.end());
+    }
+    return sampleErrors(held, values, job.traits.floor);
+}
+
+}  // namespace fbrdf

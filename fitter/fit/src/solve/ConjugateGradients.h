@@ -1,0 +1,29 @@
+// ConjugateGradients.h - large systems by preconditioned conjugate gradients, the matrix known only
+// by what it does to a vector. Reference: Golub and Van Loan, "Matrix Computations", 11.5.
+#pragma once
+#include "solve/NormalSystem.h"
+
+#include <functional>
+#include <vector>
+
+namespace fbrdf {
+
+using LaneVector = std::vector<Lanes>;  ///< one an unknown: a system a lane, side by side
+
+struct ConjugateGradientOptions {
+    double tolerance = 1e-5;  ///< |r| / |b|, at most, in every lane
+    int maxIterations = 2000;
+};
+
+struct ConjugateGradientSummary {
+    int iterations = 0;
+    double residual = 0.0;  ///< |r| / |b| of the worst lane
+};
+
+/// Solves A x = b from x = 0 in all lanes at once. apply: A p; diagonal: that of A, > 0 where b is
+/// not 0.
+ConjugateGradientSummary solveByConjugateGradients(
+    const std::function<LaneVector(const LaneVector& p)>& apply, const LaneVector& diagonal,
+    const LaneVector& right, const ConjugateGradientOptions& options, LaneVector& x);
+
+}  // namespace fbrdf

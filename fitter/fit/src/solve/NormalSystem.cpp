@@ -1,0 +1,61 @@
+#include "solve/NormalSystem.h"
+
+namespace fbrdf {
+BorderedShape shapeOf(const Layout& layout)
+{
+    const auto banded = static_cast<size_t>(layout.banded());
+    return {banded, static_cast<size_t>(layout.bandwidth()),
+            static_cast<size_t>(layout.unknowns()) - banded};
+}
+
+NormalSums::NormalSums(const BorderedShape& shape, size_t matrices)
+    : shape_(shape),
+      matrixLanes_(matrices),
+      matrix_(matrices * shape.size(), 0.0),
+      right_(kLanes * shape.unknowns(), 0.0)
+{
+}
+
+void addRows(const KernelRows& rows, int entryLanes, std::vector<NormalSums>& groups,
+             std::vector<double>& scratch)
+{
+    std::vector<double*> matrix, right;
+    for (NormalSums& group : groups) {
+        matrix.push_back(group.matrixSums().data());
+        right.push_back(group.rightSums().data());
+    }
+    scratch.resize(static_cast<size_t>(rows.width) * kLanes);
+    const BorderedShape& shape = groups[0].shape();
+    rowKernels().add(
+        rows,
+        {static_cast<std::ptrdiff_t>(shape.banded), static_cast<std::ptrdiff_t>(shape.bandwidth),
+         static_cast<std::ptrdiff_t>(shape.dense), matrix.data(), right.data()},
+        entryLanes, static_cast<int>(groups[0].matrixLanes()), scratch.data());
+}
+
+NormalSums& NormalSums::operator+=(const NormalSums& other)
+{
+    if (other.empty()) return *this;
+    if (empty()) return *this = other;
+    for (size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += other.matrix_[i];
+    for (size_t i = 0; i < right_.size(); ++i) right_[i] += other.right_[i];
+    return *this;
+}
+
+BorderedMatrix NormalSums::matrix(size_t lane) const
+{
+    BorderedMatrix result(shape_);
+    const size_t from = matrixLanes_ == kLanes ? lane : 0;
+    for (size_t i = 0; i < result.values.size(); ++i)
+        result.values[i] = matrix_[matrixLanes_ * i + from];
+    return result;
+}
+
+std::vector<double> NormalSums::right(size_t lane) const
+{
+    std::vector<double> result(shape_.unknowns());
+    for (size_t u = 0; u < result.size(); ++u) result[u] = right_[kLanes * u + lane];
+    return result;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,53 @@
+// NormalSystem.h - normal equations as sums over rows.
+//
+// The matrix has a banded block (Layout), a dense border that couples it to the other unknowns, and
+// a dense rest. For hdio, 1024 banded and 136 other unknowns, that is an eighth of the numbers of a
+// dense matrix and a thirtieth of the work to factor it.
+#pragma once
+#include "solve/RowKernel.h"
+#include "solve/Rows.h"
+#include "solve/Solver.h"
+
+#include <array>
+#include <vector>
+
+namespace fbrdf {
+
+constexpr size_t kLanes = kRowLanes;
+using Lanes = std::array<double, kLanes>;
+
+BorderedShape shapeOf(const Layout& layout);
+
+/// Sums of w b b^T and w b r over rows.
+class NormalSums {
+public:
+    NormalSums() = default;
+    /// matrices: kLanes, one a channel; 1, lane 0 for all channels; or 0, none: a known matrix.
+    NormalSums(const BorderedShape& shape, size_t matrices);
+    bool empty() const { return right_.empty(); }
+
+    NormalSums& operator+=(const NormalSums& other);
+
+    /// The system of one lane.
+    BorderedMatrix matrix(size_t lane) const;
+    std::vector<double> right(size_t lane) const;
+
+    const BorderedShape& shape() const { return shape_; }
+    size_t matrixLanes() const { return matrixLanes_; }
+    /// All sums, for adding them up over processes.
+    std::vector<double>& matrixSums() { return matrix_; }
+    std::vector<double>& rightSums() { return right_; }
+
+private:
+    BorderedShape shape_;
+    size_t matrixLanes_ = 1;
+    std::vector<double> matrix_;  ///< as BorderedMatrix, lane contiguous
+    std::vector<double> right_;   ///< unknowns x kLanes
+};
+
+/// Adds rows to the sums of their groups, all of one shape and as many matrices. `scratch`: of any
+/// size, kept by the caller from call to call.
+void addRows(const KernelRows& rows, int entryLanes, std::vector<NormalSums>& groups,
+             std::vector<double>& scratch);
+
+}  // namespace fbrdf

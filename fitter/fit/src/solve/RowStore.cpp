@@ -1,0 +1,94 @@
+#include "solve/RowStore.h"
+
+#include <fbrdf/base/Parallel.h>
+#include "solve/RowKernel.h"
+
+#include <algorithm>
+
+namespace fbrdf {
+namespace {
+
+constexpr size_t kKeptBytes = size_t{384} << 20;  // of rows; more are made again in every pass
+
+size_t bytesPerRow(int width, bool unclipped)
+{
+    const size_t values = unclipped ? sizeof(Vec3f) + sizeof(float) : 0;
+    return static_cast<size_t>(width) * (sizeof(int) + sizeof(float)) + sizeof(float) +
+           2 * sizeof(Vec3f) + 1 + values;
+}
+
+}  // namespace
+
+RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
+                   std::shared_ptr<const RowGeometries> known)
+    : maker_(maker),
+      feed_(feed),
+      traits_(traits),
+      geometry_(std::move(known)),
+      sameWeights_(traits.sameWeights)
+{
+    if (!feed.held || feed.rows * bytesPerRow(maker.width(), traits.unclipped) > kKeptBytes) return;
+    values_.resize(blocks());
+    const auto made = geometry_ ? nullptr : std::make_shared<RowGeometries>(blocks());
+    std::vector<char> same(blocks());
+    parallelTasks(blocks(), threads, [&](size_t b) {
+        std::vector<Sample> scratch;
+        const FeedBlock block = feed_.block(b, scratch);
+        if (made) makeGeometry(block, (*made)[b]);
+        same[b] = makeValues(block, values_[b]) ? 1 : 0;
+    });
+    sameWeights_ = std::count(same.begin(), same.end(), 0) == 0;
+    if (made) geometry_ = made;
+}
+
+void RowStore::makeGeometry(const FeedBlock& block, RowGeometry& geometry) const
+{
+    const auto width = static_cast<size_t>(maker_.width());
+    geometry.first = block.first;
+    geometry.count = block.count;
+    geometry.unknown.resize(block.count * width);
+    geometry.weight.resize(block.count * width);
+    geometry.cosine.resize(block.count);
+    for (size_t i = 0; i < block.count; ++i) {
+        maker_.make(block.samples[i], &geometry.unknown[i * width], &geometry.weight[i * width]);
+        geometry.cosine[i] = block.samples[i].wi.z;
+    }
+}
+
+bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
+{
+    values.logValue.resize(block.count);
+    values.weight.resize(block.count);
+    values.censored.assign(block.count, 0);
+    values.value.clear();
+    values.sampleWeight.clear();
+    bool same = true;
+    for (size_t i = 0; i < block.count; ++i) {
+        const Sample& sample = block.samples[i];
+        if (traits_.unclipped) {
+            values.value.push_back(sample.f);
+            values.sampleWeight.push_back(sample.weight);
+        }
+        for (int c = 0; c < 3; ++c) {
+            const Observed o = observe(sample.f[c], sample.wi.z, traits_, c, sample.weight);
+            values.logValue[i][c] = o.value;
+            values.weight[i][c] = o.weight;
+            same = same && o.weight == sample.weight;
+            if (o.censored) values.censored[i] |= static_cast<unsigned char>(1 << c);
+        }
+    }
+    if (block.count > 0)
+        rowKernels().log2(&values.logValue[0].x, 3 * static_cast<std::ptrdiff_t>(block.count));
+    return same;
+}
+
+RowStore::Block RowStore::block(size_t index, Scratch& scratch) const
+{
+    if (!values_.empty()) return {(*geometry_)[index], values_[index]};
+    const FeedBlock block = feed_.block(index, scratch.samples);
+    makeGeometry(block, scratch.geometry);
+    makeValues(block, scratch.values);
+    return {scratch.geometry, scratch.values};
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,72 @@
+// RowStore.h - the rows of a feed, made once and kept where memory allows, else made again in every
+// pass. The geometry of rows (which texels, how much of each) does not depend on the values, so
+// fits to data on the same grid share it.
+#pragma once
+#include "data/Feed.h"
+#include "data/Traits.h"
+#include "solve/Rows.h"
+
+#include <memory>
+#include <vector>
+
+namespace fbrdf {
+
+/// Geometry of one block: `width` entries a row.
+struct RowGeometry {
+    uint64_t first = 0;  ///< number of the first row
+    size_t count = 0;
+    std::vector<int> unknown;   ///< count x width
+    std::vector<float> weight;  ///< count x width
+    std::vector<float> cosine;  ///< cos theta_i, count
+};
+
+/// What the samples of one block say, a channel at a time in Vec3f: see Observed.
+struct RowValues {
+    std::vector<Vec3f> logValue, weight;
+    std::vector<unsigned char> censored;  ///< bit c: channel c
+    /// Of unclipped noise alone: f, and the samples' own weights.
+    std::vector<Vec3f> value;
+    std::vector<float> sampleWeight;
+};
+
+using RowGeometries = std::vector<RowGeometry>;
+
+class RowStore {
+public:
+    /// `known`: geometry made before for a feed of the same geometryOf and an equal form, or
+    /// null. The references must outlive the store.
+    RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
+             std::shared_ptr<const RowGeometries> known);
+
+    size_t blocks() const { return feed_.blocks(); }
+    struct Scratch {
+        std::vector<Sample> samples;
+        RowGeometry geometry;
+        RowValues values;
+    };
+    struct Block {
+        const RowGeometry& geometry;
+        const RowValues& values;
+    };
+    /// Valid until the next call with the same scratch.
+    Block block(size_t index, Scratch& scratch) const;
+    /// No value of any channel is at or below the floor and all weigh as much as their sample: the
+    /// matrix depends on the geometry alone. Of rows that are not kept, traits tell.
+    bool sameWeights() const { return sameWeights_; }
+    /// Null where the rows are too many to keep.
+    std::shared_ptr<const RowGeometries> geometry() const { return geometry_; }
+
+private:
+    void makeGeometry(const FeedBlock& block, RowGeometry& geometry) const;
+    /// Returns whether all values weigh as much as their sample.
+    bool makeValues(const FeedBlock& block, RowValues& values) const;
+
+    const RowMaker& maker_;
+    const Feed& feed_;
+    const DataTraits& traits_;
+    std::shared_ptr<const RowGeometries> geometry_;
+    std::vector<RowValues> values_;
+    bool sameWeights_;
+};
+
+}  // namespace fbrdf

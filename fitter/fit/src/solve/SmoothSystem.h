@@ -1,0 +1,49 @@
+// SmoothSystem.h - the normal equations of the data with those of smoothness added, for any
+// strength of it.
+#pragma once
+#include "solve/NormalSystem.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace fbrdf {
+
+/// Rows of smoothness, and how much a strength of 1 weighs in each table: the mean diagonal of the
+/// data's matrix over the table's unknowns, so that one strength suits a form whose tables differ
+/// in how many samples a texel sees.
+struct Smoothness {
+    std::vector<SmoothnessRow> rows;
+    std::vector<std::vector<int>> unknowns;  ///< of each table, a mirrored texel's twice
+
+    Smoothness(const Form& form, const Layout& layout);
+    /// diagonal: unknowns, in the order of the layout.
+    std::vector<double> scales(const std::vector<double>& diagonal) const;
+};
+
+class SmoothSystem {
+public:
+    /// `smoothness` must outlive the object.
+    SmoothSystem(BorderedMatrix data, const Smoothness& smoothness);
+
+    /// The steps from x for the data's right-hand sides, both unknowns x columns, column
+    /// contiguous. Throws Error(fit) naming `form` where the system is singular beyond repair.
+    std::vector<double> step(std::vector<double> right, const double* x, size_t columns,
+                             double strength, double damping, const std::string& form) const;
+    /// From now on factorizations without damping are kept: for systems that many fits share.
+    void keepFactors() { keeps_ = true; }
+
+private:
+    std::shared_ptr<const Cholesky> factored(double strength, double damping) const;
+
+    BorderedMatrix data_;
+    const Smoothness& smoothness_;
+    std::vector<double> scales_;
+    double ridge_ = 0.0;
+    bool keeps_ = false;
+    mutable std::mutex mutex_;
+    mutable std::map<double, std::shared_ptr<const Cholesky>> kept_;
+};
+
+}  // namespace fbrdf

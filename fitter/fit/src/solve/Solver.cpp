@@ -1,0 +1,47 @@
+#include "solve/Solver.h"
+
+#include "solve/SolverKernel.h"
+
+namespace fbrdf {
+namespace {
+
+struct Kernels {
+    FactorKernel factor;
+    SolveKernel solve;
+};
+
+Kernels kernelsOfThisMachine()
+{
+#ifdef FBRDF_HAVE_AVX2_KERNELS
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return {factorAvx2, solveAvx2};
+#endif
+    return {factorBaseline, solveBaseline};
+}
+
+BorderedParts partsOf(const BorderedMatrix& matrix)
+{
+    const BorderedShape& shape = matrix.shape;
+    auto* values = const_cast<double*>(matrix.values.data());
+    double* border = values + shape.bandSize();
+    return {values,
+            border,
+            border + shape.borderSize(),
+            static_cast<std::ptrdiff_t>(shape.banded),
+            static_cast<std::ptrdiff_t>(shape.bandwidth),
+            static_cast<std::ptrdiff_t>(shape.dense)};
+}
+
+}  // namespace
+
+Cholesky::Cholesky(BorderedMatrix matrix) : factor_(std::move(matrix))
+{
+    ok_ = kernelsOfThisMachine().factor(partsOf(factor_));
+}
+
+void Cholesky::solve(double* values, size_t columns) const
+{
+    kernelsOfThisMachine().solve(partsOf(factor_), values, static_cast<std::ptrdiff_t>(columns));
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,50 @@
+// Metrics.h - how far a function is from reflectance: on samples, as pictures, and against physics.
+#pragma once
+#include <fbrdf/metrics/StandardSphere.h>
+#include <fbrdf/sources/Source.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fbrdf {
+
+/// Differences g - f over samples; c = cos theta_i. Means over samples, each channel alone, then
+/// averaged.
+struct SampleErrors {
+    double logRms = 0;            ///< rms of ln(g / f) over samples above the noise floor
+    double logMedian = 0;         ///< median of |ln(g / f)|, likewise
+    Vec3d logMedianChannel{0.0};  ///< the same for R, G, B
+    double cosRms = 0;            ///< sqrt(sum (c (g - f))^2 / sum (c f)^2)
+    double cubeRootRms = 0;       ///< the same on (c f)^(1/3)
+    double nbrdfLoss = 0;  ///< mean |ln(1 + c g) - ln(1 + c f)| (Sztrajman et al. 2021, Eq. 5)
+};
+
+/// `noiseFloor`: a channel of f at or below it takes no part in the log errors. Negative f counts
+/// as 0.
+SampleErrors sampleErrors(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitted,
+                          const Vec3f& noiseFloor);
+
+/// g evaluated (float, as the shader does) at the samples' pairs.
+std::vector<Vec3f> evaluateAt(const Material& material, const std::vector<Sample>& samples,
+                              int threads);
+std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample>& samples,
+                              int threads);
+
+struct PhysicsErrors {
+    double reciprocity = 0;  ///< median |ln f(a, b) / f(b, a)| over the uniform set, all channels
+    double albedoMax =
+        0;  ///< largest directional albedo over 16 incidences from 0 to 85 degrees, any channel
+};
+PhysicsErrors physicsErrors(const BrdfFunction& brdf, int threads);
+
+/// Directional albedo: integral of f cos theta_o over wo, for light at zenith angle theta_i,
+/// azimuth phi_i.
+Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i, double phi_i = 0.0);
+
+/// Names and values of interfaces.md, in its order: "log_rms", "cos_rms", ...
+std::map<std::string, double> named(const SampleErrors& errors);
+std::map<std::string, double> named(const ImageErrors& errors);
+std::map<std::string, double> named(const PhysicsErrors& errors);
+
+}  // namespace fbrdf

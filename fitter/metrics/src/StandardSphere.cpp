@@ -1,0 +1,104 @@
+#include <fbrdf/base/Parallel.h>
+
+#include <fbrdf/metrics/StandardSphere.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+struct DirectionalLight {
+    Vec3d direction, irradiance;
+};
+
+// interfaces.md of the project's contract, "standard sphere".
+const std::array<DirectionalLight, 128> kLights{{
+#include "StandardLights.inc"
+}};
+
+const double kMinCosine = std::sin(0.5 * kPi / 180.0);
+constexpr double kMeanOfHalfLambertian = 0.4;
+
+struct Frame {
+    Vec3d t, s, n;
+    Vec3d local(const Vec3d& v) const { return {glm::dot(t, v), glm::dot(s, v), glm::dot(n, v)}; }
+};
+
+Frame frameAt(double x, double y)
+{
+    Frame frame;
+    frame.n = {x, y, std::sqrt(1.0 - x * x - y * y)};
+    frame.t = glm::normalize(
+        Vec3d(frame.n.z, 0.0, -frame.n.x));  // y cross n: increasing azimuth about +y
+    frame.s = glm::cross(frame.n, frame.t);
+    return frame;
+}
+
+template <class Brdf>
+Vec3d radianceAt(const Frame& frame, const Brdf& brdf)
+{
+    Vec3d sum(0.0);
+    const Vec3d wo = frame.local({0.0, 0.0, 1.0});
+    if (wo.z <= kMinCosine) return sum;
+    for (const DirectionalLight& light : kLights) {
+        const Vec3d wi = frame.local(glm::normalize(light.direction));
+        if (wi.z > kMinCosine) sum += brdf(wo, wi) * wi.z * light.irradiance;
+    }
+    return sum;
+}
+
+// Centre of pixel i of `size` in [-1, 1].
+double centre(int i, int size)
+{
+    return (i + 0.5) / size * 2.0 - 1.0;
+}
+
+bool isCovered(int column, int row, int size)
+{
+    const double x = centre(column, size), y = -centre(row, size);
+    return x * x + y * y < 1.0;
+}
+
+double exposureFor(int size)
+{
+    const auto lambertian = [](const Vec3d&, const Vec3d&) { return Vec3d(0.5 / kPi); };
+    double sum = 0.0;
+    size_t pixels = 0;
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column) {
+            if (!isCovered(column, row, size)) continue;
+            const Vec3d l =
+                radianceAt(frameAt(centre(column, size), -centre(row, size)), lambertian);
+            sum += (l.x + l.y + l.z) / 3.0;
+            ++pixels;
+        }
+    return kMeanOfHalfLambertian * static_cast<double>(pixels) / sum;
+}
+
+}  // namespace
+
+SphereImage renderStandardSphere(const BrdfFunction& brdf, int size, int threads)
+{
+    SphereImage image;
+    image.size = size;
+    const auto count = static_cast<size_t>(size) * static_cast<size_t>(size);
+    image.radiance.assign(count, Vec3f(0.0f));
+    image.covered.assign(count, false);
+    for (size_t i = 0; i < count; ++i)
+        image.covered[i] = isCovered(static_cast<int>(i) % size, static_cast<int>(i) / size, size);
+    const double exposure = exposureFor(size);
+    parallelTasks(static_cast<size_t>(size), threads, [&](size_t row) {
+        for (size_t i = row * static_cast<size_t>(size); i < (row + 1) * static_cast<size_t>(size);
+             ++i) {
+            if (!image.covered[i]) continue;
+            const Frame frame = frameAt(centre(static_cast<int>(i) % size, size),
+                                        -centre(static_cast<int>(row), size));
+            image.radiance[i] = Vec3f(glm::clamp(exposure * radianceAt(frame, brdf), 0.0, 1.0));
+        }
+    });
+    return image;
+}
+
+}  // namespace fbrdf

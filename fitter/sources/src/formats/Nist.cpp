@@ -1,0 +1,81 @@
+// Nist.cpp - BRDF and Mueller matrices as NIST publishes them in CSV (Germer, "Full
+// four-dimensional and reciprocal Mueller matrix bidirectional reflectance distribution function of
+// sintered polytetrafluoroethylene", Applied Optics 2017). One header line, columns by position:
+// wavelength in um, theta_i, phi_i, theta_r, phi_r in degrees, f_r in 1/sr without the cosine, then
+// 15 ratios of the Mueller matrix, which are not read. Both directions point away from the surface;
+// a negative theta_i means azimuth + 180. From the README of the data set and the header line,
+// which spells its columns "lambda,thetai,phi,thetar,phir". A file holds several laser lines:
+// FILE@0.532 takes one, the whole file all of them.
+#include "CommaTable.h"
+#include "Formats.h"
+#include "SampleRow.h"
+
+#include <fbrdf/base/Error.h>
+
+#include <cmath>
+#include <set>
+
+namespace fbrdf {
+namespace {
+
+/// Half of what tells two laser lines apart in a table with three decimals.
+constexpr double kSameLine = 5e-4;
+
+/// Wavelength in um, 0 for all.
+double chosenWavelength(const FileRequest& request)
+{
+    double wavelength = 0.0;
+    if (request.choice.empty()) return wavelength;
+    if (!parseNumber(request.choice, wavelength) || !(wavelength > 0.0))
+        throw Error(ErrorKind::usage, request.file->path(),
+                    "found " + quoted(request.choice) + ", expected a wavelength in um");
+    return wavelength;
+}
+
+std::string listOf(const std::set<double>& wavelengths)
+{
+    std::string list;
+    for (const double wavelength : wavelengths) {
+        std::string text = std::to_string(wavelength);
+        text.erase(text.find_last_not_of('0') + 1);
+        list += (list.empty() ? "" : ", ") + text;
+        if (list.size() > 200) return list + ", ...";
+    }
+    return list;
+}
+
+}  // namespace
+
+bool isNist(const InputFile& file)
+{
+    if (!looksLikeText(file.bytes())) return false;
+    const std::vector<std::string> names = columnNamesOf(file.bytes().substr(0, 4096));
+    return names.size() >= 6 && names[0] == "lambda" && names[1] == "thetai" &&
+           names[3] == "thetar" && names[5].substr(0, 3) == "f_r";
+}
+
+Source readNist(const FileRequest& request)
+{
+    const InputFile& file = *request.file;
+    const double chosen = chosenWavelength(request);
+    CommaTable table(file, std::vector<size_t>{0, 1, 2, 3, 4, 5});
+    Source source;
+    std::set<double> wavelengths;
+    while (table.next()) {
+        wavelengths.insert(table[0]);
+        if (chosen > 0.0 && std::abs(table[0] - chosen) > kSameLine) continue;
+        addRow({directionFromDegrees(table[3], table[4]), directionFromDegrees(table[1], table[2]),
+                Vec3d(table[5])},
+               source.samples, source.report);
+    }
+    if (chosen > 0.0 && source.report.given == 0)
+        throw Error(
+            ErrorKind::usage, file.path(),
+            "found no rows at " + request.choice + " um, expected one of " + listOf(wavelengths));
+    source.description = "NIST BRDF, one channel, " +
+                         (chosen > 0.0 ? request.choice : listOf(wavelengths)) + " um, 1/sr";
+    requireSamples(source, file.path());
+    return source;
+}
+
+}  // namespace fbrdf

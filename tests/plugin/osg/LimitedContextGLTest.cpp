@@ -1,0 +1,199 @@
+// Contexts that lack what the techniques need: each falls to what it can draw, and says why.
+#include "EffectTest.h"
+
+#include <fbrdf/base/Error.h>
+
+#include "support/gl/CompareImages.h"
+#include "support/gl/Scenes.h"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+
+namespace {
+
+// GL 3.0's.
+constexpr GLenum kReadBinding = 0x8CAA;
+int readBindingAsked = 0;
+
+}  // namespace
+
+// The executable's functions come before libGL's: what the plugin asks is heard here first.
+extern "C" void glGetIntegerv(GLenum name, GLint* value)
+{
+    using Function = void (*)(GLenum, GLint*);
+    static const auto kReal = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetIntegerv"));
+    readBindingAsked += name == kReadBinding ? 1 : 0;
+    kReal(name, value);
+}
+
+namespace fbrdf::test {
+namespace {
+
+using osgFbrdf::FactorizedBrdf;
+
+class LimitedContext : public EffectTest {
+protected:
+    void SetUp() override
+    {
+        EffectTest::SetUp();
+        if (view_) disabled_ = osg::getGLExtensionDisableString();
+    }
+    /// OSG keeps what it knows by the number of the context, which the next test's has again.
+    void TearDown() override
+    {
+        if (!view_) return;
+        osg::setGLExtensionDisableString(disabled_);
+        osg::GLExtensions::Set(contextId(), nullptr);
+        EffectTest::TearDown();
+    }
+
+    /// A sphere that needs surfaces, unless it is drawn in a single pass.
+    osg::ref_ptr<FactorizedBrdf> effectWithSurfaces(int technique)
+    {
+        const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+        effect->setFloatTarget(false);
+        effect->selectTechnique(technique);
+        scene(effect, osgLights(testLights(9)));
+        return effect;
+    }
+    unsigned int contextId()
+    {
+        return view_->viewer().getCamera()->getGraphicsContext()->getState()->getContextID();
+    }
+    /// What OSG knows of the context: a test says here what it lacks.
+    osg::GLExtensions& known()
+    {
+        view_->draw();
+        return *osg::GLExtensions::Get(contextId(), true);
+    }
+    void expectFallback(FactorizedBrdf& effect, const std::string& words)
+    {
+        const Notices notices;
+        effect.setLightsPerPass(5);  // asks the context anew
+        for (int frame = 0; frame < 2; ++frame) view_->draw();
+        EXPECT_GT(meanOf(view_->frame(), 3), 0.3);
+        EXPECT_EQ(effect.lastReport().technique, "diffuse fallback");
+        EXPECT_NE(effect.lastReport().reason.find(words), std::string::npos)
+            << effect.lastReport().reason;
+        EXPECT_NE(notices.text().find(words), std::string::npos) << notices.text();
+    }
+
+private:
+    std::string disabled_;
+};
+
+using LimitedDriver = OsgTest;
+
+GLenum GL_APIENTRY unsupported(GLenum)
+{
+    return GL_FRAMEBUFFER_UNSUPPORTED_EXT;
+}
+
+// Only drawing shows it: that frame is lost, the next is the fallback.
+TEST_F(LimitedContext, WithoutFloatTargetsHasTheFallbackInTheNextFrame)
+{
+    view_->draw();
+    known().glCheckFramebufferStatus = unsupported;
+    const auto effect = effectWithSurfaces(osgFbrdf::kTwoLookups);
+    const Notices notices;
+    view_->draw();
+    EXPECT_GT(meanOf(view_->frame(), 3), 0.3);
+    EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+    EXPECT_NE(notices.text().find("no RGBA32F surface"), std::string::npos) << notices.text();
+}
+
+TEST_F(LimitedContext, WithoutFloatTargetsHasASinglePass)
+{
+    const auto effect = effectWithSurfaces(osgFX::Effect::AUTO_DETECT);
+    known().glCheckFramebufferStatus = unsupported;
+    effect->setLightsPerPass(5);
+    const Notices notices;
+    for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+        effect->setTransfer(transfer);
+        for (int frame = 0; frame < 3; ++frame) view_->draw();
+        EXPECT_EQ(effect->lastReport().technique, "single pass");
+        EXPECT_EQ(notices.text(), "");
+    }
+    effect->setTransfer(Transfer::linear);
+    const auto d = compareImages(view_->frame(),
+                                 runtimeImage(testMaterials()[0], sphereMesh(24), testLights(9)));
+    EXPECT_LT(d.maxRelative, 1e-4) << describe(d);
+}
+
+TEST_F(LimitedContext, WithoutFramebufferObjectsHasTheFallbackWhereSurfacesAreNeeded)
+{
+    const auto effect = effectWithSurfaces(osgFbrdf::kTwoLookups);
+    known().isFrameBufferObjectSupported = false;
+    view_->offscreen().clear();
+    expectFallback(*effect, "no RGBA32F surface");
+}
+
+TEST_F(LimitedContext, WithoutFloatTexturesHasTheFallback)
+{
+    const auto effect = effectWithSurfaces(osgFX::Effect::AUTO_DETECT);
+    auto& extensions = known();
+    extensions.glVersion = 2.1f;
+    osg::setGLExtensionDisableString("GL_ARB_texture_float");
+    expectFallback(*effect, "no float textures");
+}
+
+// With glvnd every function is there; asking for what it is about is an error where it is not.
+TEST_F(LimitedContext, WithoutBlitsIsNotAskedWhatReadsApart)
+{
+    const auto effect = effectWithSurfaces(osgFbrdf::kTwoLookups);
+    const auto expected = view_->frame();
+    const bool is30 = known().glVersion >= 3.0f;
+    readBindingAsked = 0;
+    view_->draw();
+    EXPECT_EQ(readBindingAsked > 0, is30);
+    known().glVersion = 2.1f;
+    osg::setGLExtensionDisableString("GL_EXT_framebuffer_blit GL_ARB_framebuffer_object");
+    readBindingAsked = 0;
+    EXPECT_EQ(view_->frame(), expected);
+    EXPECT_EQ(readBindingAsked, 0);
+    EXPECT_EQ(effect->lastReport().reason, "");
+}
+
+// Mesa itself, where neither textures nor framebuffers are RGBA32F.
+TEST_F(LimitedDriver, WithoutFloatTexturesHasTheFallback)
+{
+    const char* missing = std::getenv("MESA_EXTENSION_OVERRIDE");
+    if (!missing || std::string(missing).find("-GL_ARB_texture_float") == std::string::npos)
+        GTEST_SKIP() << "needs a driver without float textures: see osg_as_no_floats";
+    EXPECT_THROW(OsgView(context().loader(), OffscreenFormat::rgba32f), Error);
+    OsgView view(context().loader(), OffscreenFormat::rgba8);
+    view.setView(perspectiveView());
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    effect->setFloatTarget(false);
+    const osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(effect);
+    root->addChild(osgLights(testLights(9)));
+    view.setScene(root);
+    const Notices notices;
+    for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view.frame(), 3), 0.3);
+    EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+    EXPECT_NE(notices.text().find("no float textures"), std::string::npos) << notices.text();
+}
+
+// OSG asks for the extensions of shaders where the version is too old to have them.
+TEST_F(LimitedContext, OfAVersionBeforeShadersHasTheFallback)
+{
+    const char* version = std::getenv("MESA_GL_VERSION_OVERRIDE");
+    if (!version || std::string(version) != "1.5")
+        GTEST_SKIP() << "needs a driver that says it is 1.5: see osg_as_gl_1.5";
+    EXPECT_FALSE(known().isGlslSupported);
+    const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
+    scene(effect, osgLights(testLights(9)));
+    expectFallback(*effect, "no GLSL");
+    for (int technique = 0; technique < osgFbrdf::kDiffuseFallback; ++technique) {
+        effect->selectTechnique(technique);
+        EXPECT_GT(meanOf(view_->frame(), 3), 0.3);
+        EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
+        EXPECT_NE(effect->lastReport().reason, "");
+    }
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace fbrdf::test
