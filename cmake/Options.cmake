@@ -15,7 +15,11 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
   find_program(FBRDF_CCACHE ccache)
   if(FBRDF_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_C_COMPILER_LAUNCHER ${FBRDF_CCACHE})
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${FBRDF_CCACHE})
+    # Another clone of the same sources finds the compiled objects: paths count from the project's root. ccache caches
+    # units with precompiled headers only where it may ignore the times and macros of those.
+    set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${FBRDF_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
   endif()
 endif()

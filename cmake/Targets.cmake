@@ -5,6 +5,7 @@ target_compile_features(fbrdf_build_flags INTERFACE cxx_std_17)
 target_compile_options(fbrdf_build_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wold-style-cast -Wdouble-promotion -Wnon-virtual-dtor
   $<$<BOOL:${FBRDF_WARNINGS_AS_ERRORS}>:-Werror>)
+target_compile_definitions(fbrdf_build_flags INTERFACE $<$<CONFIG:Debug>:FBRDF_ASSERTIONS>)
 if(FBRDF_SANITIZE)
   target_compile_options(fbrdf_build_flags INTERFACE
     -fsanitize=${FBRDF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

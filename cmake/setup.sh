@@ -26,6 +26,3 @@ build_jobs() {
   [ "$memory" -ge 1 ] || memory=1
   echo $((cores < memory ? cores : memory))
 }
-
-# Another clone of the same sources finds the compiled objects in ccache: paths count from the project's root.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true
