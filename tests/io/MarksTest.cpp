@@ -72,4 +72,19 @@ TEST(FormFile, ReadsAFormAndTheFormOfAManifest)
     expectError(ErrorKind::input, "", [&] { readForm(folder.file("none.json")); });
 }
 
+TEST(FormFile, MakesAFormFromTextInMemory)
+{
+    const Form form = formFromJson(
+        R"({"name": "q", "tables": [{"name": "q", "domain": {"disc": {"size": 8, "gamma": 0.5,
+            "radius": 3.5}}}], "terms": [[{"table": 0, "argument": "h"}]]})");
+    EXPECT_EQ(describe(form), "q[disc 8x8 gamma 0.5](h)");
+    const char* unknown = R"({"name": "q", "tables": [{"name": "q", "domain": {"grid":
+        {"symmetric": false, "axes": [{"size": 4, "from": "cos", "exponent": 1}]}}}],
+        "terms": [[{"table": 0, "argument": ["theta_x"]}]]})";
+    expectError(ErrorKind::input, "scene 7: /terms/0/0/argument/0: found \"theta_x\"",
+                [&] { formFromJson(unknown, "scene 7"); });
+    expectError(ErrorKind::input, "scene 7: byte 2: found text that is not JSON",
+                [] { formFromJson("{", "scene 7"); });
+}
+
 }  // namespace

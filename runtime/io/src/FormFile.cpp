@@ -5,11 +5,16 @@
 
 namespace fbrdf {
 
+Form formFromJson(const std::string& text, const std::string& where)
+{
+    const Json parsed = parseJson(text, where);
+    const JsonField json(parsed, where + ": ");
+    return formFromJson(json.has("form") ? json.at("form") : json);
+}
+
 Form readForm(const std::string& path)
 {
-    const Json parsed = parseJson(readFile(path), path);
-    const JsonField json(parsed, path + ": ");
-    return formFromJson(json.has("form") ? json.at("form") : json);
+    return formFromJson(readFile(path), path);
 }
 
 }  // namespace fbrdf

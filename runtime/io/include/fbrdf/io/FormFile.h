@@ -1,4 +1,5 @@
-// FormFile.h - a form as a JSON file: what a material manifest holds under "form", by itself.
+// FormFile.h - a form as JSON text, in memory or in a file of its own. The same text stands in
+// every .fbrdf (fbrdf:form) and in every material manifest ("form").
 // {"name": "pq", "tables": [{"name": "q", "domain": {"disc": {"size": 48, "gamma": 0.5, "radius":
 //  23.5}}}, {"name": "g", "uniform": true, "domain": {"grid": {"symmetric": false, "axes":
 //  [{"size": 24, "from": "cos", "exponent": 0.5}]}}}],
@@ -12,8 +13,12 @@
 
 namespace fbrdf {
 
-/// A validated form. A manifest of a material gives the material's form. Throws Error(input) with
-/// file and field.
+/// The form that a JSON text describes, validated. A material manifest gives its material's form.
+/// Throws Error(input) that names `where` (a path, or whatever the caller calls the text) and the
+/// field or byte.
+Form formFromJson(const std::string& text, const std::string& where = "form");
+
+/// formFromJson of a file's content.
 Form readForm(const std::string& path);
 
 }  // namespace fbrdf
