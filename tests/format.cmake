@@ -1,11 +1,11 @@
-# cmake -DCLANG_FORMAT=... -DROOT=... [-DFILES=...] -P format.cmake: fails unless clang-format would leave every C++ file
-# below ROOT's source folders (or those of FILES) as it is.
-if(NOT FILES)
-  foreach(folder runtime fitter sample_app plugin tests)
-    file(GLOB_RECURSE found ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
+# cmake -DCLANG_FORMAT=... -DROOT=... -P format.cmake: fails unless clang-format would leave every C and C++ file below
+# ROOT's source folders as it is. It globs, so that no file is forgotten in a list.
+foreach(folder runtime fitter sample_app plugin tests)
+  foreach(ending c cpp h hpp inc inl)
+    file(GLOB_RECURSE found ${ROOT}/${folder}/*.${ending})
     list(APPEND FILES ${found})
   endforeach()
-endif()
+endforeach()
 if(NOT FILES)
   message(FATAL_ERROR "${ROOT}: found no C++ file to check")
 endif()

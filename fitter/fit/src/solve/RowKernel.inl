@@ -44,8 +44,8 @@ const FourFloats& lanesAt(const float* numbers, Index index)
     return reinterpret_cast<const FourFloats*>(numbers)[index];
 }
 
-// 2^x, x = n + f with n whole and |f| <= 1/2: the series of 2^f to f^7, which leaves 6e-9 of it. x is
-// cut off at +-126, where floats are still normal.
+// 2^x, x = n + f with n whole and |f| <= 1/2: the series of 2^f to f^7, which leaves 6e-9 of it. x
+// is cut off at +-126, where floats are still normal.
 void exp2Of(const FourFloats& exponent, FourFloats& result)
 {
     constexpr float kMost = 126.0f, kWhole = 12582912.0f;  // 1.5 2^23: adding it rounds to whole
@@ -122,8 +122,7 @@ void fillEntries(const KernelRows& rows, Index i, typename E::Value* entry)
     using Entry = typename E::Value;
     const float* weight = rows.weight + i * rows.width;
     if (!rows.share) {
-        for (Index k = 0; k < rows.width; ++k)
-            entry[k] = Entry{} + static_cast<double>(weight[k]);
+        for (Index k = 0; k < rows.width; ++k) entry[k] = Entry{} + static_cast<double>(weight[k]);
         return;
     }
     const float* share = rows.share + i * rows.terms * kRowLanes;
@@ -169,7 +168,7 @@ void addMatrix(const KernelRows& rows, const int* unknown, const typename E::Val
         const Index u = unknown[a];
         const Sum factor = weight * entry[a];
         addLine<S, E>(matrix + u * line + line, 0, factor, unknown, entry, first, last,
-                [u](Index column) { return column <= u; });
+                      [u](Index column) { return column <= u; });
         Sum* border = matrix + borders + u * sums.dense;
         addLine<S, E>(border, banded, factor, unknown, entry, 0, first, every);
         addLine<S, E>(border, banded, factor, unknown, entry, last, rows.width, every);
@@ -197,13 +196,14 @@ void addRows(const KernelRows& rows, const KernelSums& sums, typename E::Value* 
         widen(rows.sampleWeight + i * kRowLanes, weight);
         widen(rows.residual + i * kRowLanes, residual);
         if constexpr (MatrixLanes == 1)
-            addMatrix<OneLane, E>(rows, unknown, entry, weight[0], sums, sums.matrix[rows.group[i]]);
+            addMatrix<OneLane, E>(rows, unknown, entry, weight[0], sums,
+                                  sums.matrix[rows.group[i]]);
         if constexpr (MatrixLanes == kRowLanes)
             addMatrix<FourLanes, E>(rows, unknown, entry, weight, sums,
-                            &lanesAt(sums.matrix[rows.group[i]], 0));
+                                    &lanesAt(sums.matrix[rows.group[i]], 0));
         const Four pull = weight * residual;
-        addLine<FourLanes, E>(&lanesAt(sums.right[rows.group[i]], 0), 0, pull, unknown, entry, 0, rows.width,
-                [](Index) { return true; });
+        addLine<FourLanes, E>(&lanesAt(sums.right[rows.group[i]], 0), 0, pull, unknown, entry, 0,
+                              rows.width, [](Index) { return true; });
     }
 }
 
@@ -232,7 +232,7 @@ void applyRows(const KernelRows& rows, const double* p, double* result, typename
         widen(rows.sampleWeight + i * kRowLanes, weight);
         along *= weight;
         addLine<FourLanes, E>(&lanesAt(result, 0), 0, along, unknown, entry, 0, rows.width,
-                [](Index) { return true; });
+                              [](Index) { return true; });
     }
 }
 

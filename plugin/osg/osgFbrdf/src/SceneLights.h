@@ -28,7 +28,7 @@ public:
     SceneLights(const SceneLights& other, const osg::CopyOp& op);
     META_Object(osgFbrdf, SceneLights)
 
-        std::vector<fbrdf::Light> lights;  ///< of PointLights, valid ones, world
+    std::vector<fbrdf::Light> lights;  ///< of PointLights, valid ones, world
     std::vector<PlainLight> plain;
     int viewNumber = -1;  ///< GL's number of the light of the osg::View; -1: it has none
     int dropped = 0;

@@ -29,7 +29,7 @@ public:
     }
     META_StateAttribute(osgFbrdf, Question, VALIDATOR)
 
-        int compare(const osg::StateAttribute& other) const override
+    int compare(const osg::StateAttribute& other) const override
     {
         return this == &other ? 0 : std::less<>()(this, &other) ? -1 : 1;
     }

@@ -69,10 +69,10 @@ public:
                 "lights, with as few as two texture look-ups per pass.",
                 "fbrdf")
 
-        /// Reads the file (.fbrdf, or what else osgdb_fbrdf reads) by osgDB's search paths. A file
-        /// that cannot be read gives a warning with the reason and leaves the fallback; the name is
-        /// kept.
-        bool setMaterialFile(const std::string& file, const osgDB::Options* options = nullptr);
+    /// Reads the file (.fbrdf, or what else osgdb_fbrdf reads) by osgDB's search paths. A file
+    /// that cannot be read gives a warning with the reason and leaves the fallback; the name is
+    /// kept.
+    bool setMaterialFile(const std::string& file, const osgDB::Options* options = nullptr);
     const std::string& getMaterialFile() const { return materialFile_; }
     /// Reads the file again. When that fails the material stays as it is.
     bool reloadMaterial(const osgDB::Options* options = nullptr);

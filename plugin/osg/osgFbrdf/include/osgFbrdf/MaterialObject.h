@@ -23,9 +23,9 @@ public:
     MaterialObject(const MaterialObject& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgFbrdf, MaterialObject)
 
-        /// For readers of scenes, which make an object before they know what it holds: takes the
-        /// material of another. Only while nobody else has this one.
-        void take(const MaterialObject& other);
+    /// For readers of scenes, which make an object before they know what it holds: takes the
+    /// material of another. Only while nobody else has this one.
+    void take(const MaterialObject& other);
 
     bool valid() const { return states_.valid(); }
     const fbrdf::Material& material() const { return material_; }

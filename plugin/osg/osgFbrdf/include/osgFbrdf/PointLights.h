@@ -20,8 +20,8 @@ public:
     PointLights(const PointLights& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgFbrdf, PointLights)
 
-        /// intensity: W/sr, falls off as 1 / r^2; radius: of influence, 0: unlimited.
-        void addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius = 0.0f);
+    /// intensity: W/sr, falls off as 1 / r^2; radius: of influence, 0: unlimited.
+    void addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius = 0.0f);
     /// toLight: need not be unit; irradiance on a surface that faces the light.
     void addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& irradiance);
     /// A point light inside a cone around `axis` (need not be unit): full up to innerAngle, nothing
