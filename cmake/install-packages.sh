@@ -12,7 +12,7 @@ packages=(
   libopenimageio-dev
 )
 if [ "$purpose" = tests ]; then
-  packages+=(libgtest-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph xdotool dpkg-dev file)
+  packages+=(libgtest-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph xdotool dpkg-dev file doxygen graphviz)
 fi
 
 missing=()
