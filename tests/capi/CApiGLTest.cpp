@@ -1,5 +1,6 @@
 // The C ABI in a GL context: a host in C11, one that draws by itself, contexts, threads, faults.
 #include "CApiTest.h"
+#include "Materials.h"
 #include "plain.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ TEST_P(CApiGL, AHostInCDrawsWhatTheNumbersSay)
     auto stats = abi::describe<fbrdf_draw_stats>();
     ASSERT_EQ(plain_draw(context().loader(), nullptr, {write, &lines}, offscreen.framebuffer(),
                          kSize, &stats),
-              FBRDF_OK)
+              FBRDF_RESULT_OK)
         << (lines.empty() ? "" : lines[0].text);
     EXPECT_TRUE(lines.empty());
     EXPECT_EQ(stats.passes, 1u);
@@ -47,9 +48,24 @@ TEST_P(CApiGL, OlderStatsGetTheirPartOnly)
     stats.struct_size = offsetof(fbrdf_draw_stats, lights_given);
     stats.max_lookups = 77;
     ASSERT_EQ(plain_draw(context().loader(), nullptr, {}, offscreen.framebuffer(), kSize, &stats),
-              FBRDF_OK);
+              FBRDF_RESULT_OK);
     EXPECT_EQ(stats.draw_calls, 1u);
     EXPECT_EQ(stats.max_lookups, 77u);
+}
+
+TEST_P(CApiGL, NewerStatsAreZeroInWhatIsNotKnown)
+{
+    Offscreen offscreen = makeOffscreen(kSize);
+    struct Newer {
+        fbrdf_draw_stats known;
+        uint32_t added;
+    } newer{abi::describe<fbrdf_draw_stats>(), 77};
+    newer.known.struct_size = sizeof newer;
+    ASSERT_EQ(
+        plain_draw(context().loader(), nullptr, {}, offscreen.framebuffer(), kSize, &newer.known),
+        FBRDF_RESULT_OK);
+    EXPECT_EQ(newer.known.draw_calls, 1u);
+    EXPECT_EQ(newer.added, 0u);
 }
 
 TEST_P(CApiGL, AnEngineDrawsByItselfWithTheFunctions)
@@ -57,16 +73,18 @@ TEST_P(CApiGL, AnEngineDrawsByItselfWithTheFunctions)
     Lines lines;
     const auto desc = rendererDesc(lines);
     abi::Renderer renderer;
-    abi::Brdf brdf;
     abi::Material material;
-    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
-    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
+    abi::GpuMaterial gpuMaterial;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+    ASSERT_EQ(material.create(plain_material, &desc.log), FBRDF_RESULT_OK);
+    ASSERT_EQ(
+        gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+        FBRDF_RESULT_OK);
     const char* functions = nullptr;
     auto glsl = abi::describe<fbrdf_glsl_desc>();
     glsl.glsl_version = 140;
     glsl.max_lights = 2;
-    ASSERT_EQ(fbrdf_material_glsl(material.get(), &glsl, &functions), FBRDF_OK);
+    ASSERT_EQ(fbrdf_gpu_material_glsl(gpuMaterial.get(), &glsl, &functions), FBRDF_RESULT_OK);
     const std::string fragment =
         "#version 140\n" + std::string(functions) +
         "out vec4 colour;\nvoid main()\n{\n    vec3 n = vec3(0.0, 0.0, 1.0);\n"
@@ -79,19 +97,19 @@ TEST_P(CApiGL, AnEngineDrawsByItselfWithTheFunctions)
         " float(gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }\n",
         fragment);
     abi::Binding binding;
-    ASSERT_EQ(binding.create(fbrdf_binding_create, material.get(), program), FBRDF_OK);
+    ASSERT_EQ(binding.create(fbrdf_binding_create, gpuMaterial.get(), program), FBRDF_RESULT_OK);
     uint32_t units = 0;
-    ASSERT_EQ(fbrdf_binding_apply(binding.get(), 2, &units), FBRDF_OK);
+    ASSERT_EQ(fbrdf_binding_apply(binding.get(), 2, &units), FBRDF_RESULT_OK);
     EXPECT_EQ(units, 2u);
     fbrdf_light lights[2]{};
     for (fbrdf_light& light : lights) {
-        light.type = FBRDF_DIRECTIONAL;
+        light.type = FBRDF_LIGHT_DIRECTIONAL;
         light.position[2] = 1.0f;
         for (float& channel : light.intensity) channel = 0.5f;
     }
     float vectors[24];
     for (int i = 0; i < 2; ++i)
-        ASSERT_EQ(fbrdf_light_vectors(&lights[i], nullptr, vectors + 12 * i), FBRDF_OK);
+        ASSERT_EQ(fbrdf_light_vectors(&lights[i], nullptr, vectors + 12 * i), FBRDF_RESULT_OK);
     gl().Uniform4fv(gl().GetUniformLocation(program, "fbrdfLights"), 6, vectors);
     gl().Uniform1i(gl().GetUniformLocation(program, "fbrdfLightCount"), 2);
     Offscreen offscreen = makeOffscreen(kSize);
@@ -104,8 +122,8 @@ TEST_P(CApiGL, AnEngineDrawsByItselfWithTheFunctions)
     gl().BindVertexArray(0);
     gl().DeleteVertexArrays(1, &array);
     expectPlainPicture(offscreen.readPixels());
-    EXPECT_EQ(fbrdf_binding_apply(binding.get(), 100000, nullptr), FBRDF_ERROR_GL);
-    EXPECT_EQ(fbrdf_binding_apply(binding.get(), 2, nullptr), FBRDF_OK);
+    EXPECT_EQ(fbrdf_binding_apply(binding.get(), 100000, nullptr), FBRDF_RESULT_ERROR_GL);
+    EXPECT_EQ(fbrdf_binding_apply(binding.get(), 2, nullptr), FBRDF_RESULT_OK);
     gl().UseProgram(0);
     gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl().DeleteProgram(program);
@@ -116,54 +134,51 @@ TEST_P(CApiGL, MapsAreRecombinedOnRequest)
     Lines lines;
     const auto desc = rendererDesc(lines);
     abi::Renderer renderer;
-    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-    std::vector<float> p, q(3 * 16 * 16, -1.0f);
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+    Material pqp = constantMaterial(formPqp(16, 0.5), -1.0f);
     for (int i = 0; i < 16 * 16; ++i)
-        for (int c = 0; c < 3; ++c) p.push_back(0.05f * static_cast<float>(i % 16 + c));
-    const float* const tables[] = {p.data(), q.data()};
-    auto pqp = abi::describe<fbrdf_brdf_desc>();
-    pqp.form = FBRDF_PQP;
-    pqp.size[0] = 16;
-    pqp.table_count = 2;
-    pqp.tables = tables;
-    abi::Brdf brdf, plain;
-    ASSERT_EQ(brdf.create(fbrdf_brdf_create, &pqp, &desc.log), FBRDF_OK);
-    ASSERT_EQ(plain.create(plain_brdf, &desc.log), FBRDF_OK);
-    abi::Material material;
-    auto cube = abi::describe<fbrdf_material_desc>();
-    const auto make = [&](const fbrdf_brdf* of) {
-        return material.create(fbrdf_material_create_as, renderer.get(), of,
-                               static_cast<const fbrdf_material_desc*>(&cube));
+        for (int c = 0; c < 3; ++c)
+            pqp.tables[0].texels[static_cast<size_t>(3 * i + c)] =
+                0.05f * static_cast<float>(i % 16 + c);
+    abi::Material material, plain;
+    ASSERT_EQ(GivenMaterial(pqp).create(desc.log, material), FBRDF_RESULT_OK);
+    ASSERT_EQ(plain.create(plain_material, &desc.log), FBRDF_RESULT_OK);
+    abi::GpuMaterial gpuMaterial;
+    auto cube = abi::describe<fbrdf_gpu_material_desc>();
+    const auto make = [&](const fbrdf_material* of) {
+        return gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), of, &cube);
     };
-    ASSERT_EQ(make(brdf.get()), FBRDF_OK);
-    EXPECT_EQ(fbrdf_material_look_up_error(material.get()), 0.0f);
+    ASSERT_EQ(make(material.get()), FBRDF_RESULT_OK);
+    EXPECT_EQ(fbrdf_gpu_material_look_up_error(gpuMaterial.get()), 0.0f);
     cube.look_up = FBRDF_LOOK_UP_CUBE;
     cube.map_size = 32;
-    ASSERT_EQ(make(brdf.get()), FBRDF_OK);
-    const float error = fbrdf_material_look_up_error(material.get());
+    ASSERT_EQ(make(material.get()), FBRDF_RESULT_OK);
+    const float error = fbrdf_gpu_material_look_up_error(gpuMaterial.get());
     EXPECT_GT(error, 0.0f);
     EXPECT_LT(error, 0.25f);
-    EXPECT_STREQ(fbrdf_material_why_native(material.get()), "");
+    EXPECT_STREQ(fbrdf_gpu_material_why_native(gpuMaterial.get()), "");
     EXPECT_TRUE(lines.empty());
-    // Its look-up outlives its BRDF.
-    ASSERT_EQ(fbrdf_material_replace(material.get(), plain.get()), FBRDF_OK);
-    EXPECT_NE(std::string(fbrdf_material_why_native(material.get())).find("angles"),
+    // A material that replaces it is looked up in the same way.
+    ASSERT_EQ(fbrdf_gpu_material_replace(gpuMaterial.get(), plain.get()), FBRDF_RESULT_OK);
+    EXPECT_NE(std::string(fbrdf_gpu_material_why_native(gpuMaterial.get())).find("angles"),
               std::string::npos);
     ASSERT_EQ(lines.size(), 1u);
-    EXPECT_EQ(lines[0].severity, FBRDF_WARNING);
-    ASSERT_EQ(fbrdf_material_replace(material.get(), brdf.get()), FBRDF_OK);
-    EXPECT_EQ(fbrdf_material_look_up_error(material.get()), error);
+    EXPECT_EQ(lines[0].severity, FBRDF_SEVERITY_WARNING);
+    ASSERT_EQ(fbrdf_gpu_material_replace(gpuMaterial.get(), material.get()), FBRDF_RESULT_OK);
+    EXPECT_EQ(fbrdf_gpu_material_look_up_error(gpuMaterial.get()), error);
     for (const auto& [lookUp, size] : {std::pair<uint32_t, uint32_t>{3, 0}, {2, 31}, {1, ~0u}}) {
         cube.look_up = lookUp;
         cube.map_size = size;
-        EXPECT_EQ(make(brdf.get()), FBRDF_ERROR_ARGUMENT) << lookUp << " " << size;
+        EXPECT_EQ(make(material.get()), FBRDF_RESULT_ERROR_ARGUMENT) << lookUp << " " << size;
     }
-    EXPECT_EQ(material.create(fbrdf_material_create_as, renderer.get(),
-                              static_cast<const fbrdf_brdf*>(brdf.get()),
-                              static_cast<const fbrdf_material_desc*>(nullptr)),
-              FBRDF_ERROR_ARGUMENT);
-    EXPECT_STREQ(fbrdf_material_why_native(nullptr), "");
-    EXPECT_EQ(fbrdf_material_look_up_error(nullptr), 0.0f);
+    EXPECT_EQ(gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), nullptr, nullptr),
+              FBRDF_RESULT_ERROR_ARGUMENT);
+    ASSERT_EQ(
+        gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+        FBRDF_RESULT_OK);
+    EXPECT_EQ(fbrdf_gpu_material_look_up_error(gpuMaterial.get()), 0.0f);
+    EXPECT_STREQ(fbrdf_gpu_material_why_native(nullptr), "");
+    EXPECT_EQ(fbrdf_gpu_material_look_up_error(nullptr), 0.0f);
 }
 
 TEST_P(CApiGL, FaultsAreResultsAndLogLines)
@@ -176,26 +191,30 @@ TEST_P(CApiGL, FaultsAreResultsAndLogLines)
         EXPECT_FALSE(renderer);
         ASSERT_EQ(lines.size(), 1u) << words;
         EXPECT_EQ(lines[0].code, expected);
-        EXPECT_EQ(lines[0].severity, FBRDF_ERROR);
+        EXPECT_EQ(lines[0].severity, FBRDF_SEVERITY_ERROR);
         EXPECT_NE(lines[0].text.find(words), std::string::npos) << lines[0].text;
         lines.clear();
     };
     desc.api_version = FBRDF_VERSION(7, 0);
-    expectRefused(FBRDF_ERROR_VERSION, "api_version 7.0");
+    expectRefused(FBRDF_RESULT_ERROR_VERSION, "api_version 7.0");
     desc = rendererDesc(lines);
-    desc.struct_size -= 1;
-    expectRefused(FBRDF_ERROR_VERSION, "struct_size");
+    desc.api_version = FBRDF_VERSION(0, 1);
+    expectRefused(FBRDF_RESULT_ERROR_VERSION, "api_version 0.1, expected a program of 0.2 to 0.2");
+    desc = rendererDesc(lines);
+    desc.struct_size = offsetof(fbrdf_renderer_desc, state_mode);
+    expectRefused(FBRDF_RESULT_ERROR_VERSION, "found a size of");
     desc = rendererDesc(lines);
     desc.state_mode = 9;
-    expectRefused(FBRDF_ERROR_ARGUMENT, "state_mode: found 9");
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "state_mode: found 9");
     desc = rendererDesc(lines);
     desc.load = [](void*, const char*) -> void* { return nullptr; };
-    expectRefused(FBRDF_ERROR_GL, "OpenGL");
+    expectRefused(FBRDF_RESULT_ERROR_GL, "OpenGL");
     desc = rendererDesc(lines);
-    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);  // the next good call
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc),
+              FBRDF_RESULT_OK);  // the next good call
 
     auto draw = abi::describe<fbrdf_draw_desc>();
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_GL);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_GL);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_NE(lines[0].text.find("0x0 pixels"), std::string::npos) << lines[0].text;
     Offscreen offscreen = makeOffscreen(kSize);
@@ -203,23 +222,33 @@ TEST_P(CApiGL, FaultsAreResultsAndLogLines)
     draw.width = draw.height = kSize;
     for (const int diagonal : {0, 5, 10, 15})
         draw.view[diagonal] = draw.projection[diagonal] = 1.0f;
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_OK);
     draw.struct_size = offsetof(fbrdf_draw_desc, max_lights);  // an older caller's
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_OK);
     draw.item_count = 1;
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_ARGUMENT);
     fbrdf_item item{};
     draw.items = &item;
     draw.item_size = 4;
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_VERSION);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_VERSION);
     draw.item_size = sizeof item;
     auto stats = abi::describe<fbrdf_draw_stats>();
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, &stats), FBRDF_OK);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, &stats), FBRDF_RESULT_OK);
     EXPECT_EQ(stats.items_failed, 1u);
-    EXPECT_EQ(fbrdf_draw(nullptr, &draw, nullptr), FBRDF_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_draw(nullptr, &draw, nullptr), FBRDF_RESULT_ERROR_ARGUMENT);
+    struct Newer {
+        fbrdf_item item;
+        uint64_t added;
+    } newer{{}, 0};
+    draw.items = &newer.item;
+    draw.item_size = sizeof newer;
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_OK);
+    newer.added = 1;
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_VERSION);
+    newer.added = 0;
 
     fbrdf_renderer_abandon(renderer.get());
-    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_ERROR_GL);
+    EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_GL);
 }
 
 /// Nowhere until a hook brings it into view, by what its extra array holds.
@@ -273,27 +302,29 @@ TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
     Lines lines;
     const auto desc = rendererDesc(lines);
     abi::Renderer renderer;
-    abi::Brdf brdf;
     abi::Material material;
+    abi::GpuMaterial gpuMaterial;
     abi::Mesh mesh;
     abi::Hooks hooks;
-    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
-    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
-    ASSERT_EQ(makeLiftedQuad(renderer.get(), mesh), FBRDF_OK);
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+    ASSERT_EQ(material.create(plain_material, &desc.log), FBRDF_RESULT_OK);
+    ASSERT_EQ(
+        gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+        FBRDF_RESULT_OK);
+    ASSERT_EQ(makeLiftedQuad(renderer.get(), mesh), FBRDF_RESULT_OK);
     HookHost host{gl(), 0};
     auto given = liftAndShade(host);
-    ASSERT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_OK);
+    ASSERT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_RESULT_OK);
 
     Offscreen offscreen = makeOffscreen(kSize);
     fbrdf_light lights[2]{};
     for (fbrdf_light& light : lights) {
-        light.type = FBRDF_DIRECTIONAL;
+        light.type = FBRDF_LIGHT_DIRECTIONAL;
         light.position[2] = 1.0f;
         for (float& channel : light.intensity) channel = 2.0f;
     }
     fbrdf_item item{};
-    item.material = material.get();
+    item.material = gpuMaterial.get();
     item.mesh = mesh.get();
     item.hooks = hooks.get();
     auto draw = abi::describe<fbrdf_draw_desc>();
@@ -308,16 +339,16 @@ TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
     draw.light_count = 2;
     draw.light_size = sizeof(fbrdf_light);
     draw.lights = lights;
-    ASSERT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    ASSERT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_OK);
     expectPlainPicture(offscreen.readPixels());  // half of twice what plain.c's light gives
     EXPECT_EQ(host.calls, 1);
     draw.item_size = offsetof(fbrdf_item, hooks);  // an older caller's: not brought into view
     offscreen.clear();
-    ASSERT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_OK);
+    ASSERT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_OK);
     EXPECT_EQ(offscreen.readPixels()[3], 0.0f);
     expectMessages();
     given.shadow = "nonsense";
-    EXPECT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_ERROR_INPUT);
+    EXPECT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_RESULT_ERROR_INPUT);
     EXPECT_TRUE(hooks);
 }
 
@@ -326,18 +357,20 @@ TEST_P(CApiGL, AMaterialThatCannotBeReplacedStays)
     Lines lines;
     const auto desc = rendererDesc(lines);
     abi::Renderer renderer;
-    abi::Brdf brdf;
     abi::Material material;
-    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-    ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
-    ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
-    EXPECT_EQ(fbrdf_material_replace(material.get(), nullptr), FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(fbrdf_material_replace(material.get(), brdf.get()), FBRDF_OK);
+    abi::GpuMaterial gpuMaterial;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+    ASSERT_EQ(material.create(plain_material, &desc.log), FBRDF_RESULT_OK);
+    ASSERT_EQ(
+        gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+        FBRDF_RESULT_OK);
+    EXPECT_EQ(fbrdf_gpu_material_replace(gpuMaterial.get(), nullptr), FBRDF_RESULT_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_gpu_material_replace(gpuMaterial.get(), material.get()), FBRDF_RESULT_OK);
     const char* functions = nullptr;
     auto glsl = abi::describe<fbrdf_glsl_desc>();
-    EXPECT_EQ(fbrdf_material_glsl(material.get(), &glsl, &functions), FBRDF_OK);
+    EXPECT_EQ(fbrdf_gpu_material_glsl(gpuMaterial.get(), &glsl, &functions), FBRDF_RESULT_OK);
     glsl.glsl_version = 111;
-    EXPECT_EQ(fbrdf_material_glsl(material.get(), &glsl, &functions), FBRDF_ERROR_GL);
+    EXPECT_EQ(fbrdf_gpu_material_glsl(gpuMaterial.get(), &glsl, &functions), FBRDF_RESULT_ERROR_GL);
     EXPECT_EQ(functions, nullptr);
 }
 
@@ -352,7 +385,7 @@ TEST(CApiThreads, TwoContextsOnTwoThreadsDrawTheSame)
         offscreen.clear();
         for (int i = 0; i < 3; ++i)
             if (plain_draw(context.loader(), nullptr, {}, offscreen.framebuffer(), kSize,
-                           nullptr) != FBRDF_OK)
+                           nullptr) != FBRDF_RESULT_OK)
                 return;
         pixels[index] = offscreen.readPixels();
     };

@@ -1,6 +1,7 @@
 // All that can go wrong between a host and the library, as a host sees it: a result, a line of the
 // log, and the next good call draws its picture.
 #include "CApiTest.h"
+#include "Materials.h"
 #include "plain.h"
 
 #include "support/gl/Hooks.h"
@@ -24,8 +25,8 @@ struct Host {
     uint32_t framebuffer = 0;
     Lines lines;
     abi::Renderer renderer;
-    abi::Brdf brdf;
     abi::Material material;
+    abi::GpuMaterial gpuMaterial;
     abi::Mesh mesh;
     fbrdf_item item{};
     fbrdf_light light{};
@@ -60,15 +61,17 @@ struct Host {
     void set()
     {
         const auto renderer_desc = desc();
-        ASSERT_EQ(renderer.create(fbrdf_renderer_create, &renderer_desc), FBRDF_OK);
-        ASSERT_EQ(brdf.create(plain_brdf, &renderer_desc.log), FBRDF_OK);
-        ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
-        ASSERT_EQ(makeMesh(renderer.get(), mesh), FBRDF_OK);
-        item.material = material.get();
+        ASSERT_EQ(renderer.create(fbrdf_renderer_create, &renderer_desc), FBRDF_RESULT_OK);
+        ASSERT_EQ(material.create(plain_material, &renderer_desc.log), FBRDF_RESULT_OK);
+        ASSERT_EQ(
+            gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+            FBRDF_RESULT_OK);
+        ASSERT_EQ(makeMesh(renderer.get(), mesh), FBRDF_RESULT_OK);
+        item.material = gpuMaterial.get();
         item.mesh = mesh.get();
         for (const int diagonal : {0, 5, 10, 15})
             item.model[diagonal] = draw.view[diagonal] = draw.projection[diagonal] = 1.0f;
-        light.type = FBRDF_DIRECTIONAL;
+        light.type = FBRDF_LIGHT_DIRECTIONAL;
         light.position[2] = light.intensity[0] = 1.0f;
         draw.framebuffer = framebuffer;
         draw.width = draw.height = kSize;
@@ -83,18 +86,19 @@ struct Host {
     fbrdf_result created(fbrdf_renderer_desc desc)
     {
         abi::Renderer made;
-        abi::Material attempt;
+        abi::GpuMaterial attempt;
         const fbrdf_result result = made.create(fbrdf_renderer_create, &desc);
-        return result != FBRDF_OK ? result
-                                  : attempt.create(fbrdf_material_create, made.get(), brdf.get());
+        return result != FBRDF_RESULT_OK
+                   ? result
+                   : attempt.create(fbrdf_gpu_material_create, made.get(), material.get(), nullptr);
     }
     fbrdf_result loaded(const std::string& text)
     {
         const TemporaryDir folder;
         std::ofstream(folder.file("m.json")) << text;
         const fbrdf_log log{write, &lines};
-        abi::Brdf none;
-        return none.create(fbrdf_brdf_load, folder.file("m.json").c_str(), &log);
+        abi::Material none;
+        return none.create(fbrdf_material_read, folder.file("m.json").c_str(), &log);
     }
 };
 
@@ -105,54 +109,42 @@ struct Fault {
     std::function<fbrdf_result(Host&)> happens;
 };
 
-fbrdf_brdf_desc constantBrdf(const std::vector<float>& texels, const float* (&tables)[2])
+/// Makes an hdio of which one texel is replaced, and one letter of the form.
+fbrdf_result made(Host& host, float texel, char firstOfForm = '{')
 {
-    tables[0] = tables[1] = texels.data();
-    auto desc = abi::describe<fbrdf_brdf_desc>();
-    desc.form = FBRDF_HDIO;
-    desc.size[0] = desc.size[1] = desc.size[2] = 4;
-    desc.table_count = 2;
-    desc.tables = tables;
-    return desc;
-}
-
-fbrdf_result brdfOf(Host& host, uint32_t form, float texel)
-{
-    const std::vector<float> texels(48, texel);
-    const float* tables[2];
-    auto desc = constantBrdf(texels, tables);
-    desc.form = form;
-    const fbrdf_log log{write, &host.lines};
-    abi::Brdf none;
-    return none.create(fbrdf_brdf_create, &desc, &log);
+    GivenMaterial given(constantMaterial(formHdio(4, 4, 4), 0.0f));
+    given.texels[1][7] = texel;
+    given.form[0] = firstOfForm;
+    abi::Material none;
+    return given.create({write, &host.lines}, none);
 }
 
 std::vector<Fault> faultsOfTheContext()
 {
     return {
-        {"NoLoader", FBRDF_ERROR_GL, "loader",
+        {"NoLoader", FBRDF_RESULT_ERROR_GL, "loader",
          [](Host& h) {
              auto desc = h.desc();
              desc.load = nullptr;
              return h.created(desc);
          }},
-        {"ALoaderOfNothing", FBRDF_ERROR_GL, "loader",
+        {"ALoaderOfNothing", FBRDF_RESULT_ERROR_GL, "loader",
          [](Host& h) {
              auto desc = h.desc();
              desc.load = [](void*, const char*) -> void* { return nullptr; };
              return h.created(desc);
          }},
-        {"ALoaderWithoutAFunction", FBRDF_ERROR_GL, "glUseProgram",
+        {"ALoaderWithoutAFunction", FBRDF_RESULT_ERROR_GL, "glUseProgram",
          [](Host& h) {
              h.hooks->hidden = {"glUseProgram"};
              return h.plain();
          }},
-        {"ALostContext", FBRDF_ERROR_GL, "context",
+        {"ALostContext", FBRDF_RESULT_ERROR_GL, "context",
          [](Host& h) {
              fbrdf_renderer_abandon(h.renderer.get());
              return h.drawn();
          }},
-        {"AContextThatDoesNotShare", FBRDF_OK, "another renderer",
+        {"AContextThatDoesNotShare", FBRDF_RESULT_OK, "another renderer",
          [](Host& h) {
              HeadlessContext other(h.context->options());
              auto desc = abi::describe<fbrdf_renderer_desc>();
@@ -160,8 +152,8 @@ std::vector<Fault> faultsOfTheContext()
              desc.load = other.loader();
              abi::Renderer theirs;
              abi::Mesh mesh;
-             EXPECT_EQ(theirs.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-             EXPECT_EQ(h.makeMesh(theirs.get(), mesh), FBRDF_OK);
+             EXPECT_EQ(theirs.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+             EXPECT_EQ(h.makeMesh(theirs.get(), mesh), FBRDF_RESULT_OK);
              h.context->makeCurrent();
              h.item.mesh = mesh.get();
              const fbrdf_result result = h.drawn();
@@ -172,7 +164,7 @@ std::vector<Fault> faultsOfTheContext()
              h.context->makeCurrent();
              return result;
          }},
-        {"OutOfMemory", FBRDF_ERROR_GL, "out of memory",
+        {"OutOfMemory", FBRDF_RESULT_ERROR_GL, "out of memory",
          [](Host& h) {
              h.hooks->errorAfter = 1;
              h.hooks->nextError = GL_OUT_OF_MEMORY;
@@ -185,17 +177,17 @@ std::vector<Fault> faultsOfTheContext()
 std::vector<Fault> faultsOfPrograms()
 {
     return {
-        {"AShaderThatDoesNotCompile", FBRDF_ERROR_GL, "compile",
+        {"AShaderThatDoesNotCompile", FBRDF_RESULT_ERROR_GL, "compile",
          [](Host& h) {
              h.hooks->corruptShaders = true;
              return h.plain();
          }},
-        {"AProgramThatDoesNotLink", FBRDF_ERROR_GL, "link",
+        {"AProgramThatDoesNotLink", FBRDF_RESULT_ERROR_GL, "link",
          [](Host& h) {
              h.hooks->spoilPrograms = true;
              return h.plain();
          }},
-        {"NoTextureUnitsLeft", FBRDF_ERROR_GL, "textures in one pass",
+        {"NoTextureUnitsLeft", FBRDF_RESULT_ERROR_GL, "textures in one pass",
          [](Host& h) {
              auto desc = h.desc();
              GLint units = 0;
@@ -209,14 +201,14 @@ std::vector<Fault> faultsOfPrograms()
 std::vector<Fault> faultsOfTargets()
 {
     return {
-        {"AnIncompleteFramebuffer", FBRDF_ERROR_GL, "complete",
+        {"AnIncompleteFramebuffer", FBRDF_RESULT_ERROR_GL, "complete",
          [](Host& h) {
              h.hooks->real.GenFramebuffers(1, &h.draw.framebuffer);
              const fbrdf_result result = h.drawn();
              h.hooks->real.DeleteFramebuffers(1, &h.draw.framebuffer);
              return result;
          }},
-        {"ATargetOfNoSize", FBRDF_ERROR_GL, "0x16",
+        {"ATargetOfNoSize", FBRDF_RESULT_ERROR_GL, "0x16",
          [](Host& h) {
              h.draw.width = 0;
              return h.drawn();
@@ -227,20 +219,20 @@ std::vector<Fault> faultsOfTargets()
 std::vector<Fault> faultsOfData()
 {
     return {
-        {"NanInAMaterial", FBRDF_ERROR_INPUT, "finite",
-         [](Host& h) { return brdfOf(h, FBRDF_HDIO, kNan); }},
-        {"AFormOfALaterVersion", FBRDF_ERROR_ARGUMENT, "form: found 77",
-         [](Host& h) { return brdfOf(h, 77, 0.0f); }},
-        {"AFileOfALaterVersion", FBRDF_ERROR_INPUT, "version",
+        {"NanInAMaterial", FBRDF_RESULT_ERROR_INPUT, "finite",
+         [](Host& h) { return made(h, kNan); }},
+        {"AFormThatIsNotJson", FBRDF_RESULT_ERROR_INPUT, "not JSON",
+         [](Host& h) { return made(h, 0.0f, '?'); }},
+        {"AFileOfALaterVersion", FBRDF_RESULT_ERROR_INPUT, "version",
          [](Host& h) { return h.loaded(R"({"format": "fbrdf-material", "version": 99})"); }},
-        {"NoLights", FBRDF_OK, "",
+        {"NoLights", FBRDF_RESULT_OK, "",
          [](Host& h) {
              h.draw.light_count = 0;
              const fbrdf_result result = h.drawn();
              EXPECT_EQ(h.stats.items_failed, 0u);
              return result;
          }},
-        {"ALightThatIsNoNumber", FBRDF_OK, "",
+        {"ALightThatIsNoNumber", FBRDF_RESULT_OK, "",
          [](Host& h) {
              h.light.intensity[1] = kNan;
              const fbrdf_result result = h.drawn();
@@ -278,7 +270,7 @@ TEST_P(FaultTable, EachIsAResultALineAndNoMore)
         hooks.corruptShaders = hooks.spoilPrograms = false;
         hooks.hidden.clear();
         offscreen.clear();
-        EXPECT_EQ(host.plain(), FBRDF_OK);
+        EXPECT_EQ(host.plain(), FBRDF_RESULT_OK);
         EXPECT_NEAR(offscreen.readPixels()[1], 0.5f, 1e-4f);
     }
 }
@@ -288,24 +280,26 @@ TEST_P(FaultTable, AContextMayBeDestroyedBeforeTheRenderer)
 {
     Lines lines;
     abi::Renderer renderer;
-    abi::Brdf brdf;
     abi::Material material;
+    abi::GpuMaterial gpuMaterial;
     {
         HeadlessContext first(context().options());
         auto desc = abi::describe<fbrdf_renderer_desc>();
         desc.api_version = FBRDF_API_VERSION;
         desc.load = first.loader();
-        ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_OK);
-        ASSERT_EQ(brdf.create(plain_brdf, &desc.log), FBRDF_OK);
-        ASSERT_EQ(material.create(fbrdf_material_create, renderer.get(), brdf.get()), FBRDF_OK);
+        ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+        ASSERT_EQ(material.create(plain_material, &desc.log), FBRDF_RESULT_OK);
+        ASSERT_EQ(
+            gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+            FBRDF_RESULT_OK);
         fbrdf_renderer_abandon(renderer.get());
     }
-    material.reset();
+    gpuMaterial.reset();
     renderer.reset();
     context().makeCurrent();
     Offscreen offscreen = makeOffscreen(kSize);
     EXPECT_EQ(plain_draw(context().loader(), nullptr, {}, offscreen.framebuffer(), kSize, nullptr),
-              FBRDF_OK);
+              FBRDF_RESULT_OK);
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, FaultTable, ::testing::ValuesIn(modernVariants()), variantName);

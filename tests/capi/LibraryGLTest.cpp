@@ -11,6 +11,7 @@
 #include "support/TemporaryDir.h"
 
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 namespace fbrdf::test {
@@ -36,13 +37,14 @@ protected:
         CApiTest::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
         const auto desc = rendererDesc(lines_);
-        ASSERT_EQ(renderer_.create(fbrdf_renderer_create, &desc), FBRDF_OK);
+        ASSERT_EQ(renderer_.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
         for (unsigned seed = 1; seed < 4; ++seed) {
             const std::string path = file(seed);
             writeMaterial(noiseMaterial(formPqp(8, 0.5), Storage::half, seed), path);
-            abi::Brdf brdf;
-            ASSERT_EQ(brdf.create(fbrdf_brdf_load, path.c_str(), &desc.log), FBRDF_OK);
-            brdfs_.push_back(std::move(brdf));
+            abi::Material material;
+            ASSERT_EQ(material.create(fbrdf_material_read, path.c_str(), &desc.log),
+                      FBRDF_RESULT_OK);
+            materials_.push_back(std::move(material));
         }
         const gl::MeshData sphere = sphereMesh(8);
         auto mesh = abi::describe<fbrdf_mesh_desc>();
@@ -52,9 +54,9 @@ protected:
         mesh.normals = glm::value_ptr(sphere.normals[0]);
         mesh.tangents = glm::value_ptr(sphere.tangents[0]);
         mesh.indices = sphere.indices.data();
-        ASSERT_EQ(mesh_.create(fbrdf_mesh_create, renderer_.get(), &mesh), FBRDF_OK);
-        const fbrdf_brdf* two[] = {brdfs_[0].get(), brdfs_[1].get()};
-        ASSERT_EQ(library_.create(fbrdf_library_create, renderer_.get(), 2u, two), FBRDF_OK);
+        ASSERT_EQ(mesh_.create(fbrdf_mesh_create, renderer_.get(), &mesh), FBRDF_RESULT_OK);
+        const fbrdf_material* two[] = {materials_[0].get(), materials_[1].get()};
+        ASSERT_EQ(library_.create(fbrdf_library_create, renderer_.get(), 2u, two), FBRDF_RESULT_OK);
         lines_.clear();
     }
     void TearDown() override
@@ -105,14 +107,24 @@ protected:
         batch.instances = instances;
         Offscreen offscreen = makeOffscreen(kSize);
         const fbrdf_draw_desc draw = drawDesc(offscreen);
-        EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, stats), FBRDF_OK);
+        EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, stats), FBRDF_RESULT_OK);
         return offscreen.readPixels();
+    }
+
+    /// What a host does that saw a file change: reads it, and replaces only where that succeeded.
+    fbrdf_result reloaded(const std::string& path,
+                          const std::function<fbrdf_result(const fbrdf_material*)>& replace)
+    {
+        const fbrdf_log toLines{write, &lines_};
+        abi::Material material;
+        const fbrdf_result result = material.create(fbrdf_material_read, path.c_str(), &toLines);
+        return result == FBRDF_RESULT_OK ? replace(material.get()) : result;
     }
 
     TemporaryDir dir_;
     Lines lines_;
     abi::Renderer renderer_;
-    std::vector<abi::Brdf> brdfs_;
+    std::vector<abi::Material> materials_;
     abi::Mesh mesh_;
     abi::Library library_;
 };
@@ -123,9 +135,9 @@ TEST_P(CApiLibrary, ABatchIsOneDrawCall)
     const auto two = picture(&stats);
     EXPECT_EQ(stats.draw_calls, 1u);
     EXPECT_STREQ(fbrdf_library_why_apart(library_.get()), "");
-    ASSERT_EQ(fbrdf_library_replace(library_.get(), 1, brdfs_[0].get()), FBRDF_OK);
+    ASSERT_EQ(fbrdf_library_replace(library_.get(), 1, materials_[0].get()), FBRDF_RESULT_OK);
     EXPECT_NE(picture(), two);
-    ASSERT_EQ(fbrdf_library_replace(library_.get(), 1, brdfs_[1].get()), FBRDF_OK);
+    ASSERT_EQ(fbrdf_library_replace(library_.get(), 1, materials_[1].get()), FBRDF_RESULT_OK);
     EXPECT_EQ(picture(), two);
     EXPECT_TRUE(lines_.empty());
 }
@@ -133,29 +145,34 @@ TEST_P(CApiLibrary, ABatchIsOneDrawCall)
 TEST_P(CApiLibrary, AFileThatIsBeingWrittenDisturbsNothing)
 {
     const std::string path = dir_.file("live.fbrdf"), whole = bytesOf(file(3));
+    const auto replace = [&](const fbrdf_material* by) {
+        return fbrdf_library_replace(library_.get(), 0, by);
+    };
     const auto before = picture();
     ASSERT_GT(whole.size(), 100u);
     for (size_t size = 0; size < whole.size(); size += 1 + whole.size() / 40) {
         writeBytes(path, whole.substr(0, size));
         lines_.clear();
-        ASSERT_EQ(fbrdf_library_load(library_.get(), 0, path.c_str()), FBRDF_ERROR_INPUT) << size;
+        ASSERT_EQ(reloaded(path, replace), FBRDF_RESULT_ERROR_INPUT) << size;
         ASSERT_EQ(lines_.size(), 1u);
-        EXPECT_EQ(lines_[0].code, FBRDF_ERROR_INPUT);
+        EXPECT_EQ(lines_[0].code, FBRDF_RESULT_ERROR_INPUT);
         ASSERT_EQ(picture(), before) << size;
     }
-    EXPECT_EQ(fbrdf_library_load(library_.get(), 0, dir_.file("none").c_str()), FBRDF_ERROR_INPUT);
+    EXPECT_EQ(reloaded(dir_.file("none"), replace), FBRDF_RESULT_ERROR_INPUT);
     ASSERT_EQ(picture(), before);
     writeBytes(path, whole);
-    ASSERT_EQ(fbrdf_library_load(library_.get(), 0, path.c_str()), FBRDF_OK);
+    ASSERT_EQ(reloaded(path, replace), FBRDF_RESULT_OK);
     EXPECT_NE(picture(), before);
 }
 
 TEST_P(CApiLibrary, AMaterialKeepsItsLastGoodFile)
 {
-    abi::Material material;
-    ASSERT_EQ(material.create(fbrdf_material_create, renderer_.get(), brdfs_[0].get()), FBRDF_OK);
+    abi::GpuMaterial gpuMaterial;
+    ASSERT_EQ(gpuMaterial.create(fbrdf_gpu_material_create, renderer_.get(), materials_[0].get(),
+                                 nullptr),
+              FBRDF_RESULT_OK);
     fbrdf_item item{};
-    item.material = material.get();
+    item.material = gpuMaterial.get();
     item.mesh = mesh_.get();
     for (const int diagonal : {0, 5, 10, 15}) item.model[diagonal] = 1.0f;
     const auto drawn = [&] {
@@ -164,52 +181,60 @@ TEST_P(CApiLibrary, AMaterialKeepsItsLastGoodFile)
         draw.item_count = 1;
         draw.item_size = sizeof item;
         draw.items = &item;
-        EXPECT_EQ(fbrdf_draw(renderer_.get(), &draw, nullptr), FBRDF_OK);
+        EXPECT_EQ(fbrdf_draw(renderer_.get(), &draw, nullptr), FBRDF_RESULT_OK);
         return offscreen.readPixels();
+    };
+    const auto replace = [&](const fbrdf_material* by) {
+        return fbrdf_gpu_material_replace(gpuMaterial.get(), by);
     };
     const auto before = drawn();
     const std::string path = dir_.file("live.fbrdf"), whole = bytesOf(file(3));
     writeBytes(path, whole.substr(0, whole.size() / 2));
-    EXPECT_EQ(fbrdf_material_load(material.get(), path.c_str()), FBRDF_ERROR_INPUT);
+    EXPECT_EQ(reloaded(path, replace), FBRDF_RESULT_ERROR_INPUT);
     EXPECT_EQ(drawn(), before);
     writeBytes(path, whole);
-    EXPECT_EQ(fbrdf_material_load(material.get(), path.c_str()), FBRDF_OK);
+    EXPECT_EQ(reloaded(path, replace), FBRDF_RESULT_OK);
     EXPECT_NE(drawn(), before);
 }
 
 TEST_P(CApiLibrary, WrongArgumentsAreResultsAndLogLines)
 {
     const auto before = picture();
-    const fbrdf_brdf* const none[] = {nullptr};
+    const fbrdf_material* const none[] = {nullptr};
     abi::Library library;
     EXPECT_EQ(library.create(fbrdf_library_create, renderer_.get(), 1u, none),
-              FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(fbrdf_library_replace(library_.get(), 2, brdfs_[0].get()), FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(fbrdf_library_replace(library_.get(), ~0u, brdfs_[0].get()), FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(fbrdf_library_replace(library_.get(), 0, nullptr), FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(fbrdf_library_load(library_.get(), 0, nullptr), FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(lines_.size(), 5u);
-    EXPECT_EQ(fbrdf_library_load(nullptr, 0, file(1).c_str()), FBRDF_ERROR_ARGUMENT);
+              FBRDF_RESULT_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_library_replace(library_.get(), 2, materials_[0].get()),
+              FBRDF_RESULT_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_library_replace(library_.get(), ~0u, materials_[0].get()),
+              FBRDF_RESULT_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_library_replace(library_.get(), 0, nullptr), FBRDF_RESULT_ERROR_ARGUMENT);
+    EXPECT_EQ(lines_.size(), 4u);
+    EXPECT_EQ(fbrdf_library_replace(nullptr, 0, materials_[0].get()), FBRDF_RESULT_ERROR_ARGUMENT);
     EXPECT_STREQ(fbrdf_library_why_apart(nullptr), "");
     Offscreen offscreen = makeOffscreen(kSize);
     fbrdf_draw_desc draw = drawDesc(offscreen);
     auto batch = abi::describe<fbrdf_batch_desc>();
-    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, nullptr), FBRDF_ERROR_ARGUMENT);
-    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, nullptr, nullptr), FBRDF_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, nullptr),
+              FBRDF_RESULT_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, nullptr, nullptr),
+              FBRDF_RESULT_ERROR_ARGUMENT);
     batch.library = library_.get();
     batch.mesh = mesh_.get();
     batch.instance_count = 1;
     fbrdf_instance instance{};
     batch.instances = &instance;
     batch.instance_size = 4;
-    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, nullptr), FBRDF_ERROR_VERSION);
+    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, nullptr),
+              FBRDF_RESULT_ERROR_VERSION);
     batch.instance_size = sizeof instance;
     instance.material = ~0u;
     auto stats = abi::describe<fbrdf_draw_stats>();
-    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, &stats), FBRDF_OK);
+    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, &stats), FBRDF_RESULT_OK);
     EXPECT_EQ(stats.items_failed, 1u);
     draw.item_count = 1;
-    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, nullptr), FBRDF_ERROR_ARGUMENT);
+    EXPECT_EQ(fbrdf_draw_batch(renderer_.get(), &draw, &batch, nullptr),
+              FBRDF_RESULT_ERROR_ARGUMENT);
     EXPECT_EQ(picture(), before);
 }
 

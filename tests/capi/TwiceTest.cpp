@@ -1,11 +1,10 @@
 // The library loaded twice into one process, under two names, as two plugins would.
-#include <fbrdf/fbrdf.h>
+#include "Materials.h"
 
 #include <gtest/gtest.h>
 
 #include <dlfcn.h>
 
-#include <array>
 #include <filesystem>
 
 namespace fbrdf::test {
@@ -37,21 +36,17 @@ private:
 
 float evaluated(const Copy& copy, float exponent)
 {
-    std::array<float, 27> texels;
-    texels.fill(exponent);
-    const float* const tables[2] = {texels.data(), texels.data()};
-    fbrdf_brdf_desc desc{};
-    desc.struct_size = sizeof desc;
-    desc.size[0] = 3;
-    desc.table_count = 2;
-    desc.tables = tables;
-    fbrdf_brdf* brdf = nullptr;
-    if (copy.function<decltype(fbrdf_brdf_create)>("fbrdf_brdf_create")(&desc, nullptr, &brdf))
+    const GivenMaterial given(constantMaterial(formPqp(3, 0.5), exponent));
+    const fbrdf_material_desc desc = given.desc();
+    fbrdf_material* material = nullptr;
+    if (copy.function<decltype(fbrdf_material_create)>("fbrdf_material_create")(&desc, nullptr,
+                                                                                &material))
         return -1.0f;
     const float up[3] = {0.0f, 0.0f, 1.0f};
     float rgb[3] = {};
-    copy.function<decltype(fbrdf_brdf_evaluate)>("fbrdf_brdf_evaluate")(brdf, up, up, rgb);
-    copy.function<decltype(fbrdf_brdf_release)>("fbrdf_brdf_release")(brdf);
+    copy.function<decltype(fbrdf_material_evaluate)>("fbrdf_material_evaluate")(material, up, up,
+                                                                                rgb);
+    copy.function<decltype(fbrdf_material_release)>("fbrdf_material_release")(material);
     return rgb[0];
 }
 

@@ -4,23 +4,39 @@
 
 enum { SIZE = 4, TEXELS = SIZE * SIZE };
 
-fbrdf_result plain_brdf(const fbrdf_log* log, fbrdf_brdf** out)
+/* T1(theta_h, theta_d) T2(theta_i, theta_o), of SIZE knots a side. */
+static const char kForm[] =
+    "{\"name\": \"hdio\", \"tables\": ["
+    "{\"name\": \"T1\", \"domain\": {\"grid\": {\"symmetric\": false, \"axes\": ["
+    "{\"size\": 4, \"from\": \"1-cos\", \"exponent\": 0.25},"
+    "{\"size\": 4, \"from\": \"1-cos\", \"exponent\": 0.5}]}}},"
+    "{\"name\": \"T2\", \"domain\": {\"grid\": {\"symmetric\": true, \"axes\": ["
+    "{\"size\": 4, \"from\": \"cos\", \"exponent\": 0.5},"
+    "{\"size\": 4, \"from\": \"cos\", \"exponent\": 0.5}]}}}],"
+    "\"terms\": [[{\"table\": 0, \"argument\": [\"theta_h\", \"theta_d\"]},"
+    "{\"table\": 1, \"argument\": [\"theta_i\", \"theta_o\"]}]]}";
+
+fbrdf_result plain_material(const fbrdf_log* log, fbrdf_material** out)
 {
     float first[3 * TEXELS], second[3 * TEXELS];
     for (int i = 0; i < 3 * TEXELS; ++i) {
         first[i] = -2.0f + (float)(i % 3); /* log2 of 1/4, 1/2, 1 */
         second[i] = 0.0f;
     }
-    const float* const tables[2] = {first, second};
-    fbrdf_brdf_desc desc;
+    fbrdf_table tables[2];
+    memset(tables, 0, sizeof tables);
+    tables[0].texels = first;
+    tables[1].texels = second;
+    tables[0].texel_count = tables[1].texel_count = TEXELS;
+    fbrdf_material_desc desc;
     memset(&desc, 0, sizeof desc);
     desc.struct_size = sizeof desc;
-    desc.form = FBRDF_HDIO;
-    desc.size[0] = desc.size[1] = desc.size[2] = SIZE;
+    desc.form = kForm;
     desc.table_count = 2;
+    desc.table_size = sizeof tables[0];
     desc.tables = tables;
     desc.name = "plain";
-    return fbrdf_brdf_create(&desc, log, out);
+    return fbrdf_material_create(&desc, log, out);
 }
 
 static fbrdf_result quad(fbrdf_renderer* renderer, fbrdf_mesh** out)
@@ -45,7 +61,7 @@ static void identity(float matrix[16])
     matrix[0] = matrix[5] = matrix[10] = matrix[15] = 1.0f;
 }
 
-static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_material* material,
+static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_gpu_material* material,
                          const fbrdf_mesh* mesh, uint32_t framebuffer, int32_t size,
                          fbrdf_draw_stats* stats)
 {
@@ -56,7 +72,7 @@ static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_material* materia
     identity(item.model);
     fbrdf_light light;
     memset(&light, 0, sizeof light);
-    light.type = FBRDF_DIRECTIONAL;
+    light.type = FBRDF_LIGHT_DIRECTIONAL;
     light.position[2] = 1.0f;
     light.intensity[0] = light.intensity[1] = light.intensity[2] = 1.0f;
     fbrdf_draw_desc desc;
@@ -87,17 +103,19 @@ fbrdf_result plain_draw(fbrdf_load_function load, void* user, fbrdf_log log, uin
     desc.load_user = user;
     desc.log = log;
     fbrdf_renderer* renderer = NULL;
-    fbrdf_brdf* brdf = NULL;
     fbrdf_material* material = NULL;
+    fbrdf_gpu_material* gpu_material = NULL;
     fbrdf_mesh* mesh = NULL;
     fbrdf_result result = fbrdf_renderer_create(&desc, &renderer);
-    if (result == FBRDF_OK) result = plain_brdf(&log, &brdf);
-    if (result == FBRDF_OK) result = fbrdf_material_create(renderer, brdf, &material);
-    if (result == FBRDF_OK) result = quad(renderer, &mesh);
-    if (result == FBRDF_OK) result = draw(renderer, material, mesh, framebuffer, size, stats);
+    if (result == FBRDF_RESULT_OK) result = plain_material(&log, &material);
+    if (result == FBRDF_RESULT_OK)
+        result = fbrdf_gpu_material_create(renderer, material, NULL, &gpu_material);
+    if (result == FBRDF_RESULT_OK) result = quad(renderer, &mesh);
+    if (result == FBRDF_RESULT_OK)
+        result = draw(renderer, gpu_material, mesh, framebuffer, size, stats);
     fbrdf_renderer_release(renderer); /* in any order */
     fbrdf_mesh_release(mesh);
+    fbrdf_gpu_material_release(gpu_material);
     fbrdf_material_release(material);
-    fbrdf_brdf_release(brdf);
     return result;
 }

@@ -16,11 +16,11 @@ constexpr uint32_t kMostLights = 1u << 16;
 const char* fileOf(uint32_t snippet)
 {
     switch (snippet) {
-        case FBRDF_GLSL_ANGLES: return "angles.glsl";
-        case FBRDF_GLSL_PROJECTION: return "projection.glsl";
-        case FBRDF_GLSL_FRAME: return "frame.glsl";
-        case FBRDF_GLSL_LIGHTS: return "lights.glsl";
-        case FBRDF_GLSL_TRANSFER: return "transfer.glsl";
+        case FBRDF_SNIPPET_ANGLES: return "angles.glsl";
+        case FBRDF_SNIPPET_PROJECTION: return "projection.glsl";
+        case FBRDF_SNIPPET_FRAME: return "frame.glsl";
+        case FBRDF_SNIPPET_LIGHTS: return "lights.glsl";
+        case FBRDF_SNIPPET_TRANSFER: return "transfer.glsl";
         default: return nullptr;
     }
 }
@@ -33,38 +33,39 @@ const char* fbrdf_glsl_snippet(uint32_t snippet)
     return file ? fbrdf::shaderSnippet(file).data() : nullptr;
 }
 
-fbrdf_result fbrdf_material_glsl(fbrdf_material* material, const fbrdf_glsl_desc* desc,
-                                 const char** text)
+fbrdf_result fbrdf_gpu_material_glsl(fbrdf_gpu_material* gpu_material, const fbrdf_glsl_desc* desc,
+                                     const char** text)
 {
-    return created(material ? &material->shared->log : nullptr, text, [&] {
-        const fbrdf_glsl_desc known = descriptor(desc, sizeof *desc, "glsl");
+    return created(logOf(gpu_material), text, [&] {
+        const fbrdf_glsl_desc known = descriptor(desc, "glsl");
         const uint32_t version = known.glsl_version == 0 ? 330 : known.glsl_version,
                        lights = known.max_lights == 0 ? 8 : known.max_lights;
         if (lights > kMostLights || version > 1000)
-            throw Failure(FBRDF_ERROR_ARGUMENT, "glsl: found version " + std::to_string(version) +
-                                                    " and " + std::to_string(lights) +
-                                                    " lights, expected at most 1000 and " +
-                                                    std::to_string(kMostLights));
+            throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                          "glsl: found version " + std::to_string(version) + " and " +
+                              std::to_string(lights) + " lights, expected at most 1000 and " +
+                              std::to_string(kMostLights));
         const uint64_t key = (uint64_t{version} << 32) | lights;
         std::string functions =
-            fbrdf::gl::materialFunctions(*required(material, "material").gpu,
+            fbrdf::gl::materialFunctions(*required(gpu_material, "gpu_material").gpu,
                                          static_cast<int>(version), static_cast<int>(lights));
-        return material->functions.try_emplace(key, std::move(functions)).first->second.c_str();
+        return gpu_material->functions.try_emplace(key, std::move(functions)).first->second.c_str();
     });
 }
 
-fbrdf_result fbrdf_binding_create(fbrdf_material* material, uint32_t program, fbrdf_binding** out)
+fbrdf_result fbrdf_binding_create(fbrdf_gpu_material* gpu_material, uint32_t program,
+                                  fbrdf_binding** out)
 {
-    return created(material ? &material->shared->log : nullptr, out, [&] {
-        required(material, "material");
-        return new fbrdf_binding{material->shared,
-                                 fbrdf::gl::MaterialBinding(material->gpu, program)};
+    return created(logOf(gpu_material), out, [&] {
+        required(gpu_material, "gpu_material");
+        return new fbrdf_binding{gpu_material->shared,
+                                 fbrdf::gl::MaterialBinding(gpu_material->gpu, program)};
     });
 }
 
 fbrdf_result fbrdf_binding_apply(fbrdf_binding* binding, uint32_t unit, uint32_t* units_used)
 {
-    return guarded(binding ? &binding->shared->log : nullptr, [&] {
+    return guarded(logOf(binding), [&] {
         const int used = required(binding, "binding")
                              .binding.apply(unit > kMostLights ? -1 : static_cast<int>(unit));
         if (units_used) *units_used = static_cast<uint32_t>(used);
@@ -82,7 +83,8 @@ fbrdf_result fbrdf_light_vectors(const fbrdf_light* light, const float to_space[
     return guarded(nullptr, [&] {
         const fbrdf::Light given = lightOf(required(light, "light"));
         if (!isValid(given))
-            throw Failure(FBRDF_ERROR_ARGUMENT, "light: found one that is not valid, see Light.h");
+            throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                          "light: found one that is not valid, see Light.h");
         const glm::dmat4 matrix(to_space ? glm::make_mat4(to_space) : glm::mat4(1.0f));
         const fbrdf::LightVectors result = fbrdf::lightVectors(given, matrix);
         std::memcpy(&required(vectors, "vectors"), result.data(), 12 * sizeof(float));

@@ -22,7 +22,7 @@ using SharedPtr = std::shared_ptr<Shared>;
 
 }  // namespace fbrdf::capi
 
-struct fbrdf_brdf {
+struct fbrdf_material {
     fbrdf::Material material;
 };
 
@@ -30,7 +30,7 @@ struct fbrdf_renderer {
     fbrdf::capi::SharedPtr shared;
 };
 
-struct fbrdf_material {
+struct fbrdf_gpu_material {
     fbrdf::capi::SharedPtr shared;
     std::shared_ptr<fbrdf::gl::GpuMaterial> gpu;
     fbrdf::gl::MaterialOptions options;
@@ -62,19 +62,26 @@ namespace fbrdf::capi {
 inline fbrdf_result resultOf(ErrorKind kind)
 {
     switch (kind) {
-        case ErrorKind::usage: return FBRDF_ERROR_ARGUMENT;
-        case ErrorKind::gl: return FBRDF_ERROR_GL;
+        case ErrorKind::usage: return FBRDF_RESULT_ERROR_ARGUMENT;
+        case ErrorKind::gl: return FBRDF_RESULT_ERROR_GL;
         case ErrorKind::input:
         case ErrorKind::fit:
-        case ErrorKind::output: return FBRDF_ERROR_INPUT;
+        case ErrorKind::output: return FBRDF_RESULT_ERROR_INPUT;
     }
-    return FBRDF_ERROR_INTERNAL;
+    return FBRDF_RESULT_ERROR_INTERNAL;
 }
 
 inline fbrdf_result fail(const fbrdf_log* log, fbrdf_result result, const char* text) noexcept
 {
-    if (log && log->function) log->function(log->user, FBRDF_ERROR, result, text);
+    if (log && log->function) log->function(log->user, FBRDF_SEVERITY_ERROR, result, text);
     return result;
+}
+
+/// The log of a handle's renderer; none where there is no handle.
+template <class Handle>
+const fbrdf_log* logOf(const Handle* handle)
+{
+    return handle ? &handle->shared->log : nullptr;
 }
 
 /// Runs `act`; whatever it throws becomes a result and a log line.
@@ -83,17 +90,17 @@ fbrdf_result guarded(const fbrdf_log* log, Act act) noexcept
 {
     try {
         act();
-        return FBRDF_OK;
+        return FBRDF_RESULT_OK;
     } catch (const Failure& failure) {
         return fail(log, failure.result, failure.what());
     } catch (const Error& error) {
         return fail(log, resultOf(error.kind()), error.what());
     } catch (const std::bad_alloc&) {
-        return fail(log, FBRDF_ERROR_MEMORY, "found no memory, expected some");
+        return fail(log, FBRDF_RESULT_ERROR_MEMORY, "found no memory, expected some");
     } catch (const std::exception& error) {
-        return fail(log, FBRDF_ERROR_INTERNAL, error.what());
+        return fail(log, FBRDF_RESULT_ERROR_INTERNAL, error.what());
     } catch (...) {
-        return fail(log, FBRDF_ERROR_INTERNAL, "found an exception of another kind");
+        return fail(log, FBRDF_RESULT_ERROR_INTERNAL, "found an exception of another kind");
     }
 }
 
@@ -101,7 +108,7 @@ fbrdf_result guarded(const fbrdf_log* log, Act act) noexcept
 template <class T, class Make>
 fbrdf_result created(const fbrdf_log* log, T** out, Make make) noexcept
 {
-    if (!out) return fail(log, FBRDF_ERROR_ARGUMENT, "out: found NULL, expected a place");
+    if (!out) return fail(log, FBRDF_RESULT_ERROR_ARGUMENT, "out: found NULL, expected a place");
     *out = nullptr;
     return guarded(log, [&] { *out = make(); });
 }
@@ -110,7 +117,8 @@ template <class T>
 T& required(T* pointer, const char* name)
 {
     if (!pointer)
-        throw Failure(FBRDF_ERROR_ARGUMENT, std::string(name) + ": found NULL, expected one");
+        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                      std::string(name) + ": found NULL, expected one");
     return *pointer;
 }
 
@@ -119,9 +127,9 @@ template <class Enum>
 Enum enumerator(uint32_t value, Enum last, const char* name)
 {
     if (value > static_cast<uint32_t>(last))
-        throw Failure(FBRDF_ERROR_ARGUMENT, std::string(name) + ": found " + std::to_string(value) +
-                                                ", expected at most " +
-                                                std::to_string(static_cast<uint32_t>(last)));
+        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                      std::string(name) + ": found " + std::to_string(value) +
+                          ", expected at most " + std::to_string(static_cast<uint32_t>(last)));
     return static_cast<Enum>(value);
 }
 

@@ -9,59 +9,27 @@ using namespace fbrdf::capi;
 
 namespace {
 
-// What version 0.1 began with; fields after it are younger.
-constexpr size_t kFirstDraw = offsetof(fbrdf_draw_desc, max_lights);
-constexpr size_t kFirstItem = offsetof(fbrdf_item, hooks);
-constexpr size_t kFirstBatch = offsetof(fbrdf_batch_desc, hooks);
-
-/// Element `index` of a caller's array, whose elements may be of another version.
-template <class T>
-T elementAt(const T* array, uint32_t size, size_t index)
-{
-    T element{};
-    std::memcpy(&element, reinterpret_cast<const unsigned char*>(array) + index * size,
-                std::min<size_t>(size, sizeof element));
-    return element;
-}
-
-/// least: bytes of an element in the first version.
-template <class T>
-void checkArray(const T* array, uint32_t count, uint32_t size, const char* name,
-                size_t least = sizeof(T))
-{
-    if (count == 0) return;
-    required(array, name);
-    if (size < least)
-        throw Failure(FBRDF_ERROR_VERSION, std::string(name) + ": found elements of " +
-                                               std::to_string(size) + " bytes, expected at least " +
-                                               std::to_string(least));
-}
-
 std::vector<fbrdf::gl::Item> itemsOf(const fbrdf_draw_desc& desc)
 {
-    checkArray(desc.items, desc.item_count, desc.item_size, "items", kFirstItem);
     std::vector<fbrdf::gl::Item> items;
-    for (size_t i = 0; i < desc.item_count; ++i) {
-        const fbrdf_item item = elementAt(desc.items, desc.item_size, i);
+    for (const fbrdf_item& item : elements(desc.items, desc.item_count, desc.item_size, "items"))
         items.push_back({item.material ? item.material->gpu.get() : nullptr,
                          item.mesh ? item.mesh->gpu.get() : nullptr, glm::make_mat4(item.model),
                          item.hooks ? item.hooks->gpu.get() : nullptr, item.normal_map});
-    }
     return items;
 }
 
 fbrdf::gl::Batch batchOf(const fbrdf_batch_desc& desc)
 {
-    checkArray(desc.instances, desc.instance_count, desc.instance_size, "instances");
     fbrdf::gl::Batch batch{desc.library ? desc.library->gpu.get() : nullptr,
                            desc.mesh ? desc.mesh->gpu.get() : nullptr,
                            {},
                            desc.hooks ? desc.hooks->gpu.get() : nullptr,
                            desc.normal_map};
-    for (size_t i = 0; i < desc.instance_count; ++i) {
-        const fbrdf_instance instance = elementAt(desc.instances, desc.instance_size, i);
-        // An index above what an int holds is out of range in any library: as -1 is.
-        const bool possible = instance.material <= 0x7fffffffu;
+    for (const fbrdf_instance& instance :
+         elements(desc.instances, desc.instance_count, desc.instance_size, "instances")) {
+        // An index that no int can represent is out of range in any library, as -1 is.
+        const bool possible = instance.material <= INT32_MAX;
         batch.instances.push_back(
             {glm::make_mat4(instance.model), possible ? static_cast<int>(instance.material) : -1});
     }
@@ -70,10 +38,10 @@ fbrdf::gl::Batch batchOf(const fbrdf_batch_desc& desc)
 
 std::vector<fbrdf::Light> lightsOf(const fbrdf_draw_desc& desc)
 {
-    checkArray(desc.lights, desc.light_count, desc.light_size, "lights");
     std::vector<fbrdf::Light> lights;
-    for (size_t i = 0; i < desc.light_count; ++i)
-        lights.push_back(lightOf(elementAt(desc.lights, desc.light_size, i)));
+    for (const fbrdf_light& light :
+         elements(desc.lights, desc.light_count, desc.light_size, "lights"))
+        lights.push_back(lightOf(light));
     return lights;
 }
 
@@ -81,8 +49,9 @@ int countOf(uint32_t value, int otherwise, const char* name)
 {
     constexpr uint32_t kMost = 1u << 30;
     if (value > kMost)
-        throw Failure(FBRDF_ERROR_ARGUMENT, std::string(name) + ": found " + std::to_string(value) +
-                                                ", expected at most " + std::to_string(kMost));
+        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                      std::string(name) + ": found " + std::to_string(value) +
+                          ", expected at most " + std::to_string(kMost));
     return value == 0 ? otherwise : static_cast<int>(value);
 }
 
@@ -122,7 +91,8 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.error_absolute = static_cast<float>(from.error.absolute);
     from.whyReplaced.copy(stats.why_replaced, sizeof stats.why_replaced - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
-    std::memcpy(to, &stats, std::min<size_t>(to->struct_size, sizeof stats));
+    std::memset(to, 0, to->struct_size);
+    std::memcpy(to, &stats, std::min<size_t>(stats.struct_size, sizeof stats));
 }
 
 /// Reads what all draws have, draws by act(renderer, target, view, descriptor), reports.
@@ -130,13 +100,14 @@ template <class Act>
 fbrdf_result drawn(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc, fbrdf_draw_stats* stats,
                    Act act)
 {
-    return guarded(renderer ? &renderer->shared->log : nullptr, [&] {
+    return guarded(logOf(renderer), [&] {
         Shared& shared = *required(renderer, "renderer").shared;
-        const fbrdf_draw_desc known = descriptor(desc, kFirstDraw, "draw");
-        if (stats && stats->struct_size < offsetof(fbrdf_draw_stats, draw_calls))
-            throw Failure(FBRDF_ERROR_VERSION, "stats: found struct_size " +
-                                                   std::to_string(stats->struct_size) +
-                                                   ", expected room for a number at least");
+        const fbrdf_draw_desc known = descriptor(desc, "draw");
+        if (stats && stats->struct_size < kFirstSize<fbrdf_draw_stats>)
+            throw Failure(FBRDF_RESULT_ERROR_VERSION,
+                          "stats: found a size of " + std::to_string(stats->struct_size) +
+                              " bytes, expected at least " +
+                              std::to_string(kFirstSize<fbrdf_draw_stats>));
         const fbrdf::gl::View view{glm::make_mat4(known.view), glm::make_mat4(known.projection)};
         const auto result = act(shared.renderer, targetOf(known), view, known);
         if (stats) report(result, stats);
@@ -161,11 +132,10 @@ fbrdf_result fbrdf_draw_batch(fbrdf_renderer* renderer, const fbrdf_draw_desc* d
     return drawn(renderer, draw, stats,
                  [batch](auto& gl, const auto& target, const auto& view, const auto& known) {
                      if (known.item_count != 0)
-                         throw Failure(FBRDF_ERROR_ARGUMENT, "items: found " +
-                                                                 std::to_string(known.item_count) +
-                                                                 ", expected none with a batch");
-                     return gl.drawBatch(target, view,
-                                         batchOf(descriptor(batch, kFirstBatch, "batch")),
+                         throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                                       "items: found " + std::to_string(known.item_count) +
+                                           ", expected none with a batch");
+                     return gl.drawBatch(target, view, batchOf(descriptor(batch, "batch")),
                                          lightsOf(known), optionsOf(known));
                  });
 }

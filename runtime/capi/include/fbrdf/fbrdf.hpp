@@ -1,6 +1,7 @@
-// fbrdf.hpp - fbrdf.h for C++: handles that release what they hold. Header only; nothing throws.
+// fbrdf.hpp - fbrdf.h for C++: handles that release what they own. Header only; nothing throws.
+// Lifetimes and threads are those of fbrdf.h.
 //     fbrdf::abi::Renderer renderer;
-//     if (renderer.create(fbrdf_renderer_create, &desc) != FBRDF_OK) ...
+//     if (renderer.create(fbrdf_renderer_create, &desc) != FBRDF_RESULT_OK) ...
 //     fbrdf_draw(renderer.get(), &draw, nullptr);
 #pragma once
 #include <fbrdf/fbrdf.h>
@@ -30,14 +31,14 @@ public:
     void reset() { release(std::exchange(handle_, nullptr)); }
 
     /// Calls a function whose last parameter is T** with the arguments before it. On failure the
-    /// handle keeps what it held.
+    /// handle keeps what it owned before.
     template <class... Parameters, class... Arguments>
     [[nodiscard]] fbrdf_result create(fbrdf_result (*function)(Parameters...),
                                       Arguments... arguments)
     {
         T* made = nullptr;
         const fbrdf_result result = function(arguments..., &made);
-        if (result == FBRDF_OK) {
+        if (result == FBRDF_RESULT_OK) {
             reset();
             handle_ = made;
         }
@@ -48,9 +49,9 @@ private:
     T* handle_ = nullptr;
 };
 
-using Brdf = Handle<fbrdf_brdf, fbrdf_brdf_release>;
-using Renderer = Handle<fbrdf_renderer, fbrdf_renderer_release>;
 using Material = Handle<fbrdf_material, fbrdf_material_release>;
+using Renderer = Handle<fbrdf_renderer, fbrdf_renderer_release>;
+using GpuMaterial = Handle<fbrdf_gpu_material, fbrdf_gpu_material_release>;
 using Mesh = Handle<fbrdf_mesh, fbrdf_mesh_release>;
 using Library = Handle<fbrdf_library, fbrdf_library_release>;
 using Hooks = Handle<fbrdf_hooks, fbrdf_hooks_release>;

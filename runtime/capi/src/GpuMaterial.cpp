@@ -1,0 +1,60 @@
+#include "Boundary.h"
+
+#include <algorithm>
+
+using namespace fbrdf::capi;
+
+namespace {
+
+fbrdf::gl::MaterialOptions optionsOf(const fbrdf_gpu_material_desc& desc)
+{
+    fbrdf::gl::MaterialOptions options;
+    options.lookUp = enumerator(desc.look_up, fbrdf::LookUp::cube, "look_up");
+    // Numbers beyond the largest size, also those that no int can represent, are refused alike.
+    options.mapSize = static_cast<int>(
+        std::min(desc.map_size, static_cast<uint32_t>(fbrdf::kLargestMapSize + 1)));
+    return options;
+}
+
+}  // namespace
+
+fbrdf_result fbrdf_gpu_material_create(fbrdf_renderer* renderer, const fbrdf_material* material,
+                                       const fbrdf_gpu_material_desc* desc,
+                                       fbrdf_gpu_material** out)
+{
+    return created(logOf(renderer), out, [&] {
+        const SharedPtr& shared = required(renderer, "renderer").shared;
+        const auto options =
+            desc ? optionsOf(descriptor(desc, "gpu_material")) : fbrdf::gl::MaterialOptions{};
+        auto gpu =
+            shared->renderer.createMaterial(required(material, "material").material, options);
+        return new fbrdf_gpu_material{shared, std::move(gpu), options, {}};
+    });
+}
+
+fbrdf_result fbrdf_gpu_material_replace(fbrdf_gpu_material* gpu_material,
+                                        const fbrdf_material* material)
+{
+    return guarded(logOf(gpu_material), [&] {
+        fbrdf_gpu_material& to = required(gpu_material, "gpu_material");
+        auto gpu =
+            to.shared->renderer.createMaterial(required(material, "material").material, to.options);
+        to.functions.clear();
+        to.gpu = std::move(gpu);
+    });
+}
+
+const char* fbrdf_gpu_material_why_native(const fbrdf_gpu_material* gpu_material)
+{
+    return gpu_material ? fbrdf::gl::whyNative(*gpu_material->gpu).c_str() : "";
+}
+
+float fbrdf_gpu_material_look_up_error(const fbrdf_gpu_material* gpu_material)
+{
+    return gpu_material ? static_cast<float>(fbrdf::gl::lookUpError(*gpu_material->gpu)) : 0.0f;
+}
+
+void fbrdf_gpu_material_release(fbrdf_gpu_material* gpu_material)
+{
+    delete gpu_material;
+}
