@@ -1,5 +1,5 @@
-# cpack in the build folder makes one Debian package of all that is installed. What it depends on is read from its
-# binaries; what only developers need (headers and CMake files are here, too) is suggested.
+# `cpack` in the build folder makes one Debian package of everything that is installed. The packages that it depends on
+# are read from its binaries. It has headers and CMake files too, and suggests the packages that only developers need.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fbrdf)
 set(CPACK_PACKAGE_CONTACT "The fbrdf authors <fbrdf@example.org>")
@@ -10,7 +10,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE gzip)  # a third of the time of xz
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The loader learns of the libraries as with Debian's own packages.
+# The trigger makes the loader aware of the libraries, as those of Debian's own packages do.
 file(WRITE ${CMAKE_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/debian/triggers)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libglm-dev, libopenimageio-dev, libpng-dev, nlohmann-json3-dev, pkg-config")

@@ -1,6 +1,6 @@
-# fbrdf_embed_shaders(TARGET [FUNCTION NAME] FILE...): makes the texts of GLSL files part of TARGET, as the function
-# that EmbeddedShaders.h declares; or as FUNCTION, which takes and returns the same. Run as a script (-P) it writes the
-# source; a changed file is embedded anew by the build.
+# fbrdf_embed_shaders(TARGET [FUNCTION NAME] FILE...) makes the texts of GLSL files part of TARGET, as the function that
+# EmbeddedShaders.h declares, or as the function NAME, which takes and returns the same. The build runs this file as a
+# script (-P), which writes the source, and runs it again when a GLSL file changes.
 if(CMAKE_SCRIPT_MODE_FILE)
   set(source "// Written by EmbedShaders.cmake.\n#include <string_view>\n\nnamespace fbrdf {\n\n")
   string(APPEND source "std::string_view ${FUNCTION}(std::string_view name);\n\n")

@@ -1,4 +1,4 @@
-# What can be chosen. Everything is on for the top-level project, and off where fbrdf is a part of another.
+# The options of the build. All parts are on for the top-level project, and off where fbrdf is part of another project.
 option(FBRDF_FITTER "Build the fitter and the fbrdf tool" ${PROJECT_IS_TOP_LEVEL})
 option(FBRDF_VIEWER "Build fbrdf-viewer" ${PROJECT_IS_TOP_LEVEL})
 option(FBRDF_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
@@ -15,8 +15,8 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
   find_program(FBRDF_CCACHE ccache)
   if(FBRDF_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # Another clone of the same sources finds the compiled objects: paths count from the project's root. ccache caches
-    # units with precompiled headers only where it may ignore the times and macros of those.
+    # Paths count from the project's root, so that another clone of the same sources finds the compiled objects. ccache
+    # caches units with precompiled headers only where it may ignore the times and macros of those headers.
     set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
       CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${FBRDF_CCACHE})
     set(CMAKE_C_COMPILER_LAUNCHER ${launcher})

@@ -1,4 +1,5 @@
-# OpenSceneGraph: optional. fbrdf_osg carries its include folders and libraries; FBRDF_OSG decides.
+# OpenSceneGraph is optional: FBRDF_OSG decides, and is on where it is found. fbrdf_osg carries its include folders and
+# libraries.
 find_package(OpenSceneGraph 3.6 QUIET COMPONENTS osgFX osgDB osgUtil osgViewer osgGA)
 option(FBRDF_OSG "Build the OpenSceneGraph node kit and its plugins" ${OPENSCENEGRAPH_FOUND})
 if(FBRDF_OSG AND NOT OPENSCENEGRAPH_FOUND)

@@ -1,7 +1,8 @@
-// Linked into every program that is built with the address sanitizer. Mesa closes its drivers at
-// exit, and then the leak checker can neither walk their thread-local storage nor name what they
-// leaked; OSMesa keeps a few structures for the life of the process. Of what was freed 16 MB are
-// kept, not 256: a program in constant memory shall be seen to be one.
+// This file is linked into every program that is built with the address sanitizer. Mesa closes its
+// drivers at exit, and then the leak checker can neither walk their thread-local storage nor name
+// what they leaked (hence intercept_tls_get_addr and dlclose); OSMesa keeps a few structures for
+// the life of the process. The sanitizer keeps 16 MB of freed memory instead of 256, so that tests
+// can see that a program needs constant memory.
 #include <cstdlib>
 
 extern "C" {
@@ -11,20 +12,21 @@ const char* __asan_default_options()
     return "intercept_tls_get_addr=0:quarantine_size_mb=16";
 }
 
-// A report without the way to it says little.
+// A report is of little use without the stack that led to it.
 const char* __ubsan_default_options()
 {
     return "print_stacktrace=1";
 }
 
-// Tests read what a program says on stderr.
+// Tests compare what a program writes to stderr, so the leak checker must add nothing to it.
 const char* __lsan_default_options()
 {
     return "print_suppressions=0";
 }
 
-// A rank under mpirun: OpenMPI leaves structures of its own behind, allocated through frames that
-// the checker cannot walk, so no suppression names them all. A lone process is always checked.
+// The checker is off for ranks under mpirun: OpenMPI leaves structures of its own behind, allocated
+// through frames that the checker cannot walk, so no suppression names them all. A process without
+// mpirun is always checked.
 int __lsan_is_turned_off()
 {
     return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;

@@ -1,4 +1,4 @@
-# Every target of the project is made here, so that language level, warnings and sanitizers are said once.
+# Every target of the project is made by these functions, so language level, warnings and sanitizers are set in one place.
 
 add_library(fbrdf_build_flags INTERFACE)
 target_compile_features(fbrdf_build_flags INTERFACE cxx_std_17)
@@ -11,14 +11,14 @@ if(FBRDF_SANITIZE)
     -fsanitize=${FBRDF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(fbrdf_build_flags INTERFACE -fsanitize=${FBRDF_SANITIZE} -rdynamic)
   if(FBRDF_SANITIZE MATCHES address)
-    # Into every program, and into no library.
+    # Every program gets these defaults, and no library.
     target_sources(fbrdf_build_flags INTERFACE
       $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/SanitizerDefaults.cpp>)
   endif()
 endif()
 
-# fbrdf_library(fbrdf_brdf ALIAS fbrdf::brdf SOURCES ... LINK ... PRIVATE_LINK ...)
-# Public headers are in include/ beside the caller, private ones in src/.
+# fbrdf_library(fbrdf_brdf ALIAS fbrdf::brdf SOURCES ... LINK ... PRIVATE_LINK ...) makes a static library. Its public
+# headers are in include/ beside the caller, its private ones in src/.
 function(fbrdf_library name)
   cmake_parse_arguments(ARG "" "ALIAS" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
@@ -31,7 +31,7 @@ function(fbrdf_library name)
   target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:fbrdf_build_flags>)
 endfunction()
 
-# fbrdf_program(fbrdf SOURCES ... LINK ...)
+# fbrdf_program(fbrdf SOURCES ... LINK ...) makes a program.
 function(fbrdf_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})

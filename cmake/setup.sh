@@ -1,4 +1,4 @@
-# Sourced by demo.sh and tests/run.sh: says what it does, and names the log of whatever fails.
+# demo.sh and the scripts of tests/ source this file. Its functions print each step, and the log of a step that fails.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # step NAME LOGFILE COMMAND...: runs the command into the log; on failure shows the log's end and its path.
@@ -18,7 +18,7 @@ step() {
   fi
 }
 
-# jobs for the compiler: one a core, but no more than the memory carries (a translation unit takes up to 1 GiB)
+# Prints how many compilers to run: one a core, but no more than fit into memory (a translation unit takes up to 1 GiB).
 build_jobs() {
   local cores memory
   cores=$(nproc)

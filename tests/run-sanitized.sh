@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds everything with the address and undefined-behaviour sanitizers into build-asan and runs every test under them.
-# Not part of CI: it takes several times as long as tests/run.sh. Usage: tests/run-sanitized.sh [CTEST-ARGUMENTS]
+# This is not part of CI, because it takes several times as long as tests/run.sh.
+# Usage: tests/run-sanitized.sh [CTEST-ARGUMENTS]
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 cd "$root"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the planner and the C ABI with the thread sanitizer into build-tsan and runs their tests: two contexts on two
-# threads, the library loaded twice. Not part of CI. Usage: tests/run-threads.sh
+# Builds the planner and the C ABI with the thread sanitizer into build-tsan and runs their tests, which have two contexts
+# on two threads and load the library twice. This is not part of CI. Usage: tests/run-threads.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 cd "$root"

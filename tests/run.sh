@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything into build-debug (assertions on) and runs every test. The last line is ctest's.
+# Installs what is missing, builds everything into build-debug (with assertions) and runs every test. ctest prints the
+# last line.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 cd "$root"

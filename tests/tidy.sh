@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs clang-tidy with the repository's .clang-tidy over all sources (or those given) and fails on any finding. Not part
-# of CI: it takes about 10 s of processor time a file. Needs a configured build/, and clang-tidy (Debian: clang-tidy).
+# Runs clang-tidy with the repository's .clang-tidy over all sources (or those given) and fails on any finding. This is not
+# part of CI, because it takes about 10 s of processor time a file. It needs clang-tidy (Debian: clang-tidy), and
+# configures build/ where that was not done.
 # Usage: tests/tidy.sh [FILE...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
