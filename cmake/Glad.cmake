@@ -3,7 +3,7 @@
 # glad of its own meets no symbol of ours.
 set(FBRDF_GLAD_DIR ${CMAKE_BINARY_DIR}/generated/glad)
 set(FBRDF_GLAD_HEADER ${FBRDF_GLAD_DIR}/include/glad/gl.h)
-set(FBRDF_GLAD_EXTENSIONS GL_KHR_debug,GL_ARB_texture_float,GL_ARB_color_buffer_float,GL_ARB_framebuffer_object,GL_ARB_vertex_array_object)
+set(FBRDF_GLAD_EXTENSIONS GL_KHR_debug,GL_ARB_texture_float,GL_ARB_color_buffer_float,GL_ARB_framebuffer_object,GL_ARB_vertex_array_object,GL_ARB_clip_control)
 
 # Debian's own interpreter has the package; it need not be the first on the path.
 foreach(candidate ${FBRDF_GLAD_PYTHON} /usr/bin/python3 ${Python3_EXECUTABLE})

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 
 namespace fbrdf::gl {
 namespace {
@@ -12,29 +11,13 @@ namespace {
 // glGetError of a lost context never ends.
 constexpr int kMostErrors = 16;
 
-bool hasExtension(const Functions& gl, const char* name)
-{
-    if (!gl.has(30, 30)) {
-        const auto* all = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
-        return all && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") !=
-                          std::string::npos;
-    }
-    const GLint count = integer(gl, GL_NUM_EXTENSIONS);
-    for (GLint i = 0; i < count; ++i) {
-        const auto* one =
-            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-        if (one && std::strcmp(one, name) == 0) return true;
-    }
-    return false;
-}
-
 /// Without fixed function.
 bool isCoreProfile(const Functions& gl)
 {
     if (gl.es) return true;
     if (gl.version >= 32)
         return (integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
-    return gl.version == 31 && !hasExtension(gl, "GL_ARB_compatibility");
+    return gl.version == 31 && !gl.hasExtension("GL_ARB_compatibility");
 }
 
 int glslVersion(const Functions& gl)
@@ -69,32 +52,32 @@ int uniformVectors(const Functions& gl)
 bool hasFloatTextures(const Functions& gl)
 {
     if (!gl.es) return gl.version >= 30 || gl.ARB_texture_float;
-    return gl.es >= 30 || (hasExtension(gl, "GL_OES_texture_half_float") &&
-                           hasExtension(gl, "GL_OES_texture_half_float_linear"));
+    return gl.es >= 30 || (gl.hasExtension("GL_OES_texture_half_float") &&
+                           gl.hasExtension("GL_OES_texture_half_float_linear"));
 }
 
 /// RGBA32F textures, filtered linearly.
 bool has32BitTextures(const Functions& gl)
 {
     if (!gl.es) return hasFloatTextures(gl);
-    return hasExtension(gl, "GL_OES_texture_float_linear") &&
-           (gl.es >= 30 || hasExtension(gl, "GL_OES_texture_float"));
+    return gl.hasExtension("GL_OES_texture_float_linear") &&
+           (gl.es >= 30 || gl.hasExtension("GL_OES_texture_float"));
 }
 
 /// RGBA32F is drawn to and blended in.
 bool hasFloatTargets(const Functions& gl)
 {
     if (!gl.es) return gl.version >= 30 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
-    return gl.es >= 30 && hasExtension(gl, "GL_EXT_color_buffer_float") &&
-           hasExtension(gl, "GL_EXT_float_blend");
+    return gl.es >= 30 && gl.hasExtension("GL_EXT_color_buffer_float") &&
+           gl.hasExtension("GL_EXT_float_blend");
 }
 
 /// RGBA16F is.
 bool hasHalfTargets(const Functions& gl)
 {
     return hasFloatTargets(gl) ||
-           (gl.es >= 30 && (hasExtension(gl, "GL_EXT_color_buffer_float") ||
-                            hasExtension(gl, "GL_EXT_color_buffer_half_float")));
+           (gl.es >= 30 && (gl.hasExtension("GL_EXT_color_buffer_float") ||
+                            gl.hasExtension("GL_EXT_color_buffer_half_float")));
 }
 
 Capabilities detected(const Functions& gl)
@@ -120,6 +103,7 @@ Capabilities detected(const Functions& gl)
     c.vertexArrays = gl.has(30, 30) || gl.ARB_vertex_array_object;
     if (gl.hasArrays()) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     c.bufferTextures = gl.version >= 31;
+    c.clipControl = gl.hasClipControl;
     c.debug = (gl.es ? gl.es >= 32 : gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup &&
               gl.PopDebugGroup && gl.ObjectLabel;
     return c;
@@ -131,6 +115,7 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     wanted.framebufferObjects = wanted.framebufferObjects && found.framebufferObjects;
     wanted.vertexArrays = wanted.vertexArrays && found.vertexArrays;
     wanted.debug = wanted.debug && found.debug;
+    wanted.clipControl = wanted.clipControl && found.clipControl;
     wanted.seamlessCubes = wanted.seamlessCubes && found.seamlessCubes;
     wanted.bufferTextures = wanted.bufferTextures && found.bufferTextures && wanted.glsl >= 140;
     wanted.maxArrayLayers = std::min(wanted.maxArrayLayers, found.maxArrayLayers);
@@ -173,7 +158,7 @@ DevicePtr createDevice(const RendererOptions& options)
         device->maxBufferTexels = integer(device->gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     if (device->gl.version >= 30) device->drawBuffers = integer(device->gl, GL_MAX_DRAW_BUFFERS);
     device->wideIndices =
-        device->gl.has(21, 30) || hasExtension(device->gl, "GL_OES_element_index_uint");
+        device->gl.has(21, 30) || device->gl.hasExtension("GL_OES_element_index_uint");
     device->renderer = text(device->gl, GL_RENDERER);
     device->version = text(device->gl, GL_VERSION);
     device->firstTextureUnit = options.firstTextureUnit;

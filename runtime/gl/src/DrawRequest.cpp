@@ -30,6 +30,32 @@ void checkView(const View& view)
         fail("found a singular projection, expected an invertible one");
 }
 
+bool passes(float depth, DepthTest test, float stored)
+{
+    switch (test) {
+        case DepthTest::less: return depth < stored;
+        case DepthTest::lessEqual: return depth <= stored;
+        case DepthTest::greater: return depth > stored;
+        case DepthTest::greaterEqual: return depth >= stored;
+    }
+    return false;
+}
+
+void checkDepth(const Device& device, const DepthOptions& depth)
+{
+    const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
+    for (const float value : {depth.rangeLow, depth.rangeHigh, depth.clear})
+        if (!(value >= 0.0f && value <= 1.0f))
+            fail("found depth " + std::to_string(value) + ", expected one in [0, 1]");
+    if (!passes(depth.rangeLow, depth.test, depth.clear) &&
+        !passes(depth.rangeHigh, depth.test, depth.clear))
+        fail("found clear depth " + std::to_string(depth.clear) +
+             " against which no depth of the range passes the depth test, expected one");
+    if (depth.clip == ClipDepth::zeroToOne && !device.capabilities.clipControl)
+        throw Error(ErrorKind::gl, "view",
+                    "found a context without glClipControl, expected it for depths in [0, 1]");
+}
+
 void checkTarget(const Device& device, const Target& target)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "target", what); };
@@ -50,6 +76,7 @@ void checkRequest(const Device& device, const Target& target, const View& view)
 {
     checkTarget(device, target);
     checkView(view);
+    checkDepth(device, view.depth);
 }
 
 bool isInvertible(const glm::mat4& model)

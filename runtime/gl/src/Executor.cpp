@@ -12,6 +12,17 @@ namespace fbrdf::gl {
 
 namespace {
 
+GLenum functionOf(DepthTest test)
+{
+    switch (test) {
+        case DepthTest::less: return GL_LESS;
+        case DepthTest::lessEqual: return GL_LEQUAL;
+        case DepthTest::greater: return GL_GREATER;
+        case DepthTest::greaterEqual: return GL_GEQUAL;
+    }
+    return GL_LESS;
+}
+
 void checkArrays(const GpuMesh& mesh, const Program& program)
 {
     for (size_t k = 0; k < program.extraArrays; ++k)
@@ -87,7 +98,7 @@ void Executor::setBlend(Blend blend)
 
 void Executor::setDepth(Depth depth)
 {
-    gl_.DepthFunc(depth == Depth::lay ? GL_LESS : GL_EQUAL);
+    gl_.DepthFunc(depth == Depth::lay ? functionOf(frame_.view.depth.test) : GL_EQUAL);
     gl_.DepthMask(depth == Depth::lay ? GL_TRUE : GL_FALSE);
 }
 

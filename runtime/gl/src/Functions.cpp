@@ -102,7 +102,7 @@ void checkNewer(const Functions& gl)
 {
     const bool es = gl.es != 0, es30 = gl.es >= 30, gl30 = gl.version >= 30,
                gl31 = gl.version >= 31, gl40 = gl.version >= 40, gl41 = gl.version >= 41,
-               gl45 = gl.version >= 45, framebuffers = gl30 || es || gl.ARB_framebuffer_object,
+               framebuffers = gl30 || es || gl.ARB_framebuffer_object,
                vertexArrays = gl30 || es30 || gl.ARB_vertex_array_object;
     FBRDF_NEEDS(framebuffers, BindFramebuffer)
     FBRDF_NEEDS(framebuffers, BindRenderbuffer)
@@ -126,6 +126,7 @@ void checkNewer(const Functions& gl)
     FBRDF_NEEDS(framebuffers, GetFramebufferAttachmentParameteriv)
     FBRDF_NEEDS(framebuffers, RenderbufferStorage)
     FBRDF_NEEDS(gl.hasArrays(), TexSubImage3D)
+    FBRDF_NEEDS(gl.has(30, 30), GetStringi)
     FBRDF_NEEDS(gl31, DrawElementsInstanced)
     FBRDF_NEEDS(gl31, TexBuffer)
     FBRDF_NEEDS(gl31, Uniform3i)
@@ -134,7 +135,7 @@ void checkNewer(const Functions& gl)
     FBRDF_NEEDS(gl40, BlendFuncSeparatei)
     FBRDF_NEEDS(gl41, DepthRangeIndexed)
     FBRDF_NEEDS(gl41, ViewportIndexedf)
-    FBRDF_NEEDS(gl45, ClipControl)
+    FBRDF_NEEDS(gl.hasClipControl, ClipControl)
 }
 #undef FBRDF_NEEDS
 
@@ -165,7 +166,35 @@ void loadEmbedded(Functions& gl, const Loader& loader)
 #undef FBRDF_FIND
 }
 
+/// OpenGL ES has the function under another name, with the same enumerators.
+void findClipControl(Functions& gl, const Loader& loader)
+{
+    gl.hasClipControl = gl.version >= 45 || gl.ARB_clip_control;
+    if (gl.es == 0) return;
+    gl.hasClipControl = gl.hasExtension("GL_EXT_clip_control");
+    if (gl.hasClipControl)
+        gl.ClipControl =
+            reinterpret_cast<PFNGLCLIPCONTROLPROC>(loader.load(loader.user, "glClipControlEXT"));
+}
+
 }  // namespace
+
+bool Functions::hasExtension(const char* name) const
+{
+    if (!has(30, 30)) {
+        const auto* all = reinterpret_cast<const char*>(GetString(GL_EXTENSIONS));
+        return all && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") !=
+                          std::string::npos;
+    }
+    GLint count = 0;
+    GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* one =
+            reinterpret_cast<const char*>(GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        if (one && std::strcmp(one, name) == 0) return true;
+    }
+    return false;
+}
 
 Functions loadFunctions(LoadFunction load, void* user)
 {
@@ -192,6 +221,7 @@ Functions loadFunctions(LoadFunction load, void* user)
         fail("found version '" + text + "', expected OpenGL 2.1 or OpenGL ES 2.0 or newer");
     checkBasics(gl);
     checkPrograms(gl);
+    findClipControl(gl, loader);
     checkNewer(gl);
     return gl;
 }

@@ -10,7 +10,9 @@ namespace fbrdf::gl {
 struct Functions : GladGLContext {
     int version = 0;  ///< 10 x major + minor; of OpenGL ES 21, the desktop version next to it
     int es = 0;       ///< 10 x major + minor of OpenGL ES; 0 on a desktop
+    bool hasClipControl = false;
 
+    bool hasExtension(const char* name) const;
     bool has(int desktop, int embedded) const { return es ? es >= embedded : version >= desktop; }
     bool hasArrays() const { return has(30, 30); }
     bool hasSamplers() const { return has(33, 30); }

@@ -53,15 +53,16 @@ std::vector<const Program*> Renderer::State::programsOf(const GpuMaterial& mater
 }
 
 Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks,
-                              PlanRequest wanted, const Target* target, std::string& whyReplaced)
+                              PlanRequest wanted, const DrawRequest* draw, std::string& whyReplaced)
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
     wanted.signs = material.hasSigns();
     wanted.recombination = material.lookUpError();
     Plan plan = planPasses(material.form(), wanted, capabilities);
     const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
-    if (target && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&
-        !surfaces.prepare(target->width, target->height, plan.surfaces)) {
+    if (draw && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&
+        !surfaces.prepare(
+            {draw->target.width, draw->target.height, plan.surfaces, draw->info.floatDepth})) {
         wanted.offscreen = false;
         plan = planPasses(material.form(), wanted, capabilities);
     }
@@ -86,8 +87,8 @@ void Renderer::State::prepare(const GpuMaterial& material, const SurfaceOptions&
     std::string whyReplaced;
     const Plan plan =
         planFor(material, surface.hooks,
-                request(options, lights, {ColourFormat::rgba32f, false, Transfer::linear}), nullptr,
-                whyReplaced);
+                request(options, lights, {ColourFormat::rgba32f, false, false, Transfer::linear}),
+                nullptr, whyReplaced);
     programsOf(material, surface, plan, isClustered(options, static_cast<size_t>(lights)));
 }
 
@@ -111,8 +112,7 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
         wanted.peaks = material.peaks();
         wanted.peaks->lights = lights.peaks;
     }
-    const Plan plan =
-        planFor(material, item.surface.hooks, wanted, &draw.target, stats.whyReplaced);
+    const Plan plan = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
     const auto passPrograms = programsOf(material, item.surface, plan, draw.clustered);
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
     const int passes = static_cast<int>(plan.passes.size());
@@ -183,6 +183,7 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     StateGuard guard(*device);
     const DebugGroup group(*device, "fbrdf draw");
     guard.setTarget(target);
+    guard.setDepth(view.depth);
     request.info = targetInfo(*device, target);
     validate(this->request(options, stats.lightsUsed, request.info));
     if (options.maxLights < 0)

@@ -25,10 +25,10 @@ struct Renderer::State {
     std::vector<const Program*> programsOf(const GpuMaterial& material,
                                            const SurfaceOptions& surface, const Plan& plan,
                                            bool clustered);
-    /// The plan asked for; where there is none, all lights in one pass, with a warning. target:
-    /// whose surfaces are made ready; may be null.
+    /// Returns the plan asked for or, with a warning, the one that takes all lights in one pass.
+    /// draw: its target's surfaces are made ready; may be null.
     Plan planFor(const GpuMaterial& material, const GpuHooks* hooks, PlanRequest wanted,
-                 const Target* target, std::string& whyReplaced);
+                 const DrawRequest* draw, std::string& whyReplaced);
     /// Builds what a draw will need.
     void prepare(const GpuMaterial& material, const SurfaceOptions& surface,
                  const DrawOptions& options, int lights);

@@ -144,7 +144,7 @@ void StateGuard::saveFixed()
     if (!gl_.es) gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_);
     if (gl_.version >= 30 && !device_.capabilities.coreProfile)
         clampColour_ = integer(gl_, GL_CLAMP_FRAGMENT_COLOR);
-    if (gl_.version >= 45) {
+    if (gl_.hasClipControl) {
         clipOrigin_ = integer(gl_, GL_CLIP_ORIGIN);
         clipDepth_ = integer(gl_, GL_CLIP_DEPTH_MODE);
     }
@@ -183,15 +183,9 @@ void StateGuard::setFixed()
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     for (int i = 1; i < device_.drawBuffers; ++i)
         gl_.ColorMaski(static_cast<GLuint>(i), GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    if (gl_.version >= 41)
-        gl_.DepthRangeIndexed(0, 0.0, 1.0);
-    else
-        gl_.depthRange(0.0, 1.0);
-    gl_.clearDepth(1.0);
     if (!gl_.es) gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl_.version >= 30 && !device_.capabilities.coreProfile)
         gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FIXED_ONLY);
-    if (gl_.version >= 45) gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
 void StateGuard::restoreFixed() const
@@ -230,15 +224,29 @@ void StateGuard::restoreFixed() const
         gl_.PolygonMode(GL_BACK, enumOf(polygonMode_[1]));
         if (gl_.version >= 30) gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, enumOf(clampColour_));
     }
-    if (gl_.version >= 45) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
+    if (gl_.hasClipControl) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
+}
+
+void StateGuard::setDepthRange(double low, double high) const
+{
+    if (gl_.version >= 41)
+        gl_.DepthRangeIndexed(0, low, high);
+    else
+        gl_.depthRange(low, high);
+}
+
+void StateGuard::setDepth(const DepthOptions& depth)
+{
+    setDepthRange(static_cast<double>(depth.rangeLow), static_cast<double>(depth.rangeHigh));
+    gl_.clearDepth(static_cast<double>(depth.clear));
+    const GLenum clip =
+        depth.clip == ClipDepth::zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE;
+    if (gl_.hasClipControl) gl_.ClipControl(GL_LOWER_LEFT, clip);
 }
 
 void StateGuard::restoreDepthRangeAndViewport() const
 {
-    if (gl_.version >= 41)
-        gl_.DepthRangeIndexed(0, depthRange_[0], depthRange_[1]);
-    else
-        gl_.depthRange(depthRange_[0], depthRange_[1]);
+    setDepthRange(depthRange_[0], depthRange_[1]);
     if (mode_ != StateMode::restore) return;
     if (gl_.version >= 41)
         gl_.ViewportIndexedf(0, viewport_[0], viewport_[1], viewport_[2], viewport_[3]);

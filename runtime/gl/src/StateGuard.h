@@ -22,6 +22,8 @@ public:
 
     /// Binds the target's framebuffer and makes the viewport all of it.
     void setTarget(const Target& target);
+    /// Sets depth range, clear value and clip control; the depth function is a pass's.
+    void setDepth(const DepthOptions& depth);
     /// Limits drawing to the pixels given; nullptr: to nothing but the viewport.
     void setScissor(const PixelRect* rect);
     /// Binds to a unit (counted from the device's first), saving what was there at first touch.
@@ -42,6 +44,7 @@ private:
     void disableAll();
     void setFixed();
     void restoreFixed() const;
+    void setDepthRange(double low, double high) const;
     void restoreDepthRangeAndViewport() const;
     void setScissorBox(const PixelRect& box) const;
     SavedUnit savedUnit(GLenum name) const;  ///< of the active unit

@@ -6,27 +6,32 @@
 
 namespace fbrdf::gl {
 
-bool Surfaces::prepare(int width, int height, ColourFormat format)
+bool Surfaces::prepare(const Format& format)
 {
-    if (width == width_ && height == height_ && format == format_) return usable_;
-    width_ = width;
-    height_ = height;
+    if (format == format_) return usable_;
     format_ = format;
     const UploadGuard guard(*device_);
-    const Functions& gl = device_->gl;
-    depth_ = createObject(device_, ObjectKind::renderbuffer);
-    gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-    const bool old = gl.es != 0 && gl.es < 30;  // which promises 16 bits of depth
-    gl.RenderbufferStorage(GL_RENDERBUFFER, old ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
-                           width, height);
-    label(*device_, ObjectKind::renderbuffer, depth_, "depth");
+    createDepth();
     usable_ =
         create(accumulation_, "accumulation") && create(scratch_, "scratch") && create(sum_, "sum");
     if (!usable_)
-        device_->log(Severity::warning, std::string("no ") + colourFormatName(format) +
-                                            " surface of " + std::to_string(width) + "x" +
-                                            std::to_string(height) + " can be drawn to");
+        device_->log(Severity::warning, std::string("no ") + colourFormatName(format.colour) +
+                                            " surface of " + std::to_string(format.width) + "x" +
+                                            std::to_string(format.height) + " can be drawn to");
     return usable_;
+}
+
+void Surfaces::createDepth()
+{
+    const Functions& gl = device_->gl;
+    depth_ = createObject(device_, ObjectKind::renderbuffer);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+    // OpenGL ES 2.0 promises 16 bits only.
+    const bool old = gl.es != 0 && gl.es < 30;
+    const GLenum fixed = old ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
+    gl.RenderbufferStorage(GL_RENDERBUFFER, format_.floatDepth ? GL_DEPTH_COMPONENT32F : fixed,
+                           format_.width, format_.height);
+    label(*device_, ObjectKind::renderbuffer, depth_, "depth");
 }
 
 bool Surfaces::create(One& one, const std::string& name)
@@ -40,14 +45,15 @@ bool Surfaces::create(One& one, const std::string& name)
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     const bool old = gl.es != 0 && gl.es < 30;  // neither levels nor sized formats
     if (!old) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    if (format_ == ColourFormat::rgba32f)
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
-    else if (format_ == ColourFormat::rgba16f)
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width_, height_, 0, GL_RGBA, GL_HALF_FLOAT,
-                      nullptr);
+    if (format_.colour == ColourFormat::rgba32f)
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, format_.width, format_.height, 0, GL_RGBA,
+                      GL_FLOAT, nullptr);
+    else if (format_.colour == ColourFormat::rgba16f)
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, format_.width, format_.height, 0, GL_RGBA,
+                      GL_HALF_FLOAT, nullptr);
     else
-        gl.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : GL_RGBA8, width_, height_, 0, GL_RGBA,
-                      GL_UNSIGNED_BYTE, nullptr);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : GL_RGBA8, format_.width, format_.height, 0,
+                      GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     label(*device_, ObjectKind::texture, one.texture, name);
     one.framebuffer = createObject(device_, ObjectKind::framebuffer);
     gl.BindFramebuffer(gl.drawFramebuffer(), one.framebuffer.name());

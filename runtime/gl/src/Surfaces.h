@@ -9,9 +9,21 @@ class Surfaces {
 public:
     explicit Surfaces(DevicePtr device) : device_(std::move(device)) {}
 
-    /// Makes all as said; nothing where they are. False, and a warning, where the driver cannot
-    /// draw to them; it is not asked again for this size and format.
-    bool prepare(int width, int height, ColourFormat format);
+    /// What the surfaces of a target have to be.
+    struct Format {
+        int width = 0, height = 0;
+        ColourFormat colour = ColourFormat::rgba32f;
+        bool floatDepth = false;  ///< as the target's: coarser depths would let fragments coincide
+        bool operator==(const Format& other) const
+        {
+            return width == other.width && height == other.height && colour == other.colour &&
+                   floatDepth == other.floatDepth;
+        }
+    };
+
+    /// Creates the surfaces, or does nothing if they already match. Returns false, after a warning,
+    /// where the driver cannot draw to them; it is not asked again for the same format.
+    bool prepare(const Format& format);
 
     /// Framebuffer of any but the target.
     GLuint framebuffer(Surface surface) const;
@@ -21,6 +33,7 @@ private:
     struct One {
         Object texture, framebuffer;
     };
+    void createDepth();
     bool create(One& one, const std::string& name);
     const One& of(Surface surface) const
     {
@@ -31,8 +44,7 @@ private:
     DevicePtr device_;
     One accumulation_, scratch_, sum_;
     Object depth_;
-    int width_ = 0, height_ = 0;
-    ColourFormat format_ = ColourFormat::rgba32f;
+    Format format_;
     bool usable_ = false;
 };
 

@@ -39,17 +39,26 @@ GLenum queriedName(const Functions& gl, GLenum drawBuffer)
     }
 }
 
+GLenum depthAttachment(GLuint framebuffer)
+{
+    return framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+}
+
+bool isFloat(const Functions& gl, GLenum attachment)
+{
+    return parameter(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+}
+
 ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
 {
     const auto buffer = queriedName(gl, static_cast<GLenum>(integer(gl, GL_DRAW_BUFFER0)));
     if (buffer == GL_NONE) fail(framebuffer, "found no draw buffer, expected a colour buffer");
     if (parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
         fail(framebuffer, "found nothing attached to its draw buffer, expected a colour buffer");
-    const GLenum depth = framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-    if (parameter(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+    if (parameter(gl, depthAttachment(framebuffer), GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) ==
+        GL_NONE)
         fail(framebuffer, "found no depth buffer, expected one");
-    return formatOf(parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT,
-                    parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE));
+    return formatOf(isFloat(gl, buffer), parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE));
 }
 
 ColourFormat formatBefore30(const Functions& gl, GLuint framebuffer)
@@ -73,6 +82,7 @@ TargetInfo targetInfo(const Device& device, const Target& target)
     }
     TargetInfo info;
     info.format = gl.has(30, 30) ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
+    info.floatDepth = gl.has(30, 30) && isFloat(gl, depthAttachment(framebuffer));
     info.transfer = target.transfer;
     info.multisampled = integer(gl, GL_SAMPLES) > 1;
     return info;

@@ -7,6 +7,7 @@ namespace fbrdf::gl {
 struct TargetInfo {
     ColourFormat format = ColourFormat::other;
     bool multisampled = false;
+    bool floatDepth = false;
     Transfer transfer = Transfer::linear;
 };
 

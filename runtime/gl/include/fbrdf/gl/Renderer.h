@@ -9,6 +9,7 @@
 // or precede any.
 #pragma once
 #include <fbrdf/brdf/Material.h>
+#include <fbrdf/gl/Depth.h>
 #include <fbrdf/gl/MaterialOptions.h>
 #include <fbrdf/plan/Capabilities.h>
 #include <fbrdf/plan/Light.h>
@@ -124,9 +125,11 @@ struct Batch {
 };
 
 struct View {
-    /// OpenGL's: camera looks along -z, depth in [-1, 1]. The view is rigid; the projection is
-    /// perspective or orthographic.
+    /// The camera looks along -z; the view is rigid, the projection perspective or orthographic,
+    /// and its far plane may be infinitely far.
     glm::mat4 view{1.0f}, projection{1.0f};
+    /// What the projection and the depth buffer of the target agree on.
+    DepthOptions depth = {};
 };
 
 /// A colour buffer with depth that the host owns: a framebuffer object, or 0 for the window's. Only
@@ -209,8 +212,9 @@ public:
     /// The same for an item with its hooks and normal map.
     void prepare(const Item& item, const DrawOptions& options, int lights);
 
-    /// Adds the items to the target (depth test LESS against what is there). Throws Error(gl) on a
-    /// target that cannot be drawn to, Error(usage) on options out of range; nothing is drawn then.
+    /// Draws the items into the target, in front of what its depth buffer contains
+    /// (View::depth). Throws Error(gl) on a target that cannot be drawn to or a clip control that
+    /// is missing, Error(usage) on options out of range; nothing is drawn then.
     /// Everything else is survived: an item that cannot be drawn is left out, logged and counted; a
     /// technique that the form or the target rules out is replaced by `single` with a warning.
     /// Lights left out are counted, never silent.

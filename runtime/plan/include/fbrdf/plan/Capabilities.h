@@ -26,6 +26,7 @@ struct Capabilities {
     int maxArrayLayers = 0;       ///< of a texture array; 0: there are none
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
     bool debug = false;           ///< KHR_debug: labels and groups
+    bool clipControl = false;     ///< a projection may leave depths in [0, 1] (glClipControl)
 };
 
 }  // namespace fbrdf
