@@ -282,6 +282,21 @@ TEST(Cache, KnowsTheSupport)
     }
 }
 
+TEST(Cache, AnotherRadiusOfADiscIsAnotherForm)
+{
+    FitCache cache;
+    LeastSquaresOptions cached;
+    cached.cache = &cache;
+    Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 10000);
+    Form form = formPqp(12, 0.5);
+    for (const double radius : {5.5, 4.0}) {
+        std::get<DiscDomain>(form.tables[0].domain).radius = radius;
+        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
+            without(form, problem.feed, problem.traits, 1, 2);
+        EXPECT_EQ(with.step(with.flatState(), {}), without.step(without.flatState(), {}));
+    }
+}
+
 TEST(Cache, AnotherGridIsNotMistakenForIt)
 {
     FitCache cache;

@@ -4,6 +4,7 @@
 #include "Version.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/fit/FormKey.h>
 #include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
 
@@ -114,8 +115,8 @@ std::string optionsNote(const FitJob& job)
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
         "smoothness={} seed={} cosine={}{}{}",
-        fit.formData ? describe(*fit.formData) : fit.form, fit.resolution, fit.maxBytes,
-        fit.lookups, fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
+        fit.formData ? formKey(*fit.formData) : fit.form, fit.resolution, fit.maxBytes, fit.lookups,
+        fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
         job.sourceOptions.cosine, fit.sharedShape ? " shared" : "",
         fit.conserve ? " conserve" : "");

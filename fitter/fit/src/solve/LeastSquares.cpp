@@ -1,5 +1,7 @@
 #include "solve/LeastSquaresRows.h"
 
+#include <fbrdf/fit/FormKey.h>
+
 #include <array>
 #include <limits>
 
@@ -17,7 +19,7 @@ std::string keyOf(const Feed& feed, const Form& form, const LeastSquaresOptions&
 {
     if (!options.cache || options.sharedShape) return {};
     const std::string geometry = geometryOf(feed, threads);
-    return geometry.empty() ? geometry : geometry + "|" + describe(form);
+    return geometry.empty() ? geometry : geometry + "|" + formKey(form);
 }
 
 std::shared_ptr<const RowGeometries> knownRows(const std::string& key,
