@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace fbrdf {
 namespace {
@@ -24,7 +25,7 @@ TEST(Feed, BlocksHoldEverySampleOnceInOrder)
     const Feed feed = makeFeed(source, 0, 1, 1);
     ASSERT_EQ(feed.blocks(), 3u);
     EXPECT_FALSE(feed.exact);
-    std::vector<Sample> scratch;
+    FeedScratch scratch;
     float next = 0.0f;
     for (size_t b = 0; b < feed.blocks(); ++b) {
         const FeedBlock block = feed.block(b, scratch);
@@ -43,7 +44,7 @@ TEST(Feed, AStreamGivesTheSamplesOfTheListItCameFrom)
         for (uint64_t i = first; i < first + count; ++i) out.push_back(held.samples[i]);
     };
     const Feed a = makeFeed(held, 0, 1, 1), b = makeFeed(streamed, 0, 1, 2);
-    std::vector<Sample> scratch, other;
+    FeedScratch scratch, other;
     ASSERT_EQ(a.blocks(), b.blocks());
     for (size_t k = 0; k < a.blocks(); ++k) {
         const FeedBlock p = a.block(k, scratch), q = b.block(k, other);
@@ -107,6 +108,59 @@ TEST(Folds, AllButOneAreTheOthers)
                fold = someSamples(feed, FoldChoice::onlyOf(2), 10000, 9);
     for (const Sample& s : others) EXPECT_NE(foldOf(uint64_t(s.f.x), 9), 2);
     EXPECT_EQ(others.size() + fold.size(), source.samples.size());
+}
+
+// A stream that drops a seventh of its rows; red is the number of the row, so rows < 2^24.
+SampleStream dropping(uint64_t rows)
+{
+    SampleStream stream;
+    stream.rows = rows;
+    stream.read = [](uint64_t first, size_t count, std::vector<Sample>& out, SampleReport&) {
+        for (uint64_t i = first; i < first + count; ++i)
+            if (splitMix64(i) % 7 != 0)
+                out.push_back({Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(float(i)), 1.0f});
+    };
+    return stream;
+}
+
+// The number under which fits meet a row: they read blocks.
+uint64_t numberInItsBlock(const Feed& feed, uint64_t row)
+{
+    FeedScratch scratch;
+    const FeedBlock block = feed.block(size_t(row / kFeedBlock), scratch);
+    for (size_t i = 0; i < block.count; ++i)
+        if (uint64_t(block.samples[i].f.x) == row) return block.number(i);
+    throw std::runtime_error("the row was dropped");
+}
+
+TEST(Folds, ALongStreamThatDropsRowsHasTheFoldsThatFitsSee)
+{
+    const SampleStream stream = dropping(60000);
+    const Feed feed = streamedFeed(stream);
+    for (const int fold : {0, 3}) {
+        const auto part = someSamples(feed, FoldChoice::onlyOf(fold), 500, 9);
+        EXPECT_GT(part.size(), 300u);
+        for (const Sample& s : part)
+            EXPECT_EQ(foldOf(numberInItsBlock(feed, uint64_t(s.f.x)), 9), fold);
+    }
+}
+
+TEST(Feed, NumbersOfAStreamThatDropsRowsAreUniqueAndRise)
+{
+    const SampleStream stream = dropping(20000);
+    const Feed feed = streamedFeed(stream);
+    FeedScratch scratch;
+    uint64_t next = 0, samples = 0;
+    for (size_t b = 0; b < feed.blocks(); ++b) {
+        const FeedBlock block = feed.block(b, scratch);
+        for (size_t i = 0; i < block.count; ++i) {
+            EXPECT_GE(block.number(i), next);
+            next = block.number(i) + 1;
+        }
+        samples += block.count;
+    }
+    EXPECT_LT(samples, 20000u * 7 / 8);  // some were dropped
+    EXPECT_LE(next, 20000u);
 }
 
 TEST(Folds, SomeSamplesAreTheSameOnAnyNumberOfThreads)

@@ -334,6 +334,41 @@ TEST(Sums, AWeakStrengthGetsAsFarAsTheChosenOne)
     EXPECT_LT(squares.cost(given, {}, given), 10.0 * squares.cost(chosen.x, {}, chosen.x));
 }
 
+// The samples of a source as a stream that drops every fifth row.
+SampleStream droppingStream(const std::vector<Sample>& samples)
+{
+    SampleStream stream;
+    stream.rows = samples.size();
+    stream.read = [&samples](uint64_t first, size_t count, std::vector<Sample>& out,
+                             SampleReport&) {
+        for (uint64_t i = first; i < first + count; ++i)
+            if (splitMix64(i) % 5 != 0) out.push_back(samples[i]);
+    };
+    return stream;
+}
+
+TEST(Folds, WhatIsHeldOutOfALongStreamTakesNoPartInTheFit)
+{
+    constexpr uint64_t kSeed = 9;
+    std::vector<Sample> samples =
+        test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 60000, 1).samples;
+    for (size_t i = 0; i < samples.size(); ++i) samples[i].weight = 1.0f + 1e-6f * float(i);
+    const SampleStream stream = droppingStream(samples);
+    const Feed feed = streamedFeed(stream);
+    const DataTraits traits =
+        traitsOf(someSamples(feed, FoldChoice::all(), 20000, kSeed), false, "data");
+    const LeastSquares squares(formHdio(8, 4, 4), feed, traits, kSeed, 2);
+    StepOptions options;
+    options.excludedFold = 2;
+    const State before = squares.step(squares.flatState(), options);
+    const auto heldOut = someSamples(feed, FoldChoice::onlyOf(2), 500, kSeed);
+    ASSERT_GT(heldOut.size(), 300u);
+    for (const Sample& s : heldOut)
+        for (Sample& of : samples)
+            if (of.weight == s.weight && of.wi == s.wi) of.f *= 100.0f;
+    EXPECT_EQ(squares.step(squares.flatState(), options), before);
+}
+
 TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);

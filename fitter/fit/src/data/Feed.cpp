@@ -1,8 +1,8 @@
 #include "data/Feed.h"
 
-#include <fbrdf/base/Parallel.h>
-
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Parallel.h>
 #include <fbrdf/metrics/SampleSets.h>
 
 #include <algorithm>
@@ -24,24 +24,28 @@ Feed feedOf(Owner owner, const std::vector<Sample>& samples)
     Feed feed;
     feed.rows = samples.size();
     feed.held = true;
-    feed.read = [owner = std::move(owner), &samples](uint64_t first, size_t count,
-                                                     std::vector<Sample>&) {
+    feed.read = [owner = std::move(owner), &samples](uint64_t first, size_t count, FeedScratch&) {
+        FBRDF_ASSERT(first + count, <=, samples.size());
         return FeedBlock{samples.data() + first, count, first};
     };
     return feed;
 }
 
-Feed feedOf(const SampleStream& stream)
+// A stream does not tell which rows it dropped. Read by pieces that always begin at the same rows,
+// a sample is numbered by its piece and its place among the usable samples of that piece.
+FeedBlock readPieces(const SampleStream& stream, uint64_t first, size_t count, FeedScratch& scratch)
 {
-    Feed feed;
-    feed.rows = stream.rows;
-    feed.read = [&stream](uint64_t first, size_t count, std::vector<Sample>& scratch) {
-        SampleReport report;
-        scratch.clear();
-        stream.read(first, count, scratch, report);
-        return FeedBlock{scratch.data(), scratch.size(), first};
-    };
-    return feed;
+    FBRDF_ASSERT(first % kFeedPiece, ==, 0u);
+    FBRDF_ASSERT(count, <=, kFeedBlock);
+    SampleReport report;
+    scratch.samples.clear();
+    scratch.offsets.clear();
+    for (size_t piece = 0; piece < count; piece += kFeedPiece) {
+        stream.read(first + piece, std::min(kFeedPiece, count - piece), scratch.samples, report);
+        for (size_t offset = piece; scratch.offsets.size() < scratch.samples.size(); ++offset)
+            scratch.offsets.push_back(static_cast<uint16_t>(offset));
+    }
+    return {scratch.samples.data(), scratch.samples.size(), first, scratch.offsets.data()};
 }
 
 // The parts in order, cut off at the limit.
@@ -59,11 +63,15 @@ std::vector<Sample> joined(const std::vector<std::vector<Sample>>& parts, size_t
 Owner allSamples(const Feed& feed, int threads)
 {
     std::vector<std::vector<Sample>> blocks(feed.blocks());
-    parallelTasks(blocks.size(), threads, [&](size_t b) { feed.block(b, blocks[b]); });
+    parallelTasks(blocks.size(), threads, [&](size_t b) {
+        FeedScratch scratch;
+        feed.block(b, scratch);
+        blocks[b] = std::move(scratch.samples);
+    });
     return std::make_shared<std::vector<Sample>>(joined(blocks, feed.rows));
 }
 
-// Ranges of a feed, in order: all of it, or pieces at equal distances.
+// Ranges of a feed, in order: all of it, or pieces at equal distances, each a few points of a scan.
 struct Ranges {
     uint64_t distance;
     size_t length, count;
@@ -71,12 +79,12 @@ struct Ranges {
 
 Ranges rangesFor(const Feed& feed, uint64_t wanted)
 {
-    constexpr size_t kPiece = 256;  // rows: a few points of a scan, many scans
     constexpr uint64_t kSparse = 4;
-    const uint64_t pieces = (2 * wanted + kPiece - 1) / kPiece;
-    if (feed.held || feed.rows < kSparse * pieces * kPiece)
+    const uint64_t pieces = (2 * wanted + kFeedPiece - 1) / kFeedPiece;
+    if (feed.held || feed.rows < kSparse * pieces * kFeedPiece)
         return {kFeedBlock, kFeedBlock, feed.blocks()};
-    return {feed.rows / pieces, kPiece, static_cast<size_t>(pieces)};
+    const uint64_t distance = feed.rows / pieces / kFeedPiece * kFeedPiece;
+    return {distance, kFeedPiece, static_cast<size_t>(pieces)};
 }
 
 // Rows to look at for `limit` of the choice.
@@ -88,7 +96,7 @@ uint64_t wantedRows(const FoldChoice& choice, size_t limit)
 Feed feedOfSamples(const Source& source, int threads)
 {
     if (!source.samples.empty()) return feedOf(nullptr, source.samples);
-    const Feed stream = feedOf(source.stream);
+    const Feed stream = streamedFeed(source.stream);
     if (stream.rows > kHeldRows) return stream;
     const Owner all = allSamples(stream, threads);
     return feedOf(all, *all);
@@ -128,8 +136,19 @@ Feed heldFeed(std::vector<Sample> samples)
     return feedOf(owner, *owner);
 }
 
-FeedBlock Feed::block(size_t index, std::vector<Sample>& scratch) const
+Feed streamedFeed(const SampleStream& stream)
 {
+    Feed feed;
+    feed.rows = stream.rows;
+    feed.read = [&stream](uint64_t first, size_t count, FeedScratch& scratch) {
+        return readPieces(stream, first, count, scratch);
+    };
+    return feed;
+}
+
+FeedBlock Feed::block(size_t index, FeedScratch& scratch) const
+{
+    FBRDF_ASSERT(index, <, blocks());
     const uint64_t first = index * kFeedBlock;
     return read(first, static_cast<size_t>(std::min<uint64_t>(kFeedBlock, rows - first)), scratch);
 }
@@ -141,7 +160,7 @@ std::string geometryOf(const Feed& feed, int threads)
     if (!feed.held) return {};
     std::vector<uint64_t> hashes(feed.blocks(), 0);
     parallelTasks(hashes.size(), threads, [&](size_t b) {
-        std::vector<Sample> scratch;
+        FeedScratch scratch;
         const FeedBlock block = feed.block(b, scratch);
         std::array<uint32_t, 8> words{}, keys;
         for (size_t w = 0; w < keys.size(); ++w) keys[w] = static_cast<uint32_t>(splitMix64(w + 1));
@@ -184,10 +203,10 @@ std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size
         const uint64_t first = r * ranges.distance;
         const auto length =
             static_cast<size_t>(std::min<uint64_t>(ranges.length, feed.rows - first));
-        std::vector<Sample> scratch;
+        FeedScratch scratch;
         const FeedBlock block = feed.read(first, length, scratch);
         for (size_t i = 0; i < block.count; ++i) {
-            const uint64_t number = block.first + i;
+            const uint64_t number = block.number(i);
             if (!every && splitMix64(number ^ ~seed) >= bound) continue;
             if (choice.isAll() || choice.has(foldOf(number, seed)))
                 parts[r].push_back(block.samples[i]);

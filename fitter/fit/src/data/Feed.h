@@ -12,26 +12,38 @@
 
 namespace fbrdf {
 
-constexpr size_t kFeedBlock = 8192;  ///< rows a block at most
+constexpr size_t kFeedPiece = 256;              ///< rows that are read at once from a stream
+constexpr size_t kFeedBlock = 32 * kFeedPiece;  ///< rows a block at most
 constexpr int kFolds = 5;
 constexpr int kNoFold = -1;
 
+/// The samples of a range of rows, each with a number that does not depend on the range in which it
+/// was read. Where a stream drops rows, numbers are skipped.
 struct FeedBlock {
     const Sample* samples = nullptr;
     size_t count = 0;
-    uint64_t first = 0;  ///< number of the first sample; numbers need not be contiguous over blocks
+    uint64_t first = 0;                 ///< number of the range's first row
+    const uint16_t* offsets = nullptr;  ///< sample i has the number first + offsets[i]; null: i
+
+    uint64_t number(size_t i) const { return first + (offsets ? offsets[i] : i); }
+};
+
+/// Storage of what a stream made, used again from read to read.
+struct FeedScratch {
+    std::vector<Sample> samples;
+    std::vector<uint16_t> offsets;
 };
 
 struct Feed {
     size_t rows = 0;     ///< samples at most
     bool exact = false;  ///< values of a function: no noise, no outliers
     bool held = false;   ///< in memory: reading costs nothing
-    /// The samples among rows [first, first + count); the view is valid until the next read into
-    /// the same scratch.
-    std::function<FeedBlock(uint64_t first, size_t count, std::vector<Sample>& scratch)> read;
+    /// The samples among rows [first, first + count), first a multiple of kFeedPiece and count at
+    /// most kFeedBlock; the view is valid until the next read into the same scratch.
+    std::function<FeedBlock(uint64_t first, size_t count, FeedScratch& scratch)> read;
 
     size_t blocks() const { return (rows + kFeedBlock - 1) / kFeedBlock; }
-    FeedBlock block(size_t index, std::vector<Sample>& scratch) const;
+    FeedBlock block(size_t index, FeedScratch& scratch) const;
 };
 
 /// Samples, held or streamed, of the source itself; `count` of its uniform pairs where it is only a
@@ -40,6 +52,9 @@ Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads);
 
 /// The samples given, held by the feed.
 Feed heldFeed(std::vector<Sample> samples);
+
+/// The samples of a stream, made again whenever they are read. The stream must outlive the feed.
+Feed streamedFeed(const SampleStream& stream);
 
 /// Equal for two feeds whose row k is the same pair with the same weight for every k (but for one
 /// chance in 2^64); empty for a feed that is not held.

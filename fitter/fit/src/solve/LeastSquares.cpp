@@ -276,7 +276,7 @@ void LeastSquares::forEachLeftOut(const std::vector<int>& folds, const Visit& vi
         if (splitMix64(block ^ seed_) > lastBlock) return;
         const RowStore::Block rows = store_->block(block, scratch);
         for (size_t i = 0; i < rows.geometry.count; ++i) {
-            const uint64_t number = rows.geometry.first + i;
+            const uint64_t number = rows.geometry.number(i);
             if (splitMix64(number ^ ~seed_) > lastRow) continue;
             const auto found = std::find(folds.begin(), folds.end(), foldOf(number, seed_));
             if (found == folds.end()) continue;

@@ -173,7 +173,7 @@ void LeastSquares::forEachRow(size_t block, RowStore::Scratch& scratch, const Te
     predict(rows.geometry, 0, rows.geometry.count, texels, predicted);
     const bool everyFold = options.excludedFold == kNoFold;
     for (size_t i = 0; i < rows.geometry.count; ++i) {
-        const int fold = foldOf(rows.geometry.first + i, seed_);
+        const int fold = foldOf(rows.geometry.number(i), seed_);
         if (everyFold || fold != options.excludedFold)
             visit(rowAt(rows, i, &predicted.logG[i * kLanes], options, scale), fold);
     }

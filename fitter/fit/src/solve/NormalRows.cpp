@@ -89,7 +89,7 @@ void LeastSquares::makeNormalRows(const RowStore::Block& block, const RowOptions
     predict(block.geometry, 0, block.geometry.count, with.texels, predicted);
     for (size_t i = 0; i < block.geometry.count; ++i) {
         const auto fold =
-            oneGroup ? size_t{0} : static_cast<size_t>(foldOf(block.geometry.first + i, seed_));
+            oneGroup ? size_t{0} : static_cast<size_t>(foldOf(block.geometry.number(i), seed_));
         if (with.groups[fold] == kNoGroup) continue;
         const Row row = rowAt(block, i, &predicted.logG[i * kLanes], with.options, with.scale);
         for (size_t c = 0; c < repeats; ++c) {

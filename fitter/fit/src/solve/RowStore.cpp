@@ -32,7 +32,7 @@ RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& tr
     const auto made = geometry_ ? nullptr : std::make_shared<RowGeometries>(blocks());
     std::vector<char> same(blocks());
     parallelTasks(blocks(), threads, [&](size_t b) {
-        std::vector<Sample> scratch;
+        FeedScratch scratch;
         const FeedBlock block = feed_.block(b, scratch);
         if (made) makeGeometry(block, (*made)[b]);
         same[b] = makeValues(block, values_[b]) ? 1 : 0;
@@ -45,6 +45,8 @@ void RowStore::makeGeometry(const FeedBlock& block, RowGeometry& geometry) const
 {
     const auto width = static_cast<size_t>(maker_.width());
     geometry.first = block.first;
+    geometry.offsets.clear();
+    if (block.offsets) geometry.offsets.assign(block.offsets, block.offsets + block.count);
     geometry.count = block.count;
     geometry.unknown.resize(block.count * width);
     geometry.weight.resize(block.count * width);
@@ -85,7 +87,7 @@ bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
 RowStore::Block RowStore::block(size_t index, Scratch& scratch) const
 {
     if (!values_.empty()) return {(*geometry_)[index], values_[index]};
-    const FeedBlock block = feed_.block(index, scratch.samples);
+    const FeedBlock block = feed_.block(index, scratch.feed);
     makeGeometry(block, scratch.geometry);
     makeValues(block, scratch.values);
     return {scratch.geometry, scratch.values};

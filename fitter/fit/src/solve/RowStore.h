@@ -13,11 +13,15 @@ namespace fbrdf {
 
 /// Geometry of one block: `width` entries a row.
 struct RowGeometry {
-    uint64_t first = 0;  ///< number of the first row
+    uint64_t first = 0;             ///< number of the block's first row
+    std::vector<uint16_t> offsets;  ///< row i has the number first + offsets[i]; empty: first + i
     size_t count = 0;
     std::vector<int> unknown;   ///< count x width
     std::vector<float> weight;  ///< count x width
     std::vector<float> cosine;  ///< cos theta_i, count
+
+    /// FeedBlock::number of row i.
+    uint64_t number(size_t i) const { return first + (offsets.empty() ? i : offsets[i]); }
 };
 
 /// What the samples of one block say, a channel at a time in Vec3f: see Observed.
@@ -40,7 +44,7 @@ public:
 
     size_t blocks() const { return feed_.blocks(); }
     struct Scratch {
-        std::vector<Sample> samples;
+        FeedScratch feed;
         RowGeometry geometry;
         RowValues values;
     };
