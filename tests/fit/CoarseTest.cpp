@@ -22,7 +22,6 @@ TEST(Coarse, ProlongationKeepsAFunctionThatTheCoarseTablesHold)
 {
     const Source source = test::sourceOf(test::Ggx{0.4, 0.4, 0.5, 0.1});
     const Feed feed = makeFeed(source, 64, 1, 1);
-    std::vector<Sample> scratch;
     const DataTraits traits = traitsOf(someSamples(feed, FoldChoice::all(), 64, 1), true, "data");
     const Form form = formPqp(32, 1.0);
     const LeastSquares fine(form, feed, traits, 1, 1);

@@ -419,6 +419,44 @@ TEST(Traits, NothingAboveTheFloorIsAnError)
     EXPECT_THROW(traitsOf({}, false, "data"), Error);
 }
 
+// White samples of a function but for one, which no part of 65,536 samples is sure to contain.
+Feed whiteButFor(const Sample& one, uint64_t seed)
+{
+    std::vector<Sample> samples(100000, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.5f), 1.0f});
+    Feed feed = heldFeed(samples);
+    const auto isLookedAt = [&](size_t i) {
+        samples[i].weight = 2.0f;
+        const auto part = someSamples(heldFeed(samples), FoldChoice::all(), 65536, seed);
+        samples[i].weight = 1.0f;
+        return std::any_of(part.begin(), part.end(),
+                           [](const Sample& s) { return s.weight == 2.0f; });
+    };
+    size_t unseen = 0;
+    while (isLookedAt(unseen)) ++unseen;
+    samples[unseen] = one;
+    feed = heldFeed(std::move(samples));
+    feed.exact = true;
+    return feed;
+}
+
+TEST(Traits, OneColouredSampleIsSeenWhereverItIs)
+{
+    const Vec3f up(0, 0, 1);
+    const TraitOptions options{1, 2, {}};
+    EXPECT_TRUE(traitsOf(whiteButFor({up, up, Vec3f(0.5f), 1.0f}, 1), options, "data").grey);
+    EXPECT_FALSE(
+        traitsOf(whiteButFor({up, up, Vec3f(0.5f, 0.1f, 0.5f), 1.0f}, 1), options, "data").grey);
+}
+
+TEST(Traits, OneBlackSampleIsSeenWhereverItIs)
+{
+    const Vec3f up(0, 0, 1);
+    const TraitOptions options{1, 2, {}};
+    EXPECT_TRUE(traitsOf(whiteButFor({up, up, Vec3f(0.5f), 1.0f}, 1), options, "data").sameWeights);
+    EXPECT_FALSE(
+        traitsOf(whiteButFor({up, up, Vec3f(0.0f), 1.0f}, 1), options, "data").sameWeights);
+}
+
 TEST(Traits, AFunctionHasAFloorOnlyWhereItIsCutOff)
 {
     std::vector<Sample> samples;

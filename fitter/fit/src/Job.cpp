@@ -13,7 +13,6 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // taken from a source that is only a function
-constexpr size_t kTraitSamples = 65536;      // that traits are taken from
 constexpr size_t kProbeSamples = 200000;     // that sample errors are taken from
 constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
 constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
@@ -31,9 +30,7 @@ Feed readFeed(const Source& source, const FitOptions& options)
 Job makeJob(Feed feed, const FitOptions& options, const std::string& source)
 {
     Job job{options, std::move(feed), {}, false, 1};
-    job.traits = traitsOf(
-        someSamples(job.feed, FoldChoice::all(), kTraitSamples, options.seed, options.threads),
-        job.feed.exact, source);
+    job.traits = traitsOf(job.feed, {options.seed, options.threads, options.ranks}, source);
     job.robust = options.robust && !job.feed.exact;
     job.folds = job.feed.rows < kSmallSet ? kFolds : 1;
     return job;

@@ -1,6 +1,7 @@
 #include "data/Traits.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Parallel.h>
 #include <fbrdf/fit/NoiseFloor.h>
 
 #include <algorithm>
@@ -29,6 +30,39 @@ Vec3f floorOfFunction(const std::vector<Sample>& samples)
         if (positive.size() < samples.size()) floor[c] = kCutOff * quantile(positive, 0.5);
     }
     return floor;
+}
+
+bool isGrey(const Sample& s)
+{
+    return s.f.x == s.f.y && s.f.y == s.f.z;
+}
+
+bool weighsAsGiven(const Sample& s, const DataTraits& traits)
+{
+    for (int c = 0; c < 3; ++c)
+        if (observe(s.f[c], s.wi.z, traits, c, s.weight).weight != s.weight) return false;
+    return true;
+}
+
+// Of every block of this process's share: does a sample contradict sameWeights, or grey?
+std::vector<double> contradictions(const Feed& feed, const DataTraits& traits,
+                                   const TraitOptions& options)
+{
+    const size_t first = feed.blocks() * options.ranks.rank / options.ranks.count,
+                 last = feed.blocks() * (options.ranks.rank + 1) / options.ranks.count;
+    std::vector<char> weights(last - first, 0), colours(last - first, 0);
+    parallelTasks(last - first, options.threads, [&](size_t b) {
+        FeedScratch scratch;
+        const FeedBlock block = feed.block(first + b, scratch);
+        const Sample* end = block.samples + block.count;
+        weights[b] = !std::all_of(block.samples, end,
+                                  [&](const Sample& s) { return weighsAsGiven(s, traits); });
+        colours[b] = !std::all_of(block.samples, end, isGrey);
+    });
+    const auto blocks = [](const std::vector<char>& marks) {
+        return static_cast<double>(std::count(marks.begin(), marks.end(), 1));
+    };
+    return {blocks(weights), blocks(colours)};
 }
 
 }  // namespace
@@ -70,9 +104,7 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
         traits.unclipped = noise.unclipped;
     }
     traits.sameWeights = true;
-    traits.grey = exact && std::all_of(samples.begin(), samples.end(), [](const Sample& s) {
-                      return s.f.x == s.f.y && s.f.y == s.f.z;
-                  });
+    traits.grey = exact && std::all_of(samples.begin(), samples.end(), isGrey);
     std::array<std::vector<float>, 3> logs;
     for (const Sample& s : samples) {
         bool usable = false;
@@ -98,6 +130,20 @@ DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::s
                         std::to_string(traits.usable) +
                         " have a value above the noise floor; expected at least " +
                         std::to_string(kFewestSamples) + " samples that have");
+    return traits;
+}
+
+DataTraits traitsOf(const Feed& feed, const TraitOptions& options, const std::string& source)
+{
+    constexpr size_t kSamples = 65536;
+    DataTraits traits =
+        traitsOf(someSamples(feed, FoldChoice::all(), kSamples, options.seed, options.threads),
+                 feed.exact, source);
+    if (!traits.sameWeights && !traits.grey) return traits;
+    std::vector<double> found = contradictions(feed, traits, options);
+    options.ranks.sum(found);
+    traits.sameWeights = traits.sameWeights && found[0] == 0.0;
+    traits.grey = traits.grey && found[1] == 0.0;
     return traits;
 }
 

@@ -4,7 +4,9 @@
 // A value weighs f^2 / (f^2 + floor^2). One below the noise floor is censored: known to lie below,
 // no more.
 #pragma once
-#include <fbrdf/sources/Source.h>
+#include "data/Feed.h"
+
+#include <fbrdf/fit/Fit.h>
 
 #include <string>
 #include <vector>
@@ -19,10 +21,11 @@ struct DataTraits {
     Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
     Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
     bool exact = false;        ///< values of a function: below the floor they are held at it
-    bool sameWeights = false;  ///< no channel of any probed sample is at or below the floor
-    bool grey = false;  ///< the channels of every probed sample are equal: one is solved for all
-    size_t usable = 0;  ///< of the probed samples, those with a channel above the floor
+    bool sameWeights = false;  ///< no channel of any sample is at or below the floor
+    bool grey = false;         ///< the channels of every sample are equal: one is solved for all
+    size_t usable = 0;         ///< of the samples looked at, those with a channel above the floor
 };
+
 /// The noise floor of a channel at cos theta_i, 1/sr.
 inline float floorAt(const DataTraits& traits, int channel, float cosine)
 {
@@ -32,6 +35,16 @@ inline float floorAt(const DataTraits& traits, int channel, float cosine)
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
 /// Throws Error(fit) naming `source` when fewer than 5 samples have a value above the noise floor.
 DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source);
+
+struct TraitOptions {
+    uint64_t seed = 1;  ///< of the part that is looked at
+    int threads = 0;    ///< 0: one a core
+    RankSum ranks;      ///< each process checks its share of the rows
+};
+/// The traits of a whole feed: the floor and the levels from 65,536 samples spread over it, while
+/// what must be true of every sample (sameWeights, grey) is checked on all of them. Throws as
+/// above.
+DataTraits traitsOf(const Feed& feed, const TraitOptions& options, const std::string& source);
 
 /// One channel of one sample.
 struct Observed {
