@@ -352,6 +352,47 @@ TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
     EXPECT_TRUE(hooks);
 }
 
+/// The quad of plain.c is at depth 1/2, between both clear values.
+TEST_P(CApiGL, DepthIsTheHosts)
+{
+    Offscreen offscreen = makeOffscreen(kSize);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, offscreen.framebuffer());
+    gl().ClearDepth(0.0);
+    gl().Clear(GL_DEPTH_BUFFER_BIT);
+    gl().ClearDepth(1.0);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
+    Lines lines;
+    auto depth = abi::describe<fbrdf_depth_desc>();
+    depth.test = FBRDF_DEPTH_TEST_GREATER;
+    depth.range_high = 1.0f;
+    const auto drawn = [&](const fbrdf_depth_desc* with) {
+        return plain_draw_with_depth(context().loader(), nullptr, {write, &lines},
+                                     offscreen.framebuffer(), kSize, with, nullptr);
+    };
+    ASSERT_EQ(drawn(nullptr), FBRDF_RESULT_OK);  // nothing is nearer than a depth of 0
+    for (const float channel : offscreen.readPixels()) ASSERT_EQ(channel, 0.0f);
+    ASSERT_EQ(drawn(&depth), FBRDF_RESULT_OK);
+    expectPlainPicture(offscreen.readPixels());
+    EXPECT_TRUE(lines.empty());
+    const auto expectRefused = [&](fbrdf_result expected, const char* words) {
+        EXPECT_EQ(drawn(&depth), expected);
+        ASSERT_EQ(lines.size(), 1u) << words;
+        EXPECT_NE(lines[0].text.find(words), std::string::npos) << lines[0].text;
+        lines.clear();
+        depth.test = FBRDF_DEPTH_TEST_GREATER;
+        depth.clip = FBRDF_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE;
+        depth.range_high = 1.0f;
+    };
+    depth.test = 4;
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "depth test: found 4");
+    depth.clip = 2;
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "depth clip: found 2");
+    depth.range_high = 2.0f;
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "found depth 2.0");
+    depth.struct_size = 20;
+    expectRefused(FBRDF_RESULT_ERROR_VERSION, "depth: found a size of 20 bytes");
+}
+
 TEST_P(CApiGL, AMaterialThatCannotBeReplacedStays)
 {
     Lines lines;

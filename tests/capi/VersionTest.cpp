@@ -31,8 +31,9 @@ public:
 
 using Structs =
     ::testing::Types<fbrdf_table, fbrdf_material_desc, fbrdf_renderer_desc, fbrdf_gpu_material_desc,
-                     fbrdf_mesh_desc, fbrdf_hooks_desc, fbrdf_light, fbrdf_item, fbrdf_draw_desc,
-                     fbrdf_draw_stats, fbrdf_instance, fbrdf_batch_desc, fbrdf_glsl_desc>;
+                     fbrdf_mesh_desc, fbrdf_hooks_desc, fbrdf_light, fbrdf_item, fbrdf_depth_desc,
+                     fbrdf_draw_desc, fbrdf_draw_stats, fbrdf_instance, fbrdf_batch_desc,
+                     fbrdf_glsl_desc>;
 TYPED_TEST_SUITE(CApiVersions, Structs);
 
 TYPED_TEST(CApiVersions, OlderCallersHaveZerosInWhatTheyLack)
@@ -66,6 +67,7 @@ TEST(CApiVersion, FirstSizesStay)
     EXPECT_EQ(kFirstSize<fbrdf_hooks_desc>, 44u);
     EXPECT_EQ(kFirstSize<fbrdf_light>, 52u);
     EXPECT_EQ(kFirstSize<fbrdf_item>, 80u);
+    EXPECT_EQ(kFirstSize<fbrdf_depth_desc>, 24u);
     EXPECT_EQ(kFirstSize<fbrdf_draw_desc>, 196u);
     EXPECT_EQ(kFirstSize<fbrdf_draw_stats>, 8u);
     EXPECT_EQ(kFirstSize<fbrdf_instance>, 68u);

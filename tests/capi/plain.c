@@ -63,7 +63,7 @@ static void identity(float matrix[16])
 
 static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_gpu_material* material,
                          const fbrdf_mesh* mesh, uint32_t framebuffer, int32_t size,
-                         fbrdf_draw_stats* stats)
+                         const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats)
 {
     fbrdf_item item;
     memset(&item, 0, sizeof item);
@@ -89,11 +89,13 @@ static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_gpu_material* mat
     desc.light_count = 1;
     desc.light_size = sizeof light;
     desc.lights = &light;
+    desc.depth = depth;
     return fbrdf_draw(renderer, &desc, stats);
 }
 
-fbrdf_result plain_draw(fbrdf_load_function load, void* user, fbrdf_log log, uint32_t framebuffer,
-                        int32_t size, fbrdf_draw_stats* stats)
+fbrdf_result plain_draw_with_depth(fbrdf_load_function load, void* user, fbrdf_log log,
+                                   uint32_t framebuffer, int32_t size,
+                                   const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats)
 {
     fbrdf_renderer_desc desc;
     memset(&desc, 0, sizeof desc);
@@ -112,10 +114,16 @@ fbrdf_result plain_draw(fbrdf_load_function load, void* user, fbrdf_log log, uin
         result = fbrdf_gpu_material_create(renderer, material, NULL, &gpu_material);
     if (result == FBRDF_RESULT_OK) result = quad(renderer, &mesh);
     if (result == FBRDF_RESULT_OK)
-        result = draw(renderer, gpu_material, mesh, framebuffer, size, stats);
+        result = draw(renderer, gpu_material, mesh, framebuffer, size, depth, stats);
     fbrdf_renderer_release(renderer); /* in any order */
     fbrdf_mesh_release(mesh);
     fbrdf_gpu_material_release(gpu_material);
     fbrdf_material_release(material);
     return result;
+}
+
+fbrdf_result plain_draw(fbrdf_load_function load, void* user, fbrdf_log log, uint32_t framebuffer,
+                        int32_t size, fbrdf_draw_stats* stats)
+{
+    return plain_draw_with_depth(load, user, log, framebuffer, size, NULL, stats);
 }

@@ -12,6 +12,11 @@ extern "C" {
 fbrdf_result plain_draw(fbrdf_load_function load, void* user, fbrdf_log log, uint32_t framebuffer,
                         int32_t size, fbrdf_draw_stats* stats);
 
+/* The same for a depth buffer of the host's; depth may be NULL. */
+fbrdf_result plain_draw_with_depth(fbrdf_load_function load, void* user, fbrdf_log log,
+                                   uint32_t framebuffer, int32_t size,
+                                   const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats);
+
 /* The material of plain_draw: an hdio whose tables are constant, so that f = 1/4 R, 1/2 G, 1 B. */
 fbrdf_result plain_material(const fbrdf_log* log, fbrdf_material** out);
 

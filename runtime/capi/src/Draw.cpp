@@ -73,6 +73,19 @@ fbrdf::gl::Target targetOf(const fbrdf_draw_desc& desc)
             desc.exposure == 0.0f ? 1.0f : desc.exposure};
 }
 
+fbrdf::gl::DepthOptions depthOf(const fbrdf_depth_desc* desc)
+{
+    fbrdf::gl::DepthOptions depth;
+    if (!desc) return depth;
+    const fbrdf_depth_desc known = descriptor(desc, "depth");
+    depth.test = enumerator(known.test, fbrdf::gl::DepthTest::greaterEqual, "depth test");
+    depth.clip = enumerator(known.clip, fbrdf::gl::ClipDepth::zeroToOne, "depth clip");
+    depth.rangeLow = known.range_low;
+    depth.rangeHigh = known.range_high;
+    depth.clear = known.clear;
+    return depth;
+}
+
 void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
 {
     const auto count = [](int value) { return static_cast<uint32_t>(value); };
@@ -108,7 +121,8 @@ fbrdf_result drawn(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc, fbrdf_
                           "stats: found a size of " + std::to_string(stats->struct_size) +
                               " bytes, expected at least " +
                               std::to_string(kFirstSize<fbrdf_draw_stats>));
-        const fbrdf::gl::View view{glm::make_mat4(known.view), glm::make_mat4(known.projection)};
+        const fbrdf::gl::View view{glm::make_mat4(known.view), glm::make_mat4(known.projection),
+                                   depthOf(known.depth)};
         const auto result = act(shared.renderer, targetOf(known), view, known);
         if (stats) report(result, stats);
     });

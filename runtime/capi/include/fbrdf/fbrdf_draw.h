@@ -45,6 +45,28 @@ typedef enum fbrdf_transfer {
     FBRDF_TRANSFER_TONE_MAP = 3
 } fbrdf_transfer;
 
+/* A fragment passes where its depth compares so with the depth that is stored. */
+typedef enum fbrdf_depth_test {
+    FBRDF_DEPTH_TEST_LESS = 0,
+    FBRDF_DEPTH_TEST_LESS_EQUAL = 1,
+    FBRDF_DEPTH_TEST_GREATER = 2,
+    FBRDF_DEPTH_TEST_GREATER_EQUAL = 3
+} fbrdf_depth_test;
+/* The depths that the projection leaves in clip space, divided by w. */
+typedef enum fbrdf_clip_depth {
+    FBRDF_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE = 0, /* OpenGL's own */
+    FBRDF_CLIP_DEPTH_ZERO_TO_ONE = 1          /* needs OpenGL 4.5 or ARB_clip_control */
+} fbrdf_clip_depth;
+/* How the host's depth buffer works; no field has a default. A new context has {LESS,
+ * NEGATIVE_ONE_TO_ONE, 0, 1, 1}; reversed depth is {GREATER, ZERO_TO_ONE, 0, 1, 0}. */
+typedef struct fbrdf_depth_desc {
+    uint32_t struct_size;
+    uint32_t test;               /* fbrdf_depth_test */
+    uint32_t clip;               /* fbrdf_clip_depth */
+    float range_low, range_high; /* as glDepthRange takes them: in [0, 1], in either order */
+    float clear;                 /* what an empty depth buffer contains, in [0, 1] */
+} fbrdf_depth_desc;
+
 typedef struct fbrdf_draw_desc {
     uint32_t struct_size;
     uint32_t framebuffer;  /* 0: the window's */
@@ -65,6 +87,7 @@ typedef struct fbrdf_draw_desc {
     uint32_t max_lights;      /* the strongest lights of an item, or part of the view; 0: all */
     uint32_t clustered;       /* 1: lists of the lights that reach each part of the view */
     uint32_t reserved;        /* 0 */
+    const fbrdf_depth_desc* depth; /* NULL: as in a new context */
 } fbrdf_draw_desc;
 
 typedef struct fbrdf_draw_stats {
@@ -84,8 +107,8 @@ typedef struct fbrdf_draw_stats {
     char why_replaced[160]; /* why another technique than asked for was taken; "": it was not */
 } fbrdf_draw_stats;
 
-/* Draws the items into the framebuffer. stats may be NULL. The result is FBRDF_RESULT_OK although
- * items were left out: they are counted and logged. */
+/* Draws the items into the framebuffer, in front of what its depth buffer contains. stats may be
+ * NULL. The result is FBRDF_RESULT_OK although items were left out: they are counted and logged. */
 FBRDF_API fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
                                   fbrdf_draw_stats* stats);
 
