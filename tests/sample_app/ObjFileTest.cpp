@@ -160,12 +160,12 @@ TEST(Obj, NamesTheLineOfAnError)
 {
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const std::pair<const char*, const char*> cases[] = {
-        {"v 1 2\n", "x.obj:4: found the line ends, expected a finite number for a position"},
+        {"v 1 2\n", "x.obj:4: found the end of the line, expected a finite number for a position"},
         {"v 1 2 three\n", "x.obj:4: found 'three'"},
         {"v 1 2 nan\n", "x.obj:4: found 'nan'"},
         {"v 1 2 1e99\n", "x.obj:4: found '1e99'"},
         {"vn 1 0 inf\n", "x.obj:4: found 'inf', expected a finite number for a normal"},
-        {"vt\n", "x.obj:4: found the line ends, expected a finite number for a texture"},
+        {"vt\n", "x.obj:4: found the end of the line, expected a finite number for a texture"},
         {"f 1 2\n", "x.obj:4: found a face of 2 corners, expected 3 to"},
         {"f 1 2 4\n", "x.obj:4: found '4', expected a position among the 3 so far"},
         {"f 1 2 0\n", "x.obj:4: found '0'"},

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Camera.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,9 +16,9 @@ constexpr double kPoleMargin = 0.01;  // radians that an orbit keeps from straig
 // Near and far planes stay this far apart in ratio, so that depth keeps its precision.
 constexpr double kNearestShare = 1e-3;
 
-[[noreturn]] void fail(const std::string& found, const std::string& expected)
+[[noreturn]] void fail(const std::string& what)
 {
-    throw Error(ErrorKind::usage, "--camera", "found " + found + ", expected " + expected);
+    throw Error(ErrorKind::usage, "--camera", what);
 }
 
 double numberFromText(const std::string& text)
@@ -25,7 +26,7 @@ double numberFromText(const std::string& text)
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        fail("'" + text + "'", "a finite number");
+        fail(Found("'" + text + "'").expected("a finite number"));
     return value;
 }
 
@@ -44,14 +45,17 @@ Camera cameraFromText(const std::string& text)
     size_t count = 0, begin = 0;
     for (size_t end = 0; end != std::string::npos; begin = end + 1) {
         end = text.find(',', begin);
-        if (count == value.size()) fail("more numbers in '" + text + "'", shape);
+        if (count == value.size()) fail(Found("more numbers in '" + text + "'").expected(shape));
         value[count++] = numberFromText(text.substr(begin, end - begin));
     }
-    if (count != value.size()) fail(std::to_string(count) + " in '" + text + "'", shape);
+    if (count != value.size())
+        fail(Found(std::to_string(count) + " in '" + text + "'").expected(shape));
     Camera camera{{value[0], value[1], value[2]}, {value[3], value[4], value[5]}, 0.0};
-    if (camera.eye == camera.center) fail("an eye that is the centre", "two different points");
+    if (camera.eye == camera.center)
+        fail(Found("an eye that is the centre").expected("two different points"));
     if (!(value[6] > 0.0 && value[6] < 180.0))
-        fail("a field of view of " + std::to_string(value[6]), "degrees between 0 and 180");
+        fail(Found("a field of view of " + std::to_string(value[6]))
+                 .expected("degrees between 0 and 180"));
     camera.fovy = value[6] * kPi / 180.0;
     return camera;
 }

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Lights.h>
 #include <fbrdf/scene/TextFile.h>
 
@@ -12,10 +13,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void fail(const std::string& where, const std::string& found,
-                       const std::string& expected)
+[[noreturn]] void fail(const std::string& where, const std::string& what)
 {
-    throw Error(ErrorKind::input, where, "found " + found + ", expected " + expected);
+    throw Error(ErrorKind::input, where, what);
 }
 
 /// A JSON value as an error shows it: short, whatever it is.
@@ -37,15 +37,16 @@ const Json* member(const Json& light, const char* name)
 const Json& required(const Json& light, const char* name, const std::string& where)
 {
     const Json* value = member(light, name);
-    if (!value) fail(where, std::string("no '") + name + "'", "a light that has one");
+    if (!value)
+        fail(where, Found(std::string("no '") + name + "'").expected("a light that has one"));
     return *value;
 }
 
 float finiteFloat(const Json& value, const std::string& where, const char* expected)
 {
-    if (!value.is_number()) fail(where, quoted(value), expected);
+    if (!value.is_number()) fail(where, Found(quoted(value)).expected(expected));
     const float number = static_cast<float>(value.get<double>());
-    if (!std::isfinite(number)) fail(where, quoted(value), expected);
+    if (!std::isfinite(number)) fail(where, Found(quoted(value)).expected(expected));
     return number;
 }
 
@@ -54,7 +55,7 @@ Vec3f vectorOf(const Json& light, const char* name, const std::string& where)
     const Json& value = required(light, name, where);
     const std::string field = where + "." + name;
     if (!value.is_array() || value.size() != 3)
-        fail(field, quoted(value), "an array of three numbers");
+        fail(field, Found(quoted(value)).expected("an array of three numbers"));
     Vec3f vector;
     for (int k = 0; k < 3; ++k)
         vector[k] = finiteFloat(value[static_cast<size_t>(k)], field, "three finite numbers");
@@ -65,7 +66,8 @@ Vec3f directionOf(const Json& light, const char* name, const std::string& where)
 {
     const Vec3d direction(vectorOf(light, name, where));
     const double length = glm::length(direction);
-    if (!(length > 0.0)) fail(where + "." + name, "a vector of length 0", "a direction");
+    if (!(length > 0.0))
+        fail(where + "." + name, Found("a vector of length 0").expected("a direction"));
     return Vec3f(direction / length);
 }
 
@@ -74,7 +76,8 @@ Vec3f intensityOf(const Json& light, const std::string& where)
     const Vec3f intensity = vectorOf(light, "intensity", where);
     for (int k = 0; k < 3; ++k)
         if (intensity[k] < 0.0f)
-            fail(where + ".intensity", quoted(light["intensity"]), "three numbers >= 0");
+            fail(where + ".intensity",
+                 Found(quoted(light["intensity"])).expected("three numbers >= 0"));
     return intensity;
 }
 
@@ -84,7 +87,7 @@ void placeLight(Light& light, const Json& json, const std::string& where)
     if (const Json* radius = member(json, "radius"))
         light.radius = finiteFloat(*radius, where + ".radius", "a finite number >= 0");
     if (light.radius < 0.0f)
-        fail(where + ".radius", quoted(json["radius"]), "a finite number >= 0");
+        fail(where + ".radius", Found(quoted(json["radius"])).expected("a finite number >= 0"));
 }
 
 float angleOf(const Json& light, const char* name, double lowestDegrees, const std::string& where)
@@ -93,7 +96,8 @@ float angleOf(const Json& light, const char* name, double lowestDegrees, const s
     const Json& value = required(light, name, where);
     const std::string field = where + "." + name;
     const double degrees = static_cast<double>(finiteFloat(value, field, expected));
-    if (degrees < lowestDegrees || degrees > 180.0) fail(field, quoted(value), expected);
+    if (degrees < lowestDegrees || degrees > 180.0)
+        fail(field, Found(quoted(value)).expected(expected));
     // The float nearest pi is above it.
     return std::min(static_cast<float>(degrees * kPi / 180.0), static_cast<float>(kPi));
 }
@@ -108,7 +112,7 @@ void aimSpot(Light& light, const Json& json, const std::string& where)
 
 Light lightFromJson(const Json& json, const std::string& where)
 {
-    if (!json.is_object()) fail(where, quoted(json), "an object");
+    if (!json.is_object()) fail(where, Found(quoted(json)).expected("an object"));
     const Json& type = required(json, "type", where);
     Light light;
     if (type == "point") {
@@ -120,7 +124,8 @@ Light lightFromJson(const Json& json, const std::string& where)
         light.type = Light::Type::directional;
         light.position = directionOf(json, "direction", where);
     } else {
-        fail(where + ".type", quoted(type), "\"point\", \"spot\" or \"directional\"");
+        fail(where + ".type",
+             Found(quoted(type)).expected("\"point\", \"spot\" or \"directional\""));
     }
     light.intensity = intensityOf(json, where);
     return light;
@@ -149,10 +154,10 @@ std::vector<Light> lightsFromJson(std::string_view text, const std::string& wher
     try {
         document = Json::parse(text);
     } catch (const Json::exception& error) {
-        fail(where, error.what(), "JSON {\"lights\": [...]}");
+        fail(where, Found(error.what()).expected("JSON {\"lights\": [...]}"));
     }
     if (!document.is_object() || !document.contains("lights") || !document["lights"].is_array())
-        fail(where, quoted(document), "an object with an array 'lights'");
+        fail(where, Found(quoted(document)).expected("an object with an array 'lights'"));
     std::vector<Light> lights;
     for (const Json& light : document["lights"])
         lights.push_back(

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/ObjFile.h>
 #include <fbrdf/scene/TextFile.h>
 #include <fbrdf/scene/Triangulate.h>
@@ -53,8 +54,8 @@ public:
         float value = 0.0f;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-            fail(text.empty() ? "the line ends" : "'" + text + "'",
-                 std::string("a finite number for ") + what);
+            fail(Found(text.empty() ? "the end of the line" : "'" + text + "'")
+                     .expected(std::string("a finite number for ") + what));
         return value;
     }
 
@@ -64,9 +65,9 @@ public:
         return {x, y, z};
     }
 
-    [[noreturn]] void fail(const std::string& found, const std::string& expected) const
+    [[noreturn]] void fail(const std::string& what) const
     {
-        throw Error(ErrorKind::input, where_, "found " + found + ", expected " + expected);
+        throw Error(ErrorKind::input, where_, what);
     }
 
 private:
@@ -81,12 +82,12 @@ int indexFromText(const Line& line, std::string_view text, size_t count, const c
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const std::string quoted = "'" + std::string(text) + "'";
     if (error != std::errc() || end != text.data() + text.size())
-        line.fail(quoted, std::string("the index of a ") + what);
+        line.fail(Found(quoted).expected(std::string("the index of a ") + what));
     const int64_t limit = static_cast<int64_t>(count);
     const int64_t index = value > 0 ? int64_t(value) - 1 : limit + value;
     if (value == 0 || index < 0 || index >= limit)
-        line.fail(quoted,
-                  std::string("a ") + what + " among the " + std::to_string(count) + " so far");
+        line.fail(Found(quoted).expected(std::string("a ") + what + " among the " +
+                                         std::to_string(count) + " so far"));
     return static_cast<int>(index);
 }
 
@@ -118,8 +119,8 @@ void readFace(Line& line, ObjData& data)
         outline.emplace_back(data.positions[static_cast<size_t>(corners.back().position)]);
     }
     if (corners.size() < 3 || corners.size() > kMaxCorners)
-        line.fail("a face of " + std::to_string(corners.size()) + " corners",
-                  "3 to " + std::to_string(kMaxCorners));
+        line.fail(Found("a face of " + std::to_string(corners.size()) + " corners")
+                      .expected("3 to " + std::to_string(kMaxCorners)));
     for (const auto& triangle : triangulate(outline))
         for (const int corner : triangle)
             data.triangles.push_back(corners[static_cast<size_t>(corner)]);
