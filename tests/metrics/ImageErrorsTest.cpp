@@ -1,4 +1,4 @@
-#include <fbrdf/metrics/Colour.h>
+#include <fbrdf/base/Srgb.h>
 #include <fbrdf/metrics/StandardSphere.h>
 #include <gtest/gtest.h>
 

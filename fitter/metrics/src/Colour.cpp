@@ -15,18 +15,6 @@ double dot3(double a, double b, double c, const Vec3d& v)
 
 }  // namespace
 
-double srgbFromLinear(double linear)
-{
-    const double v = std::clamp(linear, 0.0, 1.0);
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-}
-
-double linearFromSrgb(double encoded)
-{
-    const double v = std::clamp(encoded, 0.0, 1.0);
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
 double pqFromLuminance(double luminance)
 {
     // BT.2100 Table 4.

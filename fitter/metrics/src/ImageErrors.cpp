@@ -1,5 +1,6 @@
 #include "FlipMetric.h"
 
+#include <fbrdf/base/Srgb.h>
 #include <fbrdf/metrics/Colour.h>
 #include <fbrdf/metrics/StandardSphere.h>
 

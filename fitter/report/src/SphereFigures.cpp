@@ -2,7 +2,7 @@
 
 #include "Html.h"
 
-#include <fbrdf/metrics/Colour.h>
+#include <fbrdf/base/Srgb.h>
 #include <fmt/format.h>
 
 #include <algorithm>

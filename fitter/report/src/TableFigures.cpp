@@ -3,7 +3,7 @@
 #include "Html.h"
 #include "Svg.h"
 
-#include <fbrdf/metrics/Colour.h>
+#include <fbrdf/base/Srgb.h>
 #include <fmt/format.h>
 
 #include <algorithm>

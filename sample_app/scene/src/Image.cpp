@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Srgb.h>
 #include <fbrdf/scene/Image.h>
 #include <fbrdf/scene/TextFile.h>
 
@@ -42,9 +43,7 @@ std::vector<uint8_t> srgbPixels(const Image& image, float exposure)
 uint8_t srgbCode(float linear)
 {
     if (!(linear > 0.0f)) return 0;
-    const double x = std::min(1.0, double(linear));
-    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-    return static_cast<uint8_t>(std::lround(255.0 * encoded));
+    return static_cast<uint8_t>(std::lround(255.0 * srgbFromLinear(double(linear))));
 }
 
 void checkImagePath(const std::string& path)

@@ -1,14 +1,9 @@
-// Colour.h - the few colour spaces that pictures are compared and written in.
+// Colour.h - the colour spaces that pictures are compared in. See Srgb.h for the curve of sRGB.
 // Linear RGB has the Rec. 709 primaries and white 1 (Conventions.h).
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
 namespace fbrdf {
-
-/// sRGB transfer function, IEC 61966-2-1: linear [0, 1] to encoded [0, 1] and back. Values outside
-/// are clamped.
-double srgbFromLinear(double linear);
-double linearFromSrgb(double encoded);
 
 /// PQ, the inverse EOTF of ITU-R BT.2100 Table 4: luminance in cd/m2 (0 .. 10,000) to [0, 1].
 double pqFromLuminance(double luminance);

@@ -5,10 +5,10 @@
 // same whether the buffer is RGBA8, SRGB8_ALPHA8 or float, and whatever the host left in
 // FRAMEBUFFER_SRGB.
 #pragma once
+#include <fbrdf/base/Srgb.h>
 #include <fbrdf/brdf/Conventions.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fbrdf {
 
@@ -24,13 +24,6 @@ enum class Transfer {
 constexpr bool isCurved(Transfer transfer)
 {
     return transfer == Transfer::srgb || transfer == Transfer::toneMap;
-}
-
-/// Code of a linear value in [0, 1].
-template <class T>
-T srgbFromLinear(T x)
-{
-    return x <= T(0.0031308) ? T(12.92) * x : T(1.055) * std::pow(x, T(1) / T(2.4)) - T(0.055);
 }
 
 /// Reinhard, Stark, Shirley, Ferwerda 2002, "Photographic Tone Reproduction for Digital Images",
@@ -49,7 +42,7 @@ T transferred(Transfer transfer, T exposure, T radiance)
 {
     if (transfer == Transfer::linear) return radiance;
     const T x = exposure * radiance;
-    if (transfer == Transfer::srgb) return srgbFromLinear(std::min(x, T(1)));
+    if (transfer == Transfer::srgb) return srgbFromLinear(x);
     return transfer == Transfer::toneMap ? srgbFromLinear(toneMapped(x)) : x;
 }
 
