@@ -1,14 +1,11 @@
 // ReferenceTest.cpp - the CPU pictures against closed forms; no GL.
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/scene/Camera.h>
-#include <fbrdf/scene/Lights.h>
-#include <fbrdf/scene/Parallel.h>
 #include <fbrdf/scene/Reference.h>
+#include <fbrdf/scene/Lights.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <stdexcept>
 
 namespace fbrdf::scene {
 namespace {
@@ -213,19 +210,6 @@ TEST(Vertex, ApproachesTheReferenceOnFineMeshes)
         return sum / static_cast<double>(a.rgba.size());
     };
     EXPECT_LT(difference(fine), 0.02 * difference(coarse));
-}
-
-TEST(ParallelFor, CallsEveryIndexOnceAndPassesOnFailures)
-{
-    std::vector<std::atomic<int>> calls(1000);
-    parallelFor(1000, 4, [&](int i) { ++calls[static_cast<size_t>(i)]; });
-    for (const auto& count : calls) EXPECT_EQ(count, 1);
-    parallelFor(0, 4, [](int) { FAIL(); });
-    EXPECT_THROW(parallelFor(100, 4,
-                             [](int i) {
-                                 if (i == 50) throw std::runtime_error("fifty");
-                             }),
-                 std::runtime_error);
 }
 
 }  // namespace

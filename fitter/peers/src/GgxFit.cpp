@@ -1,6 +1,7 @@
 #include <fbrdf/peers/GgxFit.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Parallel.h>
 
 #include <ceres/ceres.h>
 
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <thread>
 
 namespace fbrdf {
 namespace {
@@ -154,9 +154,7 @@ double descend(const std::vector<Sample>& samples, size_t stride, int steps,
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
     solver.max_num_iterations = steps;
-    solver.num_threads = options.threads > 0
-                             ? options.threads
-                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    solver.num_threads = threadCount(options.threads);
     solver.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);

@@ -1,11 +1,9 @@
 #include "Albedo.h"
 
 #include "TextTable.h"
-#include "Workers.h"
 
+#include <fbrdf/base/Parallel.h>
 #include <fmt/format.h>
-
-#include <atomic>
 
 namespace fbrdf::tool {
 
@@ -14,10 +12,8 @@ std::vector<AlbedoAt> albedoTable(const BrdfFunction& brdf, int threads)
     std::vector<AlbedoAt> table;
     for (const double degrees : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0})
         table.push_back({degrees, Vec3d(0.0)});
-    std::atomic<size_t> next{0};
-    runWorkers(threads, [&](int) {
-        for (size_t i = next++; i < table.size(); i = next++)
-            table[i].albedo = directionalAlbedo(brdf, table[i].degrees * kPi / 180.0);
+    parallelTasks(table.size(), threads, [&](size_t i) {
+        table[i].albedo = directionalAlbedo(brdf, table[i].degrees * kPi / 180.0);
     });
     return table;
 }

@@ -1,9 +1,9 @@
 #include "EvalStream.h"
 
 #include "PairRows.h"
-#include "Workers.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Parallel.h>
 #include <fmt/compile.h>
 
 #include <atomic>
@@ -159,7 +159,8 @@ private:
 void evaluateStream(LineBlocks& blocks, const EvalRequest& request)
 {
     Pipeline pipeline(blocks, request);
-    runWorkers(request.threads, [&](int) { pipeline.work(); });
+    const auto threads = static_cast<size_t>(threadCount(request.threads));
+    parallelTasks(threads, request.threads, [&](size_t) { pipeline.work(); });
 }
 
 }  // namespace fbrdf::tool

@@ -1,5 +1,5 @@
+#include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/ShadingFrame.h>
-#include <fbrdf/scene/Parallel.h>
 #include <fbrdf/scene/Reference.h>
 
 #include <glm/matrix.hpp>
@@ -9,8 +9,6 @@
 
 namespace fbrdf::scene {
 namespace {
-
-constexpr int kVerticesPerTask = 256;
 
 /// A point to shade, world space; directions need not be unit.
 struct Point {
@@ -104,7 +102,8 @@ Image pictureOf(const Scene& scene, const PictureOptions& options, const Color& 
     const Fragments fragments =
         rasterise(scene.instances, scene.view, options.width, options.height);
     Image image(options.width, options.height);
-    parallelFor(options.height, options.threads, [&](int y) {
+    parallelTasks(static_cast<size_t>(options.height), options.threads, [&](size_t row) {
+        const int y = static_cast<int>(row);
         for (int x = 0; x < options.width; ++x)
             if (const Fragment& fragment = fragments.at(x, y); fragment.covered())
                 setPixel(image.pixel(x, y), color(fragment));
@@ -119,17 +118,11 @@ std::vector<Vec3d> vertexRadiance(const Scene& scene, const Instance& instance, 
     const Brdf& brdf = scene.brdfs[static_cast<size_t>(instance.material)];
     const Eye eye(scene.view);
     const ToWorld toWorld(instance.model);
-    const int count = static_cast<int>(mesh.positions.size());
     std::vector<Vec3d> result(mesh.positions.size());
-    parallelFor((count + kVerticesPerTask - 1) / kVerticesPerTask, threads, [&](int task) {
-        const int end = std::min(count, (task + 1) * kVerticesPerTask);
-        for (int v = task * kVerticesPerTask; v < end; ++v) {
-            const size_t i = static_cast<size_t>(v);
-            const Vec3d tangent = mesh.tangents.empty() ? Vec3d(0.0) : Vec3d(mesh.tangents[i]);
-            const Point point =
-                toWorld({Vec3d(mesh.positions[i]), Vec3d(mesh.normals[i]), tangent});
-            result[i] = radiance(brdf, scene.lights, point, eye.directionFrom(point.position));
-        }
+    parallelFor(result.size(), threads, [&](size_t i) {
+        const Vec3d tangent = mesh.tangents.empty() ? Vec3d(0.0) : Vec3d(mesh.tangents[i]);
+        const Point point = toWorld({Vec3d(mesh.positions[i]), Vec3d(mesh.normals[i]), tangent});
+        result[i] = radiance(brdf, scene.lights, point, eye.directionFrom(point.position));
     });
     return result;
 }

@@ -6,14 +6,13 @@
 #include "Output.h"
 #include "Ranks.h"
 #include "TextTable.h"
-#include "Workers.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Parallel.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fmt/format.h>
 
 #include <unistd.h>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
@@ -129,7 +128,7 @@ int threadsOfRank(const BatchCommand& command, const Ranks& ranks)
 {
     if (command.job.fit.threads > 0) return command.job.fit.threads;
     const int online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
-    return std::max(1, std::min(workerCount(0), online / ranks.onThisMachine()));
+    return std::max(1, std::min(threadCount(0), online / ranks.onThisMachine()));
 }
 
 // Every count()-th item from rank() on. Threads take whole materials as long as there are enough.
@@ -144,16 +143,13 @@ std::string fitShare(const BatchCommand& command, const std::vector<BatchItem>& 
     std::string lines;
     size_t done = 0;
     std::mutex mutex;
-    std::atomic<size_t> next{0};
     progress.bar(0, mine, "fitting");
-    runWorkers(workers, [&](int) {
-        for (size_t i = next++; i < mine; i = next++) {
-            const size_t index = first + i * step;
-            const BatchOutcome outcome = tryItem(command, items[index], threads / workers);
-            const std::lock_guard<std::mutex> lock(mutex);
-            lines += lineOf(index, outcome);
-            progress.bar(++done, mine, items[index].name);
-        }
+    parallelTasks(mine, workers, [&](size_t i) {
+        const size_t index = first + i * step;
+        const BatchOutcome outcome = tryItem(command, items[index], threads / workers);
+        const std::lock_guard<std::mutex> lock(mutex);
+        lines += lineOf(index, outcome);
+        progress.bar(++done, mine, items[index].name);
     });
     return lines;
 }
