@@ -3,7 +3,7 @@
 #include "viewer/Headless.h"
 #include "viewer/WindowLoop.h"
 
-#include <fbrdf/scene/TextFile.h>
+#include <fbrdf/base/OutputFile.h>
 
 #include <fmt/core.h>
 
@@ -19,6 +19,8 @@ int run(int argc, char** argv)
         fmt::print("{}", options.help);
         return 0;
     }
+    if (!options.out.empty()) requireWritable(options.out);
+    if (!options.stats.empty()) requireWritable(options.stats);
 
     // 2. Materials, mesh, lights and camera.
     viewer::World world;
@@ -36,7 +38,7 @@ int run(int argc, char** argv)
     // 4. What is kept of it.
     picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
     if (!options.out.empty()) writeImage(picture.image, options.out, options.exposure);
-    if (!options.stats.empty()) scene::writeText(options.stats, scene::statsToJson(picture.stats));
+    if (!options.stats.empty()) writeFile(options.stats, scene::statsToJson(picture.stats));
     return 0;
 }
 

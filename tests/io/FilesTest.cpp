@@ -4,43 +4,20 @@
 #include "io/Expect.h"
 #include "io/FileBytes.h"
 #include "io/TestMaterials.h"
+#include "support/FileSizeLimit.h"
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 
 using namespace fbrdf;
 using fbrdf::test::expectError;
+using fbrdf::test::FileSizeLimit;
 using fbrdf::test::TemporaryDir;
 
 namespace {
-
-/// No file of this process can grow beyond `bytes`: a disk that is nearly full.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes)
-    {
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit()
-    {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
-};
 
 Material small()
 {
@@ -85,31 +62,9 @@ TEST(Files, UnwritableTargetsSayWhy)
     std::filesystem::create_directory(folder.file("folder.fbrdf"));
     expectError(ErrorKind::output, "No such file or directory",
                 [&] { writeMaterial(small(), folder.file("absent/m.fbrdf")); });
-    expectError(ErrorKind::output, "found a folder or a device",
+    expectError(ErrorKind::output, "found a folder",
                 [&] { writeMaterial(small(), folder.file("folder.fbrdf")); });
     EXPECT_EQ(folder.names(), std::vector<std::string>{"folder.fbrdf"});
-    PendingFiles files;
-    expectError(ErrorKind::output, "found a folder or a device", [&] { files.add("/dev/null"); });
-    expectError(ErrorKind::output, "cannot be written",
-                [&] { files.add("/proc/fbrdf-cannot-be-here"); });
-}
-
-TEST(Files, NothingAppearsBeforeCommit)
-{
-    const TemporaryDir folder;
-    {
-        PendingFiles files;
-        files.add(folder.file("a"), "one");
-        files.add(folder.file("b"), "two");
-        EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
-    }
-    EXPECT_TRUE(folder.names().empty()) << "dropped without commit";
-    PendingFiles files;
-    files.add(folder.file("a"), "one");
-    files.add(folder.file("a"), "two");  // two writers of one name do not share a temporary
-    files.commit();
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"a"});
-    EXPECT_EQ(test::fileBytes(folder.file("a")), "two");
 }
 
 TEST(Files, ALinkIsFollowedAndStays)

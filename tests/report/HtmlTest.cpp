@@ -1,19 +1,12 @@
-#include "AtomicFile.h"
 #include "Html.h"
 
-#include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace fbrdf {
 namespace {
 
-namespace fs = std::filesystem;
 const std::string kReplacement = "\xEF\xBF\xBD";
 
 TEST(Escaped, MarkupIsText)
@@ -84,54 +77,6 @@ TEST(Base64, MatchesTheVectorsOfRfc4648)
     EXPECT_EQ(of("foo"), "Zm9v");
     EXPECT_EQ(of("foobar"), "Zm9vYmFy");
     EXPECT_EQ(base64({0xFB, 0xFF, 0xFE}), "+//+");
-}
-
-struct Folder {
-    fs::path path =
-        fs::temp_directory_path() / fs::path("fbrdf-report-" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    size_t entries() const
-    {
-        return static_cast<size_t>(
-            std::distance(fs::directory_iterator(path), fs::directory_iterator()));
-    }
-};
-
-std::string contentOf(const fs::path& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-TEST(WriteFileAtomically, ReplacesTheFileAndLeavesNothingElse)
-{
-    const Folder folder;
-    const fs::path path = folder.path / "page.html";
-    writeFileAtomically(path.string(), "first");
-    writeFileAtomically(path.string(), std::string("second\0!", 8));
-    EXPECT_EQ(contentOf(path), std::string("second\0!", 8));
-    EXPECT_EQ(folder.entries(), 1u);
-}
-
-void expectOutputError(const std::string& path)
-{
-    try {
-        writeFileAtomically(path, "text");
-        FAIL() << "wrote " << path;
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::output);
-        EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
-    }
-}
-
-TEST(WriteFileAtomically, SaysWhereItCannotWrite)
-{
-    const Folder folder;
-    expectOutputError((folder.path / "absent" / "page.html").string());
-    expectOutputError(folder.path.string());  // a folder
-    EXPECT_EQ(folder.entries(), 0u);
 }
 
 }  // namespace

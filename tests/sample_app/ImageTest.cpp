@@ -1,7 +1,6 @@
 // ImageTest.cpp - sRGB codes, EXR and PNG content, and files that appear whole or not at all.
 #include <fbrdf/base/Error.h>
 #include <fbrdf/scene/Image.h>
-#include <fbrdf/scene/TextFile.h>
 #include <gtest/gtest.h>
 #include <support/TemporaryDir.h>
 
@@ -88,7 +87,7 @@ TEST(WriteImage, OtherExtensionsAreAUsageError)
 TEST(WriteImage, FailureLeavesNothingAndKeepsWhatWasThere)
 {
     const test::TemporaryDir dir;
-    std::filesystem::create_directory(dir.file("taken.png"));  // a rename onto a folder fails
+    std::filesystem::create_directory(dir.file("taken.png"));
     for (const std::string& path :
          {dir.file("none/a.png"), dir.file("none/a.exr"), dir.file("taken.png")}) {
         try {
@@ -100,16 +99,6 @@ TEST(WriteImage, FailureLeavesNothingAndKeepsWhatWasThere)
         }
     }
     EXPECT_EQ(dir.names(), std::vector<std::string>{"taken.png"});
-}
-
-TEST(WriteText, ReplacesAFileWhole)
-{
-    const test::TemporaryDir dir;
-    writeText(dir.file("a.json"), "first, and longer");
-    writeText(dir.file("a.json"), "second");
-    EXPECT_EQ(readText(dir.file("a.json"), "text"), "second");
-    EXPECT_EQ(dir.names(), std::vector<std::string>{"a.json"});
-    EXPECT_THROW(writeText(dir.file("none/a.json"), "x"), Error);
 }
 
 }  // namespace

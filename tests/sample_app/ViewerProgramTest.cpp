@@ -4,6 +4,7 @@
 #include "PictureDifference.h"
 #include "Program.h"
 
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/scene/TextFile.h>
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -103,13 +105,13 @@ TEST_F(Viewer, UsageErrorsExitWith2)
 
 TEST_F(Viewer, InputErrorsExitWith3AndLeaveNoPicture)
 {
-    writeText(file("empty.fbrdf"), "");
-    writeText(file("garbage.fbrdf"), std::string("\x76\x2f\x31\x01\xff\xfe garbage", 15));
+    writeFile(file("empty.fbrdf"), "");
+    writeFile(file("garbage.fbrdf"), std::string("\x76\x2f\x31\x01\xff\xfe garbage", 15));
     const std::string whole = readText(file("made.fbrdf"), "a material");
-    writeText(file("cut.fbrdf"), whole.substr(0, whole.size() / 2));
-    writeText(file("empty.obj"), "");
-    writeText(file("bad.obj"), "v 0 0 0\nf 1 2 3\n");
-    writeText(file("bad.json"), "{\"lights\": [{\"type\": \"point\"}]}");
+    writeFile(file("cut.fbrdf"), whole.substr(0, whole.size() / 2));
+    writeFile(file("empty.obj"), "");
+    writeFile(file("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+    writeFile(file("bad.json"), "{\"lights\": [{\"type\": \"point\"}]}");
     const std::pair<std::string, std::string> cases[] = {
         {"--material '" + file("empty.fbrdf") + "'", "empty.fbrdf"},
         {"--material '" + file("garbage.fbrdf") + "'", "garbage.fbrdf"},
@@ -158,7 +160,7 @@ TEST_F(Viewer, SourcesThatCannotBeFittedAreRefusedAsByTheTool)
     };
     for (const Case& c : cases) {
         SCOPED_TRACE(c.name);
-        writeText(file(c.name), c.content);
+        writeFile(file(c.name), c.content);
         expectError(
             runViewer("--headless --material '" + file(c.name) + "' --out '" + file("p.png") + "'"),
             c.code, c.words);
@@ -172,6 +174,34 @@ TEST_F(Viewer, OutputErrorsExitWith5)
                                "--stats '/nonexistent/s.json'"}) {
         SCOPED_TRACE(option);
         expectError(runViewer(drawMade() + "--technique reference " + option), 5, "/nonexistent/");
+    }
+}
+
+TEST_F(Viewer, WhatIsNoFileIsRefusedAndStays)
+{
+    ASSERT_EQ(::mkfifo(file("pipe.png").c_str(), 0666), 0);
+    std::filesystem::create_symlink("/dev/null", file("link.png"));
+    const std::string draw = drawMade() + "--technique reference ";
+    expectError(runViewer(draw + "--stats '" + file("pipe.png") + "'"), 5, "found a pipe");
+    expectError(runViewer(draw + "--out '" + file("pipe.png") + "'"), 5, "found a pipe");
+    expectError(runViewer(draw + "--out '" + file("link.png") + "'"), 5, "found a device");
+    expectError(runViewer(draw + "--stats /dev/null"), 5, "/dev/null: found a device");
+    expectError(runViewer(draw + "--stats /dev/stdout"), 5, "/dev/stdout: found a stream");
+    EXPECT_TRUE(std::filesystem::is_fifo(file("pipe.png")));
+    EXPECT_TRUE(std::filesystem::is_symlink(file("link.png")));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(Viewer, LinksAreFollowed)
+{
+    for (const char* name : {"p.png", "s.json"})
+        std::filesystem::create_symlink(std::string("real.") + name, file(name));
+    const ProgramResult run = runViewer(drawMade() + "--technique reference --out '" +
+                                        file("p.png") + "' --stats '" + file("s.json") + "'");
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    for (const char* name : {"p.png", "s.json"}) {
+        EXPECT_TRUE(std::filesystem::is_symlink(file(name)));
+        EXPECT_TRUE(std::filesystem::is_regular_file(file(std::string("real.") + name)));
     }
 }
 
@@ -267,7 +297,7 @@ TEST_F(Viewer, BackendsAgree)
 TEST_F(Viewer, LightsFileCameraAndSizeAreFollowed)
 {
     // A light behind the plane alone: covered, and black.
-    writeText(file("l.json"), R"({"lights": [{"type": "directional", "direction": [0, 0, -1],
+    writeFile(file("l.json"), R"({"lights": [{"type": "directional", "direction": [0, 0, -1],
                                   "intensity": [1, 1, 1]}]})");
     const Image image = draw("--headless --technique reference --material '" + file("made.fbrdf") +
                              "' --mesh plane --camera 0,0,3,0,0,0,90 --size 60x30 --lights '" +
@@ -286,7 +316,7 @@ TEST_F(Viewer, LightsFileCameraAndSizeAreFollowed)
 TEST_F(Viewer, ReferenceOfAModelIsTheModel)
 {
     // No fit is needed, and the Lambertian plane facing a directional light is albedo / pi.
-    writeText(file("l.json"), R"({"lights": [{"type": "directional", "direction": [0, 0, 1],
+    writeFile(file("l.json"), R"({"lights": [{"type": "directional", "direction": [0, 0, 1],
                                   "intensity": [2, 2, 2]}]})");
     const Image image = draw(
         "--headless --technique reference --material lambert:albedo=0.25 --mesh plane --size 8x8 "

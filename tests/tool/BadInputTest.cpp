@@ -158,13 +158,16 @@ TEST_F(BadArguments, OutputsThatCannotBeWritten)
         refused({"fit", "lambert", "-o", path}, code, words);
     };
     refusedAt(folder.file("none/out.fbrdf"), 5, "none/out.fbrdf: cannot be written");
-    refusedAt("/dev/full", 5, "/dev/full: found a folder or a device");
-    refusedAt("/dev/null", 5, "/dev/null: found a folder or a device");
+    refusedAt("/dev/full", 5, "/dev/full: found a device");
+    refusedAt("/dev/null", 5, "/dev/null: found a device");
     refusedAt(folder.file(""), 5, "found a folder");
     refusedAt("/proc/out.fbrdf", 5, "/proc/out.fbrdf: cannot be written");
     refusedAt(folder.file("out.png"), 2, "found extension '.png'");
     refused({"fit", "lambert", "-o", output, "--report", folder.file("none/r.html")}, 5,
             "none/r.html");
+    refused({"fit", "lambert", "-o", output, "--report", "/dev/null"}, 5,
+            "/dev/null: found a device");
+    refused({"fit", "lambert", "-o", "/dev/stdout"}, 5, "/dev/stdout: found a stream");
     refused({"convert", "lambert", folder.file("none/a.csv")}, 5, "none/a.csv");
     refused({"convert", "lambert", "/dev/full"}, 5, "/dev/full");
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace fbrdf::test {
 namespace {
@@ -177,6 +178,24 @@ TEST_F(FitCommand, ReportIsOnePage)
     EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0u);
     EXPECT_NE(html.find("glossy"), std::string::npos);
     EXPECT_EQ(html.find(folder.file("")), std::string::npos);
+}
+
+TEST_F(FitCommand, OutputsThatAreLinksAreFollowed)
+{
+    const std::string page = folder.file("report.html");
+    std::filesystem::create_symlink("real.html", page);
+    std::filesystem::create_symlink("real.fbrdf", output);
+    ASSERT_EQ(runTool(with(quickFit(csv, output), {"--report", page})).code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(page));
+    EXPECT_TRUE(std::filesystem::is_symlink(output));
+    EXPECT_NE(readText(folder.file("real.html")).find("</html>"), std::string::npos);
+    EXPECT_EQ(runTool({"info", folder.file("real.fbrdf")}).code, 0);
+}
+
+TEST_F(FitCommand, WhatKilledProcessesLeftIsPassedOver)
+{
+    for (const char* suffix : {".part0", ".part1"}) writeText(output + suffix, "half a fi");
+    EXPECT_EQ(runTool(quickFit(csv, output)).code, 0);
 }
 
 TEST_F(FitCommand, ReplacesAnEarlierMaterial)

@@ -1,6 +1,5 @@
 #include <fbrdf/report/Report.h>
 
-#include "AtomicFile.h"
 #include "ErrorFigures.h"
 #include "Html.h"
 #include "PolarFigures.h"
@@ -9,6 +8,7 @@
 #include "TableFigures.h"
 #include "Tables.h"
 
+#include <fbrdf/base/OutputFile.h>
 #include <fmt/format.h>
 
 namespace fbrdf {
@@ -195,7 +195,7 @@ std::string reportHtml(const ReportInput& input)
 
 void writeReport(const ReportInput& input, const std::string& path)
 {
-    writeFileAtomically(path, reportHtml(input));
+    writeFile(path, reportHtml(input));
 }
 
 }  // namespace fbrdf

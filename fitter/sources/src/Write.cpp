@@ -1,10 +1,10 @@
 #include <fbrdf/sources/Write.h>
 
 #include "MerlGrid.h"
-#include "OutputFile.h"
 #include "SpreadPairs.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 
 #include <array>
 #include <charconv>

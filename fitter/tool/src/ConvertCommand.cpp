@@ -1,10 +1,10 @@
 // fbrdf convert: materials between their formats, sources to samples and tables.
 #include "Arguments.h"
 #include "Commands.h"
-#include "Output.h"
 #include "Progress.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/sources/OpenSource.h>
 #include <fbrdf/sources/Write.h>

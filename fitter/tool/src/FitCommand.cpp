@@ -8,6 +8,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fmt/format.h>
 

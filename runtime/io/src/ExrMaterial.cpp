@@ -7,6 +7,7 @@
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 
 #include <cstring>
 #include <set>
@@ -338,11 +339,10 @@ void writeExrMaterial(const Material& material, const std::string& path)
     }
     const std::vector<ExrValue> values = materialValues(material, path);
     images[0].values.insert(images[0].values.end(), values.begin(), values.end());
-    PendingFiles files;
-    const std::string temporary = files.add(path);
-    writeExr(temporary, images, path);
-    verify(material, temporary, path);
-    files.commit();
+    OutputFile file(path);
+    writeExr(file.temporary(), images, path);
+    verify(material, file.temporary(), path);
+    file.commit();
 }
 
 }  // namespace fbrdf

@@ -1,8 +1,6 @@
-// Files.h - whole files in, whole files out. Nothing half-written is ever seen at a target's path.
+// Files.h - whole files in, and a folder for temporary ones. See OutputFile.h for files out.
 #pragma once
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace fbrdf {
 
@@ -27,31 +25,6 @@ public:
 
 private:
     std::string path_;
-};
-
-/// Files that appear together or not at all: each is written under a temporary name beside its
-/// target, commit() renames them in the order they were added, and the destructor removes what was
-/// not committed. A target that is a symbolic link is followed.
-class PendingFiles {
-public:
-    PendingFiles() = default;
-    PendingFiles(const PendingFiles&) = delete;
-    PendingFiles& operator=(const PendingFiles&) = delete;
-    ~PendingFiles();
-
-    /// Creates the temporary file and returns its path. Throws Error(output) when the target's
-    /// folder does not allow it or the target is a folder or a device.
-    std::string add(const std::string& target);
-    /// add(), and writes the file's content.
-    void add(const std::string& target, const std::string& bytes);
-    /// Throws Error(output).
-    void commit();
-
-private:
-    struct Entry {
-        std::string temporary, target;
-    };
-    std::vector<Entry> entries_;
 };
 
 }  // namespace fbrdf

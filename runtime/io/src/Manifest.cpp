@@ -6,6 +6,7 @@
 #include "Png.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/brdf/Half.h>
 
 #include <algorithm>
@@ -292,7 +293,7 @@ void writeManifest(const Material& material, const std::string& path)
     Json json = describe(material);
     const fs::path file(path);
     std::set<std::string> taken;
-    PendingFiles files;
+    OutputFiles files;
     for (size_t k = 0; k < material.tables.size(); ++k) {
         const Table& table = material.tables[k];
         checkStorable(table, ErrorKind::usage, path);

@@ -1,9 +1,9 @@
 #include "Codes.h"
-#include "Files.h"
 #include "Png.h"
 #include "Waterloo.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -193,7 +193,7 @@ std::string cubeFace(const Table& map, int face, const std::string& where)
     return pngFromCodes(size, codes, where);
 }
 
-void addMap(PendingFiles& files, const Table& map, const std::string& base, int index)
+void addMap(OutputFiles& files, const Table& map, const std::string& base, int index)
 {
     const std::string name = base + "_" + std::to_string(index);
     files.add(name + ".png", pngFromCodes(domainSize(map.domain)[0], codesOfTable(map), name));
@@ -220,7 +220,7 @@ void writeWaterloo(const Material& material, const std::string& path)
     const Parts parts = partsOf(material, path);
     const std::string base = path.substr(0, path.size() - 4);  // without ".txt"
     const int kind = !parts.s ? 0 : parts.p ? 1 : 2;
-    PendingFiles files;
+    OutputFiles files;
     Vec3f alpha = parts.alpha;
     if (parts.p) {
         Vec3f pGauge, qGauge;

@@ -1,8 +1,9 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/base/Srgb.h>
 #include <fbrdf/scene/Image.h>
-#include <fbrdf/scene/TextFile.h>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cmath>
@@ -16,17 +17,17 @@ bool isExr(const std::string& path)
     return std::filesystem::path(path).extension() == ".exr";
 }
 
-/// Opens, writes and closes one file; `finalPath` is what errors name.
-void writeWithOiio(const std::string& path, const std::string& finalPath,
-                   const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type, const void* pixels)
+/// The bytes of a file. `path` is what errors name; its extension decides on the format.
+std::string encoded(const std::string& path, const OIIO::ImageSpec& spec, const void* pixels)
 {
-    const auto fail = [&finalPath](const std::string& reason) {
-        throw Error(ErrorKind::output, finalPath, "cannot be written: " + reason);
-    };
-    const auto file = OIIO::ImageOutput::create(path);
-    if (!file) fail(OIIO::geterror());
-    if (!file->open(path, spec) || !file->write_image(type, pixels) || !file->close())
-        fail(file->geterror());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto writer = OIIO::ImageOutput::create(path);
+    if (!writer || !writer->set_ioproxy(&memory) || !writer->open(path, spec) ||
+        !writer->write_image(spec.format, pixels) || !writer->close())
+        throw Error(ErrorKind::output, path,
+                    "cannot be encoded: " + (writer ? writer->geterror() : OIIO::geterror()));
+    return std::string(bytes.begin(), bytes.end());
 }
 
 std::vector<uint8_t> srgbPixels(const Image& image, float exposure)
@@ -36,6 +37,20 @@ std::vector<uint8_t> srgbPixels(const Image& image, float exposure)
     for (size_t i = 0; i < image.rgba.size(); i += 4)
         for (size_t c = 0; c < 3; ++c) codes.push_back(srgbCode(exposure * image.rgba[i + c]));
     return codes;
+}
+
+std::string exrOf(const Image& image, const std::string& path)
+{
+    OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::FLOAT);
+    spec.attribute("oiio:ColorSpace", "lin_rec709");
+    return encoded(path, spec, image.rgba.data());
+}
+
+std::string pngOf(const Image& image, const std::string& path, float exposure)
+{
+    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return encoded(path, spec, srgbPixels(image, exposure).data());
 }
 
 }  // namespace
@@ -57,18 +72,7 @@ void checkImagePath(const std::string& path)
 void writeImage(const Image& image, const std::string& path, float exposure)
 {
     checkImagePath(path);
-    writeWhole(path, [&](const std::string& temporary) {
-        if (isExr(path)) {
-            OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::FLOAT);
-            spec.attribute("oiio:ColorSpace", "lin_rec709");
-            writeWithOiio(temporary, path, spec, OIIO::TypeDesc::FLOAT, image.rgba.data());
-        } else {
-            OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-            spec.attribute("oiio:ColorSpace", "sRGB");
-            writeWithOiio(temporary, path, spec, OIIO::TypeDesc::UINT8,
-                          srgbPixels(image, exposure).data());
-        }
-    });
+    writeFile(path, isExr(path) ? exrOf(image, path) : pngOf(image, path, exposure));
 }
 
 }  // namespace fbrdf::scene

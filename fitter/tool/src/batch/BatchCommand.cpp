@@ -8,6 +8,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fmt/format.h>
@@ -223,7 +224,7 @@ Json summaryJson(const BatchCommand& command, const Counts& counts)
 int conclude(const BatchCommand& command, const std::vector<BatchItem>& items,
              const std::vector<BatchOutcome>& outcomes)
 {
-    writeWhole(resultsPath(command), resultsTable(command, items, outcomes));
+    writeFile(resultsPath(command), resultsTable(command, items, outcomes));
     for (size_t i = 0; i < items.size(); ++i)
         if (outcomes[i].state == BatchOutcome::State::failed)
             fmt::print(stderr, "fbrdf: {}: {}\n", oneLine(items[i].name), outcomes[i].error);

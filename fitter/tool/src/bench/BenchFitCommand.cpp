@@ -7,6 +7,7 @@
 #include "Robustness.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 #include <fbrdf/sources/OpenSource.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ std::vector<MaterialScores> allScores(const BenchFitCommand& command)
         });
         materials.push_back(found == known.end() ? scoresOrError(source, command.options, progress)
                                                  : *found);
-        if (!command.csv.empty()) writeWhole(command.csv, benchCsv(materials, contenders));
+        if (!command.csv.empty()) writeFile(command.csv, benchCsv(materials, contenders));
     }
     progress.clear();
     return materials;
