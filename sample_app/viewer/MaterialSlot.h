@@ -2,7 +2,7 @@
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/fit/Fit.h>
-#include <fbrdf/scene/Reference.h>
+#include <fbrdf/scene/CpuRenderer.h>
 #include <fbrdf/sources/Source.h>
 
 #include <optional>

@@ -30,7 +30,7 @@ struct Shown {
 
     bool operator==(const Shown& o) const
     {
-        return camera.eye == o.camera.eye && camera.center == o.camera.center &&
+        return camera.eye == o.camera.eye && camera.centre == o.camera.centre &&
                technique == o.technique && material == o.material && mesh == o.mesh &&
                lightCount == o.lightCount && width == o.width && height == o.height;
     }

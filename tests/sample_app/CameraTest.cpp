@@ -35,7 +35,7 @@ TEST(CameraText, IsSevenNumbers)
 {
     const Camera camera = cameraFromText("1,2.5,-3,0,1e-1,0,60");
     EXPECT_EQ(camera.eye, Vec3d(1.0, 2.5, -3.0));
-    EXPECT_EQ(camera.center, Vec3d(0.0, 0.1, 0.0));
+    EXPECT_EQ(camera.centre, Vec3d(0.0, 0.1, 0.0));
     EXPECT_NEAR(camera.fovy, kPi / 3.0, 1e-15);
     const Camera standard = cameraFromText("0,0,4,0,0,0,35");
     EXPECT_EQ(standard.eye, Camera().eye);
@@ -86,13 +86,13 @@ TEST(View, LooksStraightDown)
 TEST(Orbit, KeepsDistanceAndCentreAndTurnsTheWayItSays)
 {
     Camera camera;
-    camera.center = {1.0, 2.0, 3.0};
-    camera.eye = camera.center + Vec3d(0.0, 0.0, 4.0);
+    camera.centre = {1.0, 2.0, 3.0};
+    camera.eye = camera.centre + Vec3d(0.0, 0.0, 4.0);
     const Camera right = orbited(camera, 0.5 * kPi, 0.0, 1.0);
-    EXPECT_NEAR(glm::distance(right.eye, camera.center + Vec3d(4.0, 0.0, 0.0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(right.eye, camera.centre + Vec3d(4.0, 0.0, 0.0)), 0.0, 1e-12);
     const Camera up = orbited(camera, 0.0, 0.25 * kPi, 0.5);
-    EXPECT_NEAR(glm::distance(up.eye, up.center), 2.0, 1e-12);
-    EXPECT_NEAR(up.eye.y - up.center.y, 2.0 * std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(glm::distance(up.eye, up.centre), 2.0, 1e-12);
+    EXPECT_NEAR(up.eye.y - up.centre.y, 2.0 * std::sqrt(0.5), 1e-12);
     const Camera pole = orbited(camera, 0.3, 10.0, 1.0);
     EXPECT_GT(std::hypot(pole.eye.x - 1.0, pole.eye.z - 3.0), 0.01) << "stops before the pole";
     const Camera back = orbited(orbited(camera, 1.0, 0.4, 2.0), -1.0, -0.4, 0.5);
@@ -105,11 +105,11 @@ TEST(Framed, ShowsTheWholeBall)
     for (const double aspect : {0.5, 1.0, 2.0}) {
         const Camera camera = framed(Camera(), bounds, aspect);
         const gl::View view = viewFromCamera(camera, aspect, bounds);
-        const double halfAngle = std::asin(30.0 / glm::distance(camera.eye, camera.center));
+        const double halfAngle = std::asin(30.0 / glm::distance(camera.eye, camera.centre));
         const double limit =
             std::min(0.5 * camera.fovy, std::atan(std::tan(0.5 * camera.fovy) * aspect));
         EXPECT_NEAR(halfAngle, limit, 1e-9);
-        EXPECT_NEAR(projected(view, Vec3d(bounds.center)).x, 0.0, 1e-5);
+        EXPECT_NEAR(projected(view, Vec3d(bounds.centre)).x, 0.0, 1e-5);
     }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/headless/Context.h>
-#include <fbrdf/scene/Reference.h>
+#include <fbrdf/scene/CpuRenderer.h>
 
 namespace fbrdf::scene {
 

@@ -51,7 +51,7 @@ TEST(Arranged, BoundsHoldEveryInstance)
 {
     const Mesh mesh = makeSphere(8, 4);
     const Bounds bounds = boundsOf(arranged(mesh, 4, 1.0));
-    EXPECT_NEAR(glm::length(bounds.center), 0.0f, 1e-6f);
+    EXPECT_NEAR(glm::length(bounds.centre), 0.0f, 1e-6f);
     EXPECT_NEAR(bounds.radius, 1.0f + 1.075f * std::sqrt(2.0f), 1e-5f);
 }
 
@@ -83,7 +83,7 @@ TEST(SpreadAround, LeavesScenesThatFitAndKeepsIrradianceElsewhere)
     const Bounds far{Vec3f(100.0f, 0.0f, 0.0f), 12.0f};
     const auto moved = spreadAround(lights, far);
     for (size_t i = 0; i < lights.size(); ++i) {
-        const Vec3f offset = moved[i].position - far.center;
+        const Vec3f offset = moved[i].position - far.centre;
         EXPECT_NEAR(glm::distance(offset, 10.0f * lights[i].position), 0.0f, 1e-3f);
         const double before =
             falloff<double>(glm::dot(Vec3d(lights[i].position), Vec3d(lights[i].position)), 0.0);

@@ -232,7 +232,7 @@ TEST(Bounds, OfAShiftedMeshFollowIt)
     Mesh mesh = makeSphere(16, 8);
     for (Vec3f& p : mesh.positions) p = 2.0f * p + Vec3f(3.0f, -1.0f, 5.0f);
     const Bounds bounds = boundsOf(mesh);
-    EXPECT_NEAR(glm::distance(bounds.center, Vec3f(3.0f, -1.0f, 5.0f)), 0.0f, 1e-5f);
+    EXPECT_NEAR(glm::distance(bounds.centre, Vec3f(3.0f, -1.0f, 5.0f)), 0.0f, 1e-5f);
     EXPECT_NEAR(bounds.radius, 2.0f, 1e-5f);
     EXPECT_EQ(boundsOf(Mesh()).radius, 0.0f);
 }

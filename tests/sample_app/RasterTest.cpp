@@ -128,7 +128,7 @@ TEST(Raster, CutsTrianglesAtTheNearPlane)
                                   {-big, -1, -big}});
     Camera camera;
     camera.eye = {0.0, 0.0, 0.0};
-    camera.center = {0.0, 0.0, -1.0};
+    camera.centre = {0.0, 0.0, -1.0};
     const gl::View view = viewFromCamera(camera, 1.0, {Vec3f(0.0f), 2.0f * big});
     const Fragments f = rasterise({{&floor}}, view, 32, 32);
     for (int x = 0; x < 32; ++x) {

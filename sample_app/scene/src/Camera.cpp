@@ -51,7 +51,7 @@ Camera cameraFromText(const std::string& text)
     if (count != value.size())
         fail(Found(std::to_string(count) + " in '" + text + "'").expected(shape));
     Camera camera{{value[0], value[1], value[2]}, {value[3], value[4], value[5]}, 0.0};
-    if (camera.eye == camera.center)
+    if (camera.eye == camera.centre)
         fail(Found("an eye that is the centre").expected("two different points"));
     if (!(value[6] > 0.0 && value[6] < 180.0))
         fail(Found("a field of view of " + std::to_string(value[6]))
@@ -62,20 +62,20 @@ Camera cameraFromText(const std::string& text)
 
 gl::View viewFromCamera(const Camera& camera, double aspect, const Bounds& bounds)
 {
-    const Vec3d forward = glm::normalize(camera.center - camera.eye);
-    const double depth = glm::dot(Vec3d(bounds.center) - camera.eye, forward);
+    const Vec3d forward = glm::normalize(camera.centre - camera.eye);
+    const double depth = glm::dot(Vec3d(bounds.centre) - camera.eye, forward);
     const double radius = std::max(1e-6, 1.01 * double(bounds.radius));
     const double far = std::max(depth + radius, radius);
     const double near = std::max(depth - radius, far * kNearestShare);
     gl::View view;
-    view.view = glm::mat4(glm::lookAt(camera.eye, camera.center, upOf(forward)));
+    view.view = glm::mat4(glm::lookAt(camera.eye, camera.centre, upOf(forward)));
     view.projection = glm::mat4(glm::perspective(camera.fovy, aspect, near, far));
     return view;
 }
 
 Camera orbited(const Camera& camera, double right, double up, double zoom)
 {
-    const Vec3d offset = camera.eye - camera.center;
+    const Vec3d offset = camera.eye - camera.centre;
     const double distance = glm::length(offset);
     const double azimuth = std::atan2(offset.x, offset.z) + right;
     const double limit = 0.5 * kPi - kPoleMargin;
@@ -84,7 +84,7 @@ Camera orbited(const Camera& camera, double right, double up, double zoom)
     const Vec3d direction(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                           std::cos(elevation) * std::cos(azimuth));
     Camera moved = camera;
-    moved.eye = camera.center + distance * zoom * direction;
+    moved.eye = camera.centre + distance * zoom * direction;
     return moved;
 }
 
@@ -95,8 +95,8 @@ Camera framed(const Camera& camera, const Bounds& bounds, double aspect)
     const double distance =
         std::max(1e-6, double(bounds.radius)) / std::sin(std::min(halfHeight, halfWidth));
     Camera moved = camera;
-    moved.center = Vec3d(bounds.center);
-    moved.eye = moved.center + distance * glm::normalize(camera.eye - camera.center);
+    moved.centre = Vec3d(bounds.centre);
+    moved.eye = moved.centre + distance * glm::normalize(camera.eye - camera.centre);
     return moved;
 }
 

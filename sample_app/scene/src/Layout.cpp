@@ -16,7 +16,7 @@ std::vector<Bounds> ballsOf(const std::vector<Instance>& instances)
     std::vector<Bounds> balls;
     for (const Instance& instance : instances) {
         Bounds ball = boundsOf(*instance.mesh);
-        ball.center = Vec3f(instance.model * glm::vec4(ball.center, 1.0f));
+        ball.centre = Vec3f(instance.model * glm::vec4(ball.centre, 1.0f));
         balls.push_back(ball);
     }
     return balls;
@@ -55,42 +55,42 @@ Bounds boundsOf(const std::vector<Instance>& instances)
 {
     const std::vector<Bounds> balls = ballsOf(instances);
     if (balls.empty()) return {};
-    Vec3f low = balls.front().center, high = low;
+    Vec3f low = balls.front().centre, high = low;
     for (const Bounds& ball : balls) {
-        low = glm::min(low, ball.center);
-        high = glm::max(high, ball.center);
+        low = glm::min(low, ball.centre);
+        high = glm::max(high, ball.centre);
     }
     Bounds all{0.5f * (low + high), 0.0f};
     for (const Bounds& ball : balls)
-        all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
+        all.radius = std::max(all.radius, glm::distance(all.centre, ball.centre) + ball.radius);
     return all;
 }
 
 Camera facing(const std::vector<Instance>& instances, double aspect)
 {
     Camera camera;
-    camera.center = Vec3d(boundsOf(instances).center);
+    camera.centre = Vec3d(boundsOf(instances).centre);
     const double halfHeight = 0.5 * camera.fovy;
     const double halfWidth = std::atan(std::tan(halfHeight) * aspect);
     double depth = 0.0;
     for (const Bounds& ball : ballsOf(instances)) {
-        const Vec3d offset = Vec3d(ball.center) - camera.center;
+        const Vec3d offset = Vec3d(ball.centre) - camera.centre;
         const double radius = std::max(1e-6, double(ball.radius));
         depth = std::max({depth, offset.z + fittingDistance(offset.x, radius, halfWidth),
                           offset.z + fittingDistance(offset.y, radius, halfHeight)});
     }
-    camera.eye = camera.center + Vec3d(0.0, 0.0, std::max(depth, 1e-6));
+    camera.eye = camera.centre + Vec3d(0.0, 0.0, std::max(depth, 1e-6));
     return camera;
 }
 
 std::vector<Light> spreadAround(std::vector<Light> lights, const Bounds& bounds)
 {
     // What must lie inside the lights' innermost shell is measured from where they were made for.
-    const float reach = glm::length(bounds.center) + bounds.radius;
+    const float reach = glm::length(bounds.centre) + bounds.radius;
     if (reach <= kSceneRadius) return lights;
     const float scale = bounds.radius / kSceneRadius;
     for (Light& light : lights) {
-        light.position = bounds.center + scale * light.position;
+        light.position = bounds.centre + scale * light.position;
         light.intensity *= scale * scale;
         light.radius *= scale;
     }

@@ -149,7 +149,7 @@ Bounds boundsOf(const Mesh& mesh)
     }
     Bounds bounds{0.5f * (low + high), 0.0f};
     for (const Vec3f& p : mesh.positions)
-        bounds.radius = std::max(bounds.radius, glm::distance(p, bounds.center));
+        bounds.radius = std::max(bounds.radius, glm::distance(p, bounds.centre));
     return bounds;
 }
 

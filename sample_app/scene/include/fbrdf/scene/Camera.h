@@ -9,7 +9,7 @@ namespace fbrdf::scene {
 
 /// World space, up = +y. fovy: vertical field of view, radians, in (0, pi).
 struct Camera {
-    Vec3d eye{0.0, 0.0, 4.0}, center{0.0};
+    Vec3d eye{0.0, 0.0, 4.0}, centre{0.0};
     double fovy = 35.0 * kPi / 180.0;
 };
 

@@ -29,7 +29,7 @@ Mesh meshFromName(const std::string& name);
 
 /// Ball around all positions: centre of their box, radius to the farthest. Radius 0 when empty.
 struct Bounds {
-    Vec3f center{0.0f};
+    Vec3f centre{0.0f};
     float radius = 0.0f;
 };
 Bounds boundsOf(const Mesh& mesh);

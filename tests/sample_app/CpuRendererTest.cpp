@@ -1,7 +1,7 @@
 // ReferenceTest.cpp - the CPU pictures against closed forms; no GL.
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/scene/Camera.h>
-#include <fbrdf/scene/Reference.h>
+#include <fbrdf/scene/CpuRenderer.h>
 #include <fbrdf/scene/Lights.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Reference.h - the scene drawn on the CPU in double: what the runtime's pictures are judged by.
+// CpuRenderer.h - the scene drawn on the CPU in double: what the runtime's pictures are judged by.
 //
 // Both pictures hold linear radiance and coverage (0 or 1, no anti-aliasing) and cover the same
 // pixels as OpenGL's (Raster.h). Deterministic, whatever the number of threads.

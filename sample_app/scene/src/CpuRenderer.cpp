@@ -1,6 +1,6 @@
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/ShadingFrame.h>
-#include <fbrdf/scene/Reference.h>
+#include <fbrdf/scene/CpuRenderer.h>
 
 #include <glm/matrix.hpp>
 
