@@ -3,6 +3,7 @@
 #include "FitJob.h"
 #include "TextTable.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,6 +142,7 @@ std::string notesText(const Material& material)
 
 MaterialInfo materialInfo(const Reflectance& opened, int threads)
 {
+    FBRDF_ASSERT(opened.material, !=, nullptr);
     return {opened.material, physicsErrors(opened.brdf, threads).reciprocity,
             albedoTable(opened.brdf, threads)};
 }

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/scene/Meshes.h>
 #include <fbrdf/scene/ObjFile.h>
 
@@ -88,6 +89,8 @@ void addRing(Mesh& mesh, double u, int around)
 
 Mesh makeSphere(int segments, int rings)
 {
+    FBRDF_ASSERT(segments, >=, 3);
+    FBRDF_ASSERT(rings, >=, 2);
     Mesh mesh;
     addPole(mesh, 1.0, segments);
     for (int r = 1; r < rings; ++r)
@@ -106,6 +109,8 @@ Mesh makeSphere(int segments, int rings)
 
 Mesh makeKnot(int along, int around)
 {
+    FBRDF_ASSERT(along, >=, 3);
+    FBRDF_ASSERT(around, >=, 3);
     Mesh mesh;
     for (int ring = 0; ring < along; ++ring) addRing(mesh, 2.0 * kPi * ring / along, around);
     const auto at = [along, around](int ring, int i) {
@@ -119,6 +124,7 @@ Mesh makeKnot(int along, int around)
 
 Mesh makePlane(int cells)
 {
+    FBRDF_ASSERT(cells, >=, 1);
     Mesh mesh;
     const auto place = [cells](int i) { return -1.0 + 2.0 * i / cells; };
     for (int j = 0; j <= cells; ++j)

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/scene/Raster.h>
 
 #include <glm/mat4x4.hpp>
@@ -181,6 +182,8 @@ private:
 Fragments rasterise(const std::vector<Instance>& instances, const gl::View& view, int width,
                     int height)
 {
+    FBRDF_ASSERT(width, >, 0);
+    FBRDF_ASSERT(height, >, 0);
     Fragments fragments{width, height, {}};
     fragments.pixels.resize(static_cast<size_t>(width) * static_cast<size_t>(height));
     for (size_t i = 0; i < instances.size(); ++i) {

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/scene/Triangulate.h>
 
 #include <cmath>
@@ -57,6 +58,7 @@ bool isEar(const std::vector<Point>& points, const std::vector<int>& left, size_
 
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3d>& corners)
 {
+    FBRDF_ASSERT(corners.size(), >=, 3u);
     const std::vector<Point> points = flattened(corners);
     std::vector<int> left(corners.size());
     std::iota(left.begin(), left.end(), 0);

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/truth/Deviation.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@ std::vector<double> storedImage(std::vector<double> image, Transfer transfer, bo
 Deviation deviationOf(const std::vector<float>& found, const std::vector<double>& exact,
                       const ErrorBound& bound)
 {
+    FBRDF_ASSERT(found.size(), ==, exact.size());
     double total = 0.0;
     size_t lit = 0;
     for (const double value : exact) {
