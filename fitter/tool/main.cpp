@@ -45,7 +45,7 @@ void addCommands(CLI::App& app, fbrdf::tool::Action& action)
     addFormsCommand(app, action);
 }
 
-// --help and --version arrive as errors without a failure.
+// The parser throws for --help and --version, too; they are no failures.
 int reportParse(const CLI::App& app, const CLI::ParseError& error, const char* first)
 {
     if (error.get_exit_code() != 0)

@@ -10,8 +10,8 @@ struct Size {
 };
 Size sizeFromText(const std::string& text);
 
-/// run(argc, argv), or for what it throws one line on stderr and the exit code that Error.h says;
-/// 1 for what should not happen.
+/// Returns run(argc, argv). Where that throws, prints one line to stderr and returns the exit code
+/// of Error.h, or 1 for any other exception.
 int exitCodeOf(const char* program, int (*run)(int, char**), int argc, char** argv);
 
 }  // namespace fbrdf::viewer

@@ -1,6 +1,6 @@
 // FrameTimer.h - how long a frame takes: wall clock from finished GL commands to finished GL
-// commands. Not timer queries: they leave out what a pass costs before it reaches the GPU, and on
-// llvmpipe they leave out the vertices (it processes them before the query that precedes them).
+// commands. Timer queries would leave out what a pass costs before it reaches the GPU, and on
+// llvmpipe the vertices, which it processes before the query that precedes them.
 #pragma once
 #include "GlFunctions.h"
 

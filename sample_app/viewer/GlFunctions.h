@@ -1,5 +1,5 @@
-// GlFunctions.h - the GL function table of the current context, for the few calls of the viewer's
-// own.
+// GlFunctions.h - the GL function table of the current context, for the few calls that the viewer
+// makes itself.
 #pragma once
 #include <fbrdf/gl/Renderer.h>
 #include <glad/gl.h>

@@ -8,13 +8,13 @@ namespace fbrdf::viewer {
 /// back. Throws Error(gl) where there is no usable GL.
 Picture drawHeadless(const Options& options, World& world);
 
-/// Fills what a draw tells.
+/// Fills the fields that a draw of the runtime reports.
 void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scene::Stats& stats);
 
-/// Rows from the bottom, as GL reads them, to a picture.
+/// Makes a picture of rows that begin at the bottom, as GL reads them.
 scene::Image imageFromBottomRows(const std::vector<float>& rgba, int width, int height);
 
-/// Pixels with coverage.
+/// Counts the pixels with coverage.
 int coveredPixels(const scene::Image& image);
 
 }  // namespace fbrdf::viewer

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMostLights = 65536;
 
-/// What CLI11 fills and what still has to be understood.
+/// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
     std::string backend, technique, lookUp, camera, size;
 };
@@ -24,16 +24,17 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
                    "model like ggx:alpha=0.2. Repeatable: one object each")
         ->type_name("FILE|SOURCE")
         ->allow_extra_args(false);
-    app.add_option("--form", options.form, "The form in which sources are fitted")
+    app.add_option("--form", options.form, "Form of the fit where a source is given")
         ->capture_default_str();
     app.add_option("--mesh", options.mesh, "sphere, knot, plane or an OBJ file")
         ->type_name("NAME|FILE.obj")
         ->capture_default_str();
     auto* file = app.add_option("--lights", options.lights, "Lights from a file");
     file->type_name("FILE.json");
-    auto* count = app.add_option("--light-count", options.lightCount, "Made point lights");
+    auto* count =
+        app.add_option("--light-count", options.lightCount, "Number of point lights to make");
     count->excludes(file)->check(CLI::Range(0, kMostLights))->capture_default_str();
-    app.add_option("--seed", options.seed, "Which made lights")->excludes(file);
+    app.add_option("--seed", options.seed, "Seed of the lights that are made")->excludes(file);
     app.add_option("--camera", texts.camera, "Eye, centre and vertical field of view")
         ->type_name("ex,ey,ez,cx,cy,cz,fovy_degrees");
 }
@@ -41,24 +42,29 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
 void describePicture(CLI::App& app, Options& options, Texts& texts)
 {
     auto* headless = app.add_flag("--headless", options.headless, "No window, no display");
-    app.add_option("--backend", texts.backend, "GL without a display: egl (default) or osmesa")
+    app.add_option("--backend", texts.backend,
+                   "How to get GL without a display: egl (default) or osmesa")
         ->needs(headless);
-    app.add_option("--technique", texts.technique,
-                   "single, batched, two-lookup; on the CPU: vertex (true BRDF at the vertices), "
-                   "reference (true BRDF at every pixel, in double)");
-    app.add_option("--look-up", texts.lookUp,
-                   "Maps over one direction: native (default), or recombined into parabolic or "
-                   "cube maps");
+    app.add_option(
+        "--technique", texts.technique,
+        "single, batched or two-lookup; on the CPU: vertex (true BRDF at the vertices) or "
+        "reference (true BRDF at every pixel, in double)");
+    app.add_option(
+        "--look-up", texts.lookUp,
+        "How maps over one direction are looked up: native (default), or recombined into "
+        "parabolic or cube maps");
     app.add_option("--size", texts.size, "Pixels (default 512x512)")->type_name("WxH");
-    app.add_option("--exposure", options.exposure, "Factor of radiance in PNG and window")
+    app.add_option("--exposure", options.exposure,
+                   "Factor of the radiance in PNG files and in the window")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--out", options.out,
                    "Picture: linear radiance and coverage (.exr) or sRGB (.png)")
         ->type_name("FILE");
-    app.add_option("--stats", options.stats, "What was drawn and how long it took")
+    app.add_option("--stats", options.stats, "JSON file of what was drawn and how long it took")
         ->type_name("FILE.json");
-    app.add_option("--frames", options.frames, "Frames to draw (a window closes after them)")
+    app.add_option("--frames", options.frames,
+                   "Number of frames to draw; a window closes after them")
         ->check(CLI::Range(1, 1000000));
 }
 
@@ -85,8 +91,8 @@ Options optionsFromArguments(int argc, const char* const* argv)
     Options options;
     Texts texts;
     CLI::App app(
-        "Draws factored materials, lit by any number of lights, and what they are judged "
-        "by",
+        "Draws factored materials under any number of lights, and the references that they are "
+        "compared with",
         "fbrdf-viewer");
     describeScene(app, options, texts);
     describePicture(app, options, texts);

@@ -31,7 +31,7 @@ struct Options {
     std::string help;           ///< not empty: --help was asked for, and this is the answer
 };
 
-/// Throws Error(usage) for everything that is not as --help says.
+/// Throws Error(usage) for everything that --help does not allow.
 Options optionsFromArguments(int argc, const char* const* argv);
 
 }  // namespace fbrdf::viewer

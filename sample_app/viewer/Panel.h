@@ -11,7 +11,7 @@ struct GLFWwindow;
 
 namespace fbrdf::viewer {
 
-/// What the panel tells besides the state.
+/// What the panel shows besides the state.
 struct PanelFacts {
     std::vector<std::string> materials, meshes;  ///< names, in the order of the state's numbers
     int triangles = 0, passes = 0, maxLookups = 0;
@@ -22,7 +22,7 @@ struct PanelFacts {
 
 class Panel {
 public:
-    /// `window` has a current GL context, and its own callbacks installed: the panel calls them on.
+    /// Expects a window with a current GL context and callbacks of its own, which the panel calls.
     explicit Panel(GLFWwindow* window);
     ~Panel();
     Panel(const Panel&) = delete;

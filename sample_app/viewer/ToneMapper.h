@@ -15,9 +15,9 @@ public:
     ToneMapper(const ToneMapper&) = delete;
     ToneMapper& operator=(const ToneMapper&) = delete;
 
-    /// An RGBA32F framebuffer of that size, cleared to nothing.
+    /// Returns an RGBA32F framebuffer of that size, cleared to 0.
     gl::Target clearedTarget(int width, int height);
-    /// The target as a picture.
+    /// Reads the target back as a picture.
     scene::Image readTarget();
     /// Takes a picture of any size instead of the target.
     void upload(const scene::Image& image);

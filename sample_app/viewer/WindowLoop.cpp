@@ -186,7 +186,7 @@ void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
     facts_.maxLookups = drawn.maxLookups;
 }
 
-/// Coarse while things change, fine once they stand still, then nothing to do.
+/// Draws coarsely while things change, in full once they stand still, and then not at all.
 void WindowLoop::drawWithCpu(const Shown& shown)
 {
     const bool changed = !drawn_ || !(*drawn_ == shown);

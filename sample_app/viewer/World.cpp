@@ -6,8 +6,8 @@
 namespace fbrdf::viewer {
 namespace {
 
-// Shown without --material: brushed gold, the brushing along the tangent. Its form and smoothness
-// are given, so that it is there in a second, without a search.
+// The material that is shown without --material: gold, brushed along the tangent. Its form and
+// smoothness are given, so that it is ready in a second, without a search.
 const char* const kDefaultMaterial = "ggx:alpha_x=0.18,alpha_y=0.45,f0=1.0/0.71/0.29,kd=0";
 constexpr double kDefaultSmoothness = 1e-3;
 

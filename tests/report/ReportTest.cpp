@@ -1,4 +1,4 @@
-// What the page says. That it is well formed and self-contained is for check_page.py.
+// ReportTest.cpp - the content of the page. check_page.py checks that it is well formed.
 #include "TestMaterials.h"
 
 #include <fbrdf/base/Error.h>
@@ -66,11 +66,11 @@ TEST(Report, SaysFirstWhereTheFormFailsAndWhatDirectionsAreMissing)
     input.coverage->inPlane = true;
     input.misfits.push_back({25, 50, 0, 5, {true, false, false}, 100, 0.1, 3.0, 0.4});
     const std::string page = reportHtml(input);
-    EXPECT_TRUE(has(page, "The form does not hold the data"));
+    EXPECT_TRUE(has(page, "The form does not fit the data"));
     EXPECT_TRUE(
         has(page, "theta_d 0 to 5 degrees (back towards the light), R: off by a factor of 3"));
     EXPECT_TRUE(has(page, "in the plane of incidence only"));
-    EXPECT_LT(page.find("does not hold"), page.find("Standard sphere"));
+    EXPECT_LT(page.find("does not fit"), page.find("Standard sphere"));
 }
 
 TEST(Report, ListsTheFormsTriedAndMarksTheChosen)

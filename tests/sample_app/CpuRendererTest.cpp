@@ -1,4 +1,4 @@
-// ReferenceTest.cpp - the CPU pictures against closed forms; no GL.
+// CpuRendererTest.cpp - the CPU pictures against closed forms; no GL.
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/CpuRenderer.h>

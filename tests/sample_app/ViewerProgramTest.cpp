@@ -1,5 +1,5 @@
-// ViewerProgramTest.cpp - fbrdf-viewer as its users run it: pictures, stats, exit codes and the one
-// line that tells what was wrong. Needs EGL (tests that draw with it are skipped without).
+// ViewerProgramTest.cpp - fbrdf-viewer as its users run it: pictures, stats, exit codes and
+// error lines. It needs EGL; without it the tests that draw are skipped.
 #include "GlPictures.h"
 #include "PictureDifference.h"
 #include "Program.h"

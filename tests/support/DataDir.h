@@ -1,6 +1,6 @@
 // DataDir.h - where the third-party reflectance data is: FBRDF_DATA_DIR, or ../shared/data from the
 // working directory (ctest runs every test in the project's root). The data is never part of the
-// project, so a test that needs it says so:
+// project, so a test that needs it declares that:
 //   TEST(Cornell, ReadsGarnetRed)
 //   {
 //       FBRDF_NEEDS_DATA("cornell_pbrt2/garnet_red.brdf");

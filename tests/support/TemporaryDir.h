@@ -1,4 +1,4 @@
-// TemporaryDir.h - a new folder for the files of one test, removed with all it holds at the end.
+// TemporaryDir.h - a new folder for the files of one test, removed at the end with all its files.
 #pragma once
 #include <algorithm>
 #include <cstdlib>

@@ -54,11 +54,11 @@ TEST(BenchFitCommand, ComparesSingularValuesAndWrittenFactorsAsForms)
     const auto ward = json["materials"][0]["scores"], ggx = json["materials"][1]["scores"];
     ASSERT_EQ(ward.size(), 3u);
     EXPECT_EQ(ward[0]["bytes"], 2496);
-    EXPECT_EQ(ward[1]["bytes"], 2496);  // as many terms as the budget holds
+    EXPECT_EQ(ward[1]["bytes"], 2496);  // as many terms as the budget allows
     EXPECT_EQ(ward[0]["lookups"], 4);
     EXPECT_EQ(ward[2]["lookups"], 1);
     EXPECT_GT(ward[2]["errors"]["psnr_linear"].get<double>(), 55.0);
-    EXPECT_EQ(ggx.size(), 2u);  // no factors are known of it: no row
+    EXPECT_EQ(ggx.size(), 2u);  // it has no row, because its factors are not known
     expectError(runTool({"bench-fit", "lambert", "--forms", "svd77"}), 2, "svd77");
 }
 

@@ -13,7 +13,7 @@
 namespace fbrdf::test {
 namespace {
 
-// A block holds a megabyte, about 8,600 of these pairs: several blocks, so threads overtake.
+// A block is a megabyte, about 8,600 of these pairs. There are several, so that threads overtake.
 constexpr size_t kSeveralBlocks = 60000;
 
 class EvalStream : public testing::Test {
@@ -76,7 +76,7 @@ TEST_F(EvalStream, MemoryDoesNotGrowWithTheInput)
         EXPECT_EQ(run.code, 0) << run.err;
         return run.maxResidentKb;
     };
-    // 20 MB of input against 80: what is held are a few blocks of a megabyte for each thread.
+    // 20 MB of input need no less memory than 80: each thread holds a few blocks of a megabyte.
     const long few = residentKb(170000), many = residentKb(680000);
     EXPECT_LT(many - few, 8 << 10) << few << " KB, then " << many << " KB";
 }

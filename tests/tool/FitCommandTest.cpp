@@ -46,7 +46,7 @@ TEST_F(FitCommand, WritesAMaterialAndPrintsOneObject)
     EXPECT_EQ(json["bytes"].get<size_t>(), materialBytes(readMaterial(output)));
 }
 
-// A gloss that the form holds exactly: 400 samples pin it down to a few per cent.
+// The form can express this gloss exactly; 400 samples determine it to a few per cent.
 TEST_F(FitCommand, FitsWhatItWasGiven)
 {
     const auto json = jsonFrom(runTool(with(quickFit(csv, output), {"--json"})));
@@ -225,7 +225,7 @@ TEST_F(FitCommand, SaysWhereTheFormDoesNotHoldTheData)
     const std::vector<std::string> fit{"fit",  brushed,        "-o",   output,         "--form",
                                        "hdio", "--smoothness", "1e-4", "--resolution", "16"};
     const ToolRun run = runTool(fit);
-    EXPECT_NE(run.out.find("does not hold the data:\n    theta_h"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("does not fit the data:\n    theta_h"), std::string::npos) << run.out;
     auto asJson = fit;
     asJson.push_back("--json");
     const auto json = jsonFrom(runTool(asJson));

@@ -1,4 +1,4 @@
-// Tool.h - runs the built program as a user or a script would, and keeps what it said.
+// Tool.h - runs the built program as a user or a script would, and keeps what it printed.
 #pragma once
 #include <nlohmann/json.hpp>
 

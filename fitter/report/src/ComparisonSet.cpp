@@ -17,7 +17,8 @@ std::vector<Sample> thinned(const std::vector<Sample>& samples, size_t most)
     return chosen;
 }
 
-// Short runs of rows at even distances: a file of 50 million rows is not read for 200,000 of them.
+// Reads short runs of rows at even distances, because a file of 50 million rows need not be read
+// for 200,000 of them.
 std::vector<Sample> thinned(const SampleStream& stream, size_t most)
 {
     constexpr size_t kRun = 16;

@@ -10,10 +10,10 @@ struct ComparisonSet {
     std::vector<Sample> samples;
     std::vector<Vec3f> fitted;  ///< the material at the samples' pairs
     bool measured = false;  ///< samples of the source's own; else its function at the uniform set
-    uint64_t rows = 0;      ///< samples there were, of which the set holds an even choice
+    uint64_t rows = 0;      ///< samples of the source, of which the set is an even choice
 };
 
-/// Samples shown at most: more change no picture.
+/// At most so many samples are shown; more of them change no picture.
 constexpr size_t kShownSamples = 200000;
 
 /// The source's own samples, evenly thinned to `most`; or its function at the uniform test set of

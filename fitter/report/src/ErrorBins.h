@@ -12,10 +12,10 @@ constexpr int kErrorBins = 18;
 
 struct ErrorBin {
     size_t samples = 0;
-    double median =
-        0;  ///< of |ln g / f| over the channels above the noise floor; NaN when there is none
-    double share =
-        0;  ///< of the sum over everything of (c (g - f))^2, c = cos theta_i; 0 when that is 0
+    /// Median of |ln g / f| over the channels above the noise floor; NaN when there is none.
+    double median = 0;
+    /// Share in the sum over all samples of (c (g - f))^2, c = cos theta_i; 0 when that sum is 0.
+    double share = 0;
 };
 
 struct ErrorBins {

@@ -68,7 +68,7 @@ std::string cellsOf(const ErrorBins& bins, const Quantity& quantity, double end)
             const ErrorBin& bin = bins.at(h, d);
             const double value = quantity.value(bin);
             if (std::isnan(value)) continue;
-            // Half a unit wider than the step: no seams between neighbours.
+            // Half a unit wider than the step, so that there are no seams between neighbours.
             cells += fmt::format(
                 "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
                 "fill=\"{}\"><title>{}: {}{}, {} "
@@ -120,7 +120,7 @@ std::string colourBar(double end, bool isClipped, const char* unit)
     return shapes;
 }
 
-// The background of the plot: what stays visible of it had no sample.
+// Draws the background of the plot, which stays visible where there was no sample.
 std::string hatching(const char* id)
 {
     return fmt::format(
@@ -167,7 +167,7 @@ Places worst(const ErrorBins& bins, size_t fewest,
     return place;
 }
 
-// A median of one or two samples says little, where there are enough to ask for more.
+// A median of one or two samples means little, so bins with more are preferred where there are any.
 size_t fewestForMedian(const ErrorBins& bins)
 {
     size_t samples = 0;

@@ -1,4 +1,4 @@
-// Html.h - text, numbers and bytes as they may stand in the page.
+// Html.h - text, numbers and bytes in the form that the page needs.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -18,7 +18,7 @@ std::string shortNumber(double value);
 /// Digits in groups of three: "1,458,000".
 std::string grouped(uint64_t value);
 
-/// RFC 4648, section 4.
+/// Base64 as in RFC 4648, section 4.
 std::string base64(const std::vector<uint8_t>& bytes);
 
 /// <name attributes>content</name>; content and attributes are markup already.

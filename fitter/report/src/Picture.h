@@ -10,11 +10,11 @@ namespace fbrdf {
 
 struct Picture {
     int width = 0, height = 0;
-    std::vector<uint8_t>
-        rgba;  ///< width x height x 4, row 0 on top; encoded values, straight alpha
+    /// width x height x 4, row 0 on top; encoded values, straight alpha.
+    std::vector<uint8_t> rgba;
 
     Picture(int w, int h);
-    /// Opaque pixel; components are display values, clamped to [0, 1].
+    /// Sets an opaque pixel. Components are display values and are clamped to [0, 1].
     void set(int x, int y, const Vec3d& colour);
 };
 

@@ -51,8 +51,8 @@ struct LogScale {
     }
 };
 
-// From the data alone: a fit that runs away where nothing was measured must not make the data a
-// dot.
+// The scale follows the data alone, so that a fit that runs away where nothing was measured does
+// not shrink the data to a dot.
 LogScale scaleOf(const std::vector<PolarPanel>& panels, const std::vector<Series>& series)
 {
     constexpr double kMostDecades = 5.0;  // below lies what no picture shows
@@ -78,7 +78,7 @@ Vec2<double> position(double theta_o, double radius)
             kCentreY - radius * std::cos(theta_o * kDegree)};
 }
 
-// Powers beyond what fits between two rings are written as such.
+// Numbers too long to fit between two rings are written as powers of ten.
 std::string decadeText(int decade)
 {
     if (std::abs(decade) <= 2) return fmt::format("{:g}", std::pow(10.0, decade));

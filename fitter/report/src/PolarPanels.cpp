@@ -30,7 +30,7 @@ std::vector<PolarPoint> curve(double theta_i, double azimuth, const Brdf& brdf)
     const Vec3d wi = directionFromAngles(theta_i * kDegree, azimuth * kDegree);
     std::vector<PolarPoint> points;
     for (const double theta_o : viewAngles(theta_i)) {
-        // Away from the light for positive angles: azimuth + 180 degrees.
+        // Positive angles point away from the light: azimuth + 180 degrees.
         const Vec3d wo = directionFromAngles(-theta_o * kDegree, azimuth * kDegree);
         points.push_back({theta_o, brdf(wo, wi)});
     }
@@ -57,8 +57,8 @@ InPlane inPlane(const Sample& sample)
 {
     const Vec3d wi(sample.wi), wo(sample.wo);
     const double sideways = std::hypot(wi.x, wi.y);
-    // Light along the normal has no azimuth: the plane is that of the view, and +x is its positive
-    // side.
+    // Light along the normal has no azimuth. The plane is then that of the view, with +x on its
+    // positive side.
     const Vec3d leader = sideways > 1e-3 ? wi : (wo.x > 0.0 ? -wo : wo);
     const double length = std::hypot(leader.x, leader.y);
     const double x = length > 1e-9 ? leader.x / length : 1.0,

@@ -8,9 +8,9 @@ namespace fbrdf {
 
 /// Reflectance towards one direction of the plane of incidence.
 struct PolarPoint {
-    double theta_o = 0;  ///< degrees; positive on the side of the mirror direction, negative on
-                         ///< that of the light
-    Vec3d f{0.0};        ///< 1/sr
+    /// Degrees; positive on the side of the mirror direction, negative on that of the light.
+    double theta_o = 0;
+    Vec3d f{0.0};  ///< 1/sr
 };
 
 struct PolarPanel {
@@ -18,7 +18,7 @@ struct PolarPanel {
     double azimuth = 0;  ///< of the light, degrees from the tangent
     std::vector<PolarPoint> fit, data;
     bool scattered = false;  ///< data are samples near the plane, not a curve
-    size_t samples = 0;      ///< how many there were; `data` holds at most kDotsShown
+    size_t samples = 0;      ///< their number; `data` has at most kDotsShown of them
 };
 
 constexpr size_t kDotsShown = 400;

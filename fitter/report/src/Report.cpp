@@ -73,7 +73,7 @@ std::string warnings(const ReportInput& input)
         std::string items;
         for (const MisfitRegion& region : input.misfits)
             items += element("li", "", escaped(describe(region)));
-        text += element("p", "", element("b", "", "The form does not hold the data:")) +
+        text += element("p", "", element("b", "", "The form does not fit the data:")) +
                 element("ul", "", items);
     }
     if (input.coverage && input.coverage->inPlane)
@@ -128,7 +128,7 @@ std::string errorSection(const ReportInput& input, const ComparisonSet& set)
     return section("Where the error is",
                    paragraph("Over " + over +
                              ". The axis of \xCE\xB8<sub>h</sub> is divided by its square root; "
-                             "hatched bins hold no sample.") +
+                             "hatched bins have no sample.") +
                        errorFigures(bins) + weakestPlaces(bins));
 }
 
@@ -148,7 +148,7 @@ std::string secondsText(const ReportSeconds& seconds)
                                  number(seconds.fit), shortNumber(seconds.write)));
 }
 
-// Everything from other places is refused, should it ever get in.
+// The policy refuses everything that would be loaded from elsewhere, should it ever get in.
 const char* const kPolicy =
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
     "style-src "

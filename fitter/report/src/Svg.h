@@ -8,8 +8,8 @@
 
 namespace fbrdf::svg {
 
-/// <svg> of a given size in its own units, scaled to its container; `label` is plain text for those
-/// who cannot see it.
+/// An <svg> of the given size in its own units, scaled to its container. `label` is a plain text
+/// for readers who cannot see it.
 std::string drawing(double width, double height, const std::string& label,
                     const std::string& shapes);
 

@@ -13,10 +13,11 @@ namespace fbrdf {
 struct ShownRange {
     double low = 0, high = 1;
 };
-/// Share of the texels at either end that a picture of a log table may clip: one wild texel must
-/// not grey out the rest.
+/// Share of the texels at either end that a picture of a log table may clip, so that one wild texel
+/// does not grey out the rest.
 constexpr double kClipped = 0.01;
-/// Of the texels that any direction can reach, all channels together. Curves show every texel.
+/// The range of the texels that some direction can reach, over all channels. Curves show every
+/// texel.
 ShownRange shownRange(const Table& table);
 
 /// One pixel a texel, slices of 3D tables below each other. Log tables: display value (log2 F -

@@ -10,7 +10,7 @@
 namespace fbrdf {
 namespace {
 
-// A cell of text, or of a number: those align right.
+// A cell of text or of a number; numbers are aligned right.
 std::string cell(const std::string& content, const char* cssClass = nullptr)
 {
     return element("td", cssClass ? fmt::format("class=\"{}\"", cssClass) : "", content);
@@ -36,7 +36,7 @@ std::string row(const std::string& cells, const std::string& attributes = "")
     return element("tr", attributes, cells) + "\n";
 }
 
-// `cssClass` "whole": short enough to stay on one printed page.
+// The class "whole" is for tables that are short enough to stay on one printed page.
 std::string table(const char* cssClass, const std::string& caption, const std::string& head,
                   const std::string& body)
 {
@@ -104,7 +104,7 @@ std::string formText(const ReportTrial& trial)
 }
 
 // Columns of the table of forms: the errors that any trial has, those of Metrics.h first and in its
-// order. Those of single channels stay out: more columns than these do not fit a page.
+// order. Errors of single channels are left out, because more columns do not fit a page.
 std::vector<std::string> errorColumns(const std::vector<ReportTrial>& trials)
 {
     std::set<std::string> present;
@@ -191,7 +191,7 @@ std::string samplesTable(const ReportInput& input)
                 countRow("not finite", found.nonFinite, "a value or an angle that is no number") +
                 countRow("below the horizon", found.belowHorizon,
                          "light or view at or under the surface") +
-                countRow("marked invalid", found.invalid, "said by the file not to be measured") +
+                countRow("marked invalid", found.invalid, "marked by the file as not measured") +
                 countRow("negative", found.negative, "kept: a channel below 0") +
                 countRow("zero", found.zero, "kept: a channel that is exactly 0") +
                 countRow("out of gamut", found.outOfGamut, "spectra outside the sRGB primaries");
@@ -215,7 +215,7 @@ std::string materialTable(const Material& material)
                     cell(vectorText(material.scales[i])));
     for (const auto& [key, value] : material.notes)
         body += row(rowHeading(escaped(key)) + cell(escaped(value), "wrap"));
-    return table("whole", "What the material file holds.", heading("Item") + heading("value"),
+    return table("whole", "What the material file contains.", heading("Item") + heading("value"),
                  body);
 }
 

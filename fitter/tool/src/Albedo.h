@@ -12,7 +12,7 @@ struct AlbedoAt {
     Vec3d albedo;
 };
 
-/// At 0, 15, ... 75 and 85 degrees.
+/// The albedo for light from 0, 15, ... 75 and 85 degrees.
 std::vector<AlbedoAt> albedoTable(const BrdfFunction& brdf, int threads);
 
 /// [{"theta_i_degrees": .., "rgb": [..]}, ...]

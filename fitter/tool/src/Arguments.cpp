@@ -29,7 +29,7 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, T& target, u
     return command.add_option_function<std::string>(name, parse, help);
 }
 
-// A file is read at once, so that what is wrong with it is said before any work.
+// A file is read here, so that an error in it is reported before any work.
 void setForm(FitOptions& options, const std::string& text)
 {
     options.form = text;

@@ -17,13 +17,14 @@ uint64_t integerFromText(const std::string& where, const std::string& text, uint
 /// The strength of --smoothness: a number above 0, or nothing for "auto". Throws Error(usage).
 std::optional<double> smoothnessFromText(const std::string& text);
 
-/// --threads; 0, the default, means one a core.
+/// Adds --threads; 0, the default, means one a core.
 void addThreads(CLI::App& command, int& threads);
-/// --cosine.
+/// Adds --cosine.
 void addCosine(CLI::App& command, SourceOptions& options);
-/// --storage, --metric, --plain, --smoothness, --seed, --threads: what is the same for every form.
+/// Adds --storage, --metric, --plain, --smoothness, --seed and --threads, which mean the same for
+/// every form.
 void addFitTuning(CLI::App& command, FitOptions& options);
-/// --form, --resolution, --max-bytes, --lookups, and those of addFitTuning.
+/// Adds --form, --resolution, --max-bytes, --lookups, and the options of addFitTuning.
 void addFitOptions(CLI::App& command, FitOptions& options);
 
 }  // namespace fbrdf::tool

@@ -9,7 +9,7 @@ namespace fbrdf::tool {
 /// quoted.
 std::string csvLine(const std::vector<std::string>& fields);
 
-/// What csvLine was given. `line` has no newline at its end; a field holds no line break.
+/// The inverse of csvLine. Expects a `line` without its newline; no field may contain a line break.
 std::vector<std::string> csvFields(const std::string& line);
 
 }  // namespace fbrdf::tool

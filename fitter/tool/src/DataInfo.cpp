@@ -150,7 +150,7 @@ std::string textOf(const DataInfo& info)
     std::string text = info.name + "\n" +
                        alignedTable({Align::left, Align::left},
                                     {{"format", info.format},
-                                     {"holds", info.description},
+                                     {"contains", info.description},
                                      {"values", info.function ? "for any pair" : "at samples only"},
                                      {"isotropic", info.isotropic ? "yes" : "not known to be"},
                                      {"reciprocity", reciprocityText(info)}});

@@ -1,4 +1,4 @@
-// DataInfo.h - what `info` says of a data file or a model.
+// DataInfo.h - what `info` reports about a data file or a model.
 #pragma once
 #include "Albedo.h"
 #include "Errors.h"
@@ -19,8 +19,8 @@ struct DataInfo {
     Vec3f floor{0.0f}, least{0.0f}, most{0.0f};
     std::optional<double> reciprocity;  ///< median |ln f(a, b) / f(b, a)|
     std::string reciprocityNote;        ///< over which pairs, or why there is none
-    /// dB on the standard sphere of the mean of f(a, b) and f(b, a): about what a reciprocal form
-    /// can reach at most. None for samples, and where f is reciprocal.
+    /// PSNR of the standard sphere, in dB, of the mean of f(a, b) and f(b, a): about the best that
+    /// a reciprocal form can reach. Absent for samples, and where f is reciprocal.
     std::optional<double> reciprocalPsnr;
     std::vector<AlbedoAt> albedo;  ///< of a function
 };

@@ -13,7 +13,8 @@ namespace fbrdf::tool {
 using Json = nlohmann::ordered_json;
 using ErrorMap = std::map<std::string, double>;
 
-/// Two identical pictures have no finite PSNR, which JSON and CSV could not hold: they score this.
+/// The PSNR of two identical pictures is infinite, which JSON and CSV cannot express; they get
+/// this.
 constexpr double kIdenticalPsnr = 999.0;
 
 /// The finite values of the metrics.
@@ -21,15 +22,15 @@ ErrorMap errorMap(const SampleErrors& errors);
 ErrorMap errorMap(const ImageErrors& errors);
 ErrorMap errorMap(const PhysicsErrors& errors);
 
-/// Every name an ErrorMap may have, in the order in which they are shown.
+/// Every name that an ErrorMap may have, in the order in which they are shown.
 const std::vector<std::string>& errorNames();
 
 /// The errors in order; log_median_r, _g, _b become the array log_median_rgb.
 Json jsonOf(const ErrorMap& errors);
-/// Numbers as short as they are exact in float.
+/// Numbers with no more digits than a float needs to be read back exactly.
 Json jsonOf(const Vec3f& colour);
 Json jsonOf(const Vec3d& colour);
-/// null for a number that is not finite.
+/// The number, or null where it is not finite.
 Json jsonOf(double number);
 
 /// One object, indented, with a newline at its end; invalid UTF-8 is replaced.

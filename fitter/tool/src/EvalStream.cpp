@@ -15,8 +15,8 @@
 namespace fbrdf::tool {
 namespace {
 
-constexpr size_t kRowBytes =
-    80;  // three numbers of at most 16 characters, and what is between them
+// Enough for three numbers of at most 16 characters and what is between them.
+constexpr size_t kRowBytes = 80;
 
 void appendCsv(const Vec3d& f, std::string& rows)
 {
@@ -33,7 +33,7 @@ void appendJson(const Vec3d& f, std::string& rows)
     rows += ']';
 }
 
-// The header line, taken off the block that holds it. A block of comments alone is passed by.
+// Takes the header line off the block that contains it, and skips blocks of comments alone.
 PairRows takeHeader(LineBlocks& blocks, LineBlock& block)
 {
     while (blocks.next(block)) {
@@ -87,7 +87,7 @@ private:
         }
         try {
             ended_ = !blocks_.next(block);
-        } catch (...) {  // in its turn, after the rows of the blocks before
+        } catch (...) {  // thrown by handIn, after the rows of the blocks before this one
             ended_ = true;
             readFailure_ = std::current_exception();
             failedTicket_ = ticket;
@@ -97,7 +97,7 @@ private:
         return !ended_;
     }
 
-    // Rows up to the first bad one, then an exception.
+    // Appends the rows up to the first bad one, then throws.
     void evaluateBlock(const LineBlock& block, std::string& out) const
     {
         std::string_view rest = block.text;
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    // False when an earlier block failed.
+    // Writes the rows when all blocks before are written. Returns false when one of those failed.
     bool handIn(uint64_t ticket, const std::string& out, std::exception_ptr failure)
     {
         std::unique_lock<std::mutex> lock(output_);

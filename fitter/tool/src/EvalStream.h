@@ -19,12 +19,12 @@ struct EvalRequest {
     BrdfFunction brdf;
     RowStyle style = RowStyle::csv;
     int threads = 0;  ///< 0: one a core
-    /// Takes each run of rows, in order, never two at a time.
+    /// Is called with each run of rows, in order, by one thread at a time.
     std::function<void(std::string_view rows)> write;
 };
 
 /// Evaluates every pair of `blocks`, header first. Throws Error(input) for a header or a row that
-/// cannot be read, after the rows before it were written; and whatever `write` throws.
+/// cannot be read, after the rows before it were written, and whatever `write` throws.
 void evaluateStream(LineBlocks& blocks, const EvalRequest& request);
 
 }  // namespace fbrdf::tool

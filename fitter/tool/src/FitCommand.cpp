@@ -40,7 +40,7 @@ double secondsToWrite(const Material& material, const std::string& path)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// All tables of a fit have one storage; svd has its own, whatever was asked for.
+// All tables of a fit have one storage. The form svd has its own, whatever was asked for.
 std::string storageText(const Material& material)
 {
     return storageName(material.tables.front().storage);
@@ -61,7 +61,7 @@ Json samplesJson(const FitOutcome& outcome)
             {"out_of_gamut", report.outOfGamut}};
 }
 
-// The errors of pictures and physics belong to no sample set: they stand in both.
+// The errors of pictures and physics belong to no sample set, so both have them.
 Json errorsJson(const FitOutcome& outcome)
 {
     ErrorMap heldOut = outcome.heldOut, all = outcome.all;
@@ -199,7 +199,7 @@ std::string misfitText(const FitSummary& summary)
 {
     if (summary.misfits.empty()) return "";
     constexpr size_t kShown = 5;
-    std::string text = "  the form does not hold the data:\n";
+    std::string text = "  the form does not fit the data:\n";
     for (size_t i = 0; i < std::min(kShown, summary.misfits.size()); ++i)
         text += "    " + describe(summary.misfits[i]) + "\n";
     if (summary.misfits.size() > kShown)
@@ -231,8 +231,8 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
            misfitText(outcome.summary) + errorsText(outcome) + trialsText(outcome.summary);
 }
 
-// Under mpirun every rank adds up its share of the rows; all come to the same material, and rank 0
-// writes it.
+// Under mpirun every rank adds up its share of the rows. All of them arrive at the same material,
+// which rank 0 writes.
 int run(FitCommand command)
 {
     requireWritable(command.output);

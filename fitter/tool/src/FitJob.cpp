@@ -98,8 +98,8 @@ uint64_t invalidSamples(const SampleReport& report)
     return report.nonFinite + report.belowHorizon + report.invalid;
 }
 
-// A model's colours contain '/', so only what exists is a path; FILE@choice and FILE#choice are
-// too.
+// Colours in a model contain '/', so a path is only what exists. FILE@choice and FILE#choice count
+// as paths too.
 std::string sourceNote(const std::string& source)
 {
     std::error_code ignored;

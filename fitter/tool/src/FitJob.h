@@ -1,5 +1,5 @@
-// FitJob.h - one source made into one material with everything that is said about it: what `fit`
-// and `batch` share.
+// FitJob.h - the work that `fit` and `batch` share: one source becomes one material, with its
+// errors and notes.
 #pragma once
 #include "Errors.h"
 #include "Progress.h"
@@ -34,23 +34,23 @@ struct FitOutcome {
     FitTimes times;
 };
 
-/// Reads, fits and measures. Errors as openSource and fitMaterial.
+/// Reads, fits and measures. Throws what openSource and fitMaterial throw.
 FitOutcome runFitJob(const FitJob& job, Progress& progress);
 
-/// Texels marked as supported by no sample, over all tables.
+/// Counts the texels of all tables that are marked as supported by no sample.
 size_t unsupportedTexels(const Material& material);
 
-/// Samples that the reader dropped.
+/// Counts the samples that the reader dropped.
 uint64_t invalidSamples(const SampleReport& report);
 
-/// What the material's notes "source" and "options" say for a job. They name no folder and nothing
-/// that does not change the result, so that equal notes mean the same fit of the same file name.
+/// The material's notes "source" and "options" for a job. They name no folder, and nothing that
+/// leaves the result as it is, so that equal notes mean the same fit of the same file name.
 std::string sourceNote(const std::string& source);
 std::string optionsNote(const FitJob& job);
-/// The note "generator".
+/// The material's note "generator": the program and its version.
 std::string generatorNote();
 
-// Keys of Material::errors: an error on samples has a prefix that says which, the others have none.
+// Keys of Material::errors: errors on samples have a prefix for the set, the others have none.
 constexpr char kHeldOutPrefix[] = "held_out.";
 constexpr char kAllPrefix[] = "all.";
 // Keys of Material::notes.

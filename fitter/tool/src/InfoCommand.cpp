@@ -1,4 +1,4 @@
-// fbrdf info: what a material or a data file holds.
+// fbrdf info: what a material or a data file contains.
 #include "Arguments.h"
 #include "Commands.h"
 #include "DataInfo.h"
@@ -39,7 +39,7 @@ int run(const InfoCommand& command)
 
 void addInfoCommand(CLI::App& app, Action& action)
 {
-    CLI::App* sub = app.add_subcommand("info", "what a material or a data file holds");
+    CLI::App* sub = app.add_subcommand("info", "what a material or a data file contains");
     const auto command = std::make_shared<InfoCommand>();
     sub->add_option("FILE", command->source, "material, data file, or model")->required();
     sub->add_flag("--json", command->json, "print one JSON object");

@@ -19,15 +19,15 @@ public:
     LineBlocks(const LineBlocks&) = delete;
     LineBlocks& operator=(const LineBlocks&) = delete;
 
-    /// The next lines: a megabyte, or what has arrived where waiting would be needed for more.
-    /// False at the end. Throws Error(input) for what cannot be read, and for a line of a megabyte.
+    /// Reads the next lines: a megabyte, or fewer where more have not arrived yet. Returns false at
+    /// the end. Throws Error(input) for what cannot be read, and for a line of a megabyte.
     bool next(LineBlock& block);
 
     /// The path, or "standard input".
     const std::string& name() const { return name_; }
     /// "NAME:N"
     std::string where(size_t line) const { return name_ + ":" + std::to_string(line); }
-    /// Bytes read, and bytes in all; 0 where that is not known (a pipe).
+    /// Bytes read so far, and bytes in all; the latter is 0 where it is not known (a pipe).
     uint64_t bytesRead() const { return bytesRead_; }
     uint64_t size() const { return size_; }
 
@@ -38,7 +38,7 @@ private:
     std::string name_;
     int descriptor_;
     uint64_t size_ = 0;
-    std::atomic<uint64_t> bytesRead_{0};  // read by who shows progress while another thread reads
+    std::atomic<uint64_t> bytesRead_{0};  // atomic, for the thread that shows progress
     std::string rest_;                    // the beginning of a line whose end has not been read
     size_t line_ = 1;
     bool ended_ = false;

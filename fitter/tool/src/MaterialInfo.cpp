@@ -15,7 +15,7 @@ struct Range {
     Vec3f least, most;
 };
 
-// Of the stored texels: log2 F, or F for linear8.
+// The range of the stored texels: log2 F, or F for linear8.
 Range rangeOf(const Table& table)
 {
     Range range{Vec3f(table.texel(0, 0), table.texel(0, 1), table.texel(0, 2)), {}};
@@ -46,7 +46,7 @@ std::string domainText(const TableSpec& spec)
            (grid.symmetric ? ", symmetric" : "");
 }
 
-// Nothing is known of the texels of a material that no fit of ours made.
+// Only materials that were made by our fits have marks of support.
 Json unsupportedJson(const Table& table)
 {
     return table.unsupported.empty() ? Json() : Json(table.unsupportedCount());

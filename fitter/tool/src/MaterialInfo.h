@@ -1,4 +1,4 @@
-// MaterialInfo.h - what `info` says of a material.
+// MaterialInfo.h - what `info` reports about a material.
 #pragma once
 #include "Albedo.h"
 #include "Errors.h"
@@ -16,7 +16,7 @@ struct MaterialInfo {
     std::vector<AlbedoAt> albedo;
 };
 
-/// `opened.material` must be there.
+/// Expects opened.material to be set.
 MaterialInfo materialInfo(const Reflectance& opened, int threads);
 
 Json jsonOf(const MaterialInfo& info);

@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
-// The field up to the next comma, which is taken off with it.
+// Takes the field before the next comma off the text, and the comma with it.
 std::string_view takeField(std::string_view& line)
 {
     const size_t comma = line.find(',');
@@ -47,7 +47,8 @@ bool parseNumber(std::string_view text, double& value)
     return parsed.ec == std::errc() && parsed.ptr == end && std::isfinite(value);
 }
 
-// Scaled by the largest component first: the square of a large or tiny one would not be a number.
+// The vector is scaled by its largest component first, because the square of a huge or tiny one
+// would overflow or vanish.
 bool normalise(Vec3d& v)
 {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

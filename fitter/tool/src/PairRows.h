@@ -14,7 +14,7 @@ namespace fbrdf::tool {
 std::string_view takeLine(std::string_view& text);
 /// True for a blank line and for a comment.
 bool isSkipped(std::string_view line);
-/// The first line of a text without the mark that some editors put before it.
+/// The first line of a text, without the byte order mark that some editors put before it.
 std::string_view withoutByteOrderMark(std::string_view line);
 
 class PairRows {

@@ -64,7 +64,7 @@ void Progress::clear()
     drawn_ = false;
 }
 
-// A line that wraps could not be removed again: it is cut one cell before the margin.
+// A line that wraps cannot be removed again, so it is cut one cell before the margin.
 void Progress::show(const std::string& line)
 {
     const std::string cut = line.substr(0, terminalWidth() - 1);

@@ -1,4 +1,4 @@
-// Progress.h - one line on stderr that says what long work is doing; nothing when stderr is not a
+// Progress.h - one line on stderr that shows what long work is doing, unless stderr is not a
 // terminal. The line is removed at the end, so only the result stays on the screen.
 #pragma once
 #include <chrono>

@@ -8,8 +8,8 @@ namespace fbrdf::tool {
 
 class Ranks {
 public:
-    /// Joins the processes of mpirun where the environment names them. Throws Error(usage) when it
-    /// does and this program was built without MPI: every process would do all of the work.
+    /// Joins the processes of mpirun where the environment names them. In a program that was built
+    /// without MPI it throws Error(usage) there, because every process would do all of the work.
     Ranks();
     ~Ranks();
     Ranks(const Ranks&) = delete;
@@ -19,11 +19,12 @@ public:
     int count() const { return count_; }  ///< >= 1
     int onThisMachine() const { return onThisMachine_; }
 
-    /// What rank 0 gave, on every rank. All ranks must call it.
+    /// Returns the text of rank 0 on every rank. All ranks must call it.
     std::string broadcast(const std::string& text) const;
-    /// The texts of all ranks in their order, on rank 0; nothing on the others. All must call it.
+    /// Returns the texts of all ranks in their order on rank 0, and nothing on the others. All
+    /// ranks must call it.
     std::string gather(const std::string& text) const;
-    /// Sums over all ranks, element by element, on every rank. All must call it.
+    /// Replaces the values on every rank by their sums over all ranks. All ranks must call it.
     void sum(double* values, size_t count) const;
 
 private:

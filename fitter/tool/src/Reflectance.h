@@ -19,7 +19,7 @@ struct Reflectance {
     BrdfFunction brdf;                         ///< empty for scattered samples
 };
 
-/// Errors as openSource.
+/// Throws what openSource throws.
 Reflectance openReflectance(const std::string& spec, const SourceOptions& options,
                             Precision precision);
 

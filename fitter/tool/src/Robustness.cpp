@@ -35,7 +35,7 @@ Samples few(const Samples& samples, uint64_t seed)
     return randomPart(samples, kFewSamples, seed);
 }
 
-// What is left of a source when only these samples of it are known.
+// The source as it would be if only these samples were known.
 Source measured(const Source& source, Samples samples)
 {
     Source result;

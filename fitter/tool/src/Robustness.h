@@ -1,5 +1,5 @@
-// Robustness.h - what fits lose in the picture when their data get worse: noise, zeros, spikes, few
-// samples.
+// Robustness.h - how much worse the picture of a fit gets when its data have noise, zeros or
+// spikes, or are few.
 #pragma once
 #include "bench/BenchFit.h"
 
@@ -23,12 +23,12 @@ struct RobustScore {
 };
 
 /// Each of our forms fitted to a source as it is and in trouble. The samples are the source's own,
-/// or 131,072 of a function that has none. Throws Error(input) for a source without a function: no
-/// picture says what is true.
+/// or 131,072 of a function that has none. Throws Error(input) for a source without a function,
+/// because there is no true picture to compare with.
 std::vector<RobustScore> robustness(const std::string& source, const BenchOptions& options,
                                     Progress& progress);
 
-/// Mean losses of a form within what each trouble allows.
+/// True when the mean losses of every form are within what each trouble allows.
 bool allHold(const std::vector<RobustScore>& scores);
 std::string robustnessText(const std::vector<RobustScore>& scores);
 Json robustnessJson(const std::vector<RobustScore>& scores);

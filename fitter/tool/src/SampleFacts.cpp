@@ -8,8 +8,8 @@
 namespace fbrdf::tool {
 namespace {
 
-// A pair as a point: wo and wi over the ground plane; isotropic pairs are first turned so that wi
-// has azimuth 0, and mirrored so that wo has a positive one.
+// A pair as a point: wo and wi projected on the ground plane. Isotropic pairs are first turned so
+// that wi has azimuth 0, and mirrored so that the azimuth of wo is positive.
 using Point = std::array<float, 4>;
 
 Point pointOf(const Vec3f& wo, const Vec3f& wi, bool isotropic)
@@ -27,7 +27,8 @@ float squaredDistance(const Point& a, const Point& b)
     return sum;
 }
 
-// Points in cells of the size of the largest distance: the nearest lies in one of the 81 around.
+// Points sorted into cells of the size of the largest distance, so that the nearest point lies in
+// one of the 81 cells around.
 class PointGrid {
 public:
     explicit PointGrid(std::vector<Point> points) : points_(std::move(points))

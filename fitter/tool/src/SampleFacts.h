@@ -1,4 +1,4 @@
-// SampleFacts.h - what can be said of scattered samples without fitting anything.
+// SampleFacts.h - what scattered samples show without a fit.
 #pragma once
 #include <fbrdf/sources/Source.h>
 
@@ -7,8 +7,8 @@
 
 namespace fbrdf::tool {
 
-/// Every n-th sample of a source, n the smallest that leaves at most kMaxThinned of its rows;
-/// `available` becomes the number of usable samples in all.
+/// Every n-th sample of a source, where n is the smallest number that leaves at most kMaxThinned
+/// rows. `available` becomes the number of usable samples in all.
 std::vector<Sample> thinnedSamples(const Source& source, uint64_t& available);
 constexpr uint64_t kMaxThinned = 4'000'000;  // 160 MB: all of MERL, and more than errors need
 
@@ -17,7 +17,7 @@ struct SampleReciprocity {
     uint64_t pairs = 0;   ///< samples (a, b) that have another near (b, a); 0: no median
 };
 
-/// Compares each of `samples` with the nearest to its exchange of light and view, within
+/// Compares each sample with the one nearest to it after light and view are exchanged, within
 /// kSameDirection. `isotropic`: pairs that differ by a rotation about the normal count as equal.
 SampleReciprocity sampleReciprocity(const std::vector<Sample>& samples, bool isotropic,
                                     const Vec3f& floor);

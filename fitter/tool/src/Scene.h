@@ -12,10 +12,11 @@ struct Scene {
     std::optional<ImageErrors> image;  ///< likewise
 };
 
-/// Standard spheres of `brdf` and `reference` (may be empty), physics of `brdf`.
+/// Renders standard spheres of `brdf` and of `reference` (which may be empty), and measures the
+/// physics of `brdf`.
 Scene measureScene(const BrdfFunction& brdf, const BrdfFunction& reference, int threads);
 
-/// The finite ones of its errors by name.
+/// The errors of a scene by name, as far as they are finite.
 ErrorMap errorMap(const Scene& scene);
 
 }  // namespace fbrdf::tool

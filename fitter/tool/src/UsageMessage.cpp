@@ -11,8 +11,8 @@ std::string commandNames(const CLI::App& app)
     return names;
 }
 
-// What is wrong, from the parser's own words: "SOURCE is required", "The following argument was not
-// expected: X", "--form: 1 required FORM missing".
+// Finds what is wrong in the parser's own words: "SOURCE is required", "The following argument was
+// not expected: X", "--form: 1 required FORM missing".
 std::string complaint(const CLI::ParseError& error)
 {
     const auto code = static_cast<CLI::ExitCodes>(error.get_exit_code());

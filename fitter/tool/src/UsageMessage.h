@@ -1,4 +1,4 @@
-// UsageMessage.h - what the parser says of a wrong command line, in the words of the tool's errors.
+// UsageMessage.h - rewrites the parser's complaints about a command line as errors of the tool.
 #pragma once
 #include <CLI/CLI.hpp>
 

@@ -30,7 +30,7 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options)
                     "found a context to share with of another backend, expected " +
                         std::string(backendName(options.backend)));
     const NativeContext* sharedWith = other ? other->state_->native.get() : nullptr;
-    state_->options.sharedWith = nullptr;  // may go first
+    state_->options.sharedWith = nullptr;  // the other context may be destroyed first
     state_->native = options.backend == Backend::egl ? createEglContext(options, sharedWith)
                                                      : createOsMesaContext(options, sharedWith);
     makeCurrent();

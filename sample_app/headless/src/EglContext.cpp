@@ -96,7 +96,8 @@ public:
 
     void release() override
     {
-        if (!eglBindAPI(api_)) return;  // of this thread: what is asked for below
+        if (!eglBindAPI(api_))
+            return;  // the API is a state of the thread, and what follows depends on it
         if (eglGetCurrentContext() == context_)
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }

@@ -1,4 +1,4 @@
-// Native.h - what one backend must be able to do; Context.cpp picks one.
+// Native.h - the interface of a backend; Context.cpp picks one.
 #pragma once
 #include <fbrdf/headless/Context.h>
 

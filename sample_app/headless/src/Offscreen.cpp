@@ -26,8 +26,8 @@ GLenum internalFormatOf(OffscreenFormat format)
     throw Error(ErrorKind::gl, "offscreen", what);
 }
 
-/// What OpenGL ES has that glad looks for in later desktop versions only. es: its major version, or
-/// 0.
+/// Fills in functions of OpenGL ES that glad only looks for in later desktop versions. `es` is the
+/// major version, or 0.
 void loadEmbedded(GladGLContext& gl, HeadlessContext::Load load, int& es)
 {
     const std::string version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
@@ -57,7 +57,7 @@ struct Offscreen::State {
     GLuint framebuffer = 0, colour = 0, depth = 0;
     int es = 0;  ///< major version of OpenGL ES
 
-    /// ES 2.0 has one binding.
+    /// OpenGL ES 2.0 has a single binding of framebuffers.
     GLenum drawTarget() const { return es == 2 ? GL_FRAMEBUFFER : GL_DRAW_FRAMEBUFFER; }
     GLenum readTarget() const { return es == 2 ? GL_FRAMEBUFFER : GL_READ_FRAMEBUFFER; }
 
@@ -153,7 +153,8 @@ std::vector<float> Offscreen::readPixels() const
     const auto read = [&s](GLenum type, void* into) {
         s.gl.ReadPixels(0, 0, s.options.width, s.options.height, GL_RGBA, type, into);
     };
-    if (s.es && s.options.format == OffscreenFormat::rgba8) {  // ES reads bytes as bytes only
+    if (s.es && s.options.format ==
+                    OffscreenFormat::rgba8) {  // OpenGL ES reads 8-bit colours as bytes only
         std::vector<uint8_t> bytes(pixels.size());
         read(GL_UNSIGNED_BYTE, bytes.data());
         std::transform(bytes.begin(), bytes.end(), pixels.begin(),

@@ -87,7 +87,7 @@ bool applyKey(ViewState& state, char key)
 
 void applyDrag(ViewState& state, double right, double down, int windowHeight)
 {
-    // Across the window's height the object turns by half a turn; it follows the mouse.
+    // A drag across the height of the window turns the object by half a turn, along with the mouse.
     const double turn = kPi / std::max(1, windowHeight);
     state.camera = orbited(state.camera, -turn * right, turn * down, 1.0);
 }

@@ -33,7 +33,7 @@ private:
     glm::dmat3 normals_;
 };
 
-/// The eye, or the direction towards it of a projection without one.
+/// The eye; for a parallel projection, which has none, the direction towards it.
 class Eye {
 public:
     explicit Eye(const gl::View& view)
@@ -68,7 +68,7 @@ Incident incidentFrom(const Light& light, const Vec3d& position)
                                     coneFactor(light, direction))};
 }
 
-/// Seed Eq. 2.
+/// docs/method.md, Eq. 2.
 Vec3d radiance(const Brdf& brdf, const std::vector<Light>& lights, const Point& point,
                const Vec3d& toEye)
 {
@@ -89,15 +89,15 @@ Vec3d tangentAt(const Mesh& mesh, const Fragment& fragment)
     return mesh.tangents.empty() ? Vec3d(0.0) : interpolate<Vec3d>(mesh.tangents, mesh, fragment);
 }
 
-void setPixel(float* pixel, const Vec3d& color)
+void setPixel(float* pixel, const Vec3d& colour)
 {
-    for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(color[c]);
+    for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c]);
     pixel[3] = 1.0f;
 }
 
-/// Sets every covered pixel to color(fragment), rows in parallel.
-template <class Color>
-Image pictureOf(const Scene& scene, const PictureOptions& options, const Color& color)
+/// Sets every covered pixel to colour(fragment), rows in parallel.
+template <class Colour>
+Image pictureOf(const Scene& scene, const PictureOptions& options, const Colour& colour)
 {
     const Fragments fragments =
         rasterise(scene.instances, scene.view, options.width, options.height);
@@ -106,7 +106,7 @@ Image pictureOf(const Scene& scene, const PictureOptions& options, const Color& 
         const int y = static_cast<int>(row);
         for (int x = 0; x < options.width; ++x)
             if (const Fragment& fragment = fragments.at(x, y); fragment.covered())
-                setPixel(image.pixel(x, y), color(fragment));
+                setPixel(image.pixel(x, y), colour(fragment));
     });
     return image;
 }
@@ -148,12 +148,12 @@ Image renderReference(const Scene& scene, const PictureOptions& options)
 
 Image renderVertex(const Scene& scene, const PictureOptions& options)
 {
-    std::vector<std::vector<Vec3d>> colors;
+    std::vector<std::vector<Vec3d>> colours;
     for (const Instance& instance : scene.instances)
-        colors.push_back(vertexRadiance(scene, instance, options.threads));
+        colours.push_back(vertexRadiance(scene, instance, options.threads));
     return pictureOf(scene, options, [&](const Fragment& fragment) {
         const size_t index = static_cast<size_t>(fragment.instance);
-        return interpolate<Vec3d>(colors[index], *scene.instances[index].mesh, fragment);
+        return interpolate<Vec3d>(colours[index], *scene.instances[index].mesh, fragment);
     });
 }
 

@@ -85,7 +85,7 @@ Camera facing(const std::vector<Instance>& instances, double aspect)
 
 std::vector<Light> spreadAround(std::vector<Light> lights, const Bounds& bounds)
 {
-    // What must lie inside the lights' innermost shell is measured from where they were made for.
+    // The scene must lie inside the innermost shell of lights, which were made around the origin.
     const float reach = glm::length(bounds.centre) + bounds.radius;
     if (reach <= kSceneRadius) return lights;
     const float scale = bounds.radius / kSceneRadius;

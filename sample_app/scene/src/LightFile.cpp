@@ -18,7 +18,7 @@ using Json = nlohmann::json;
     throw Error(ErrorKind::input, where, what);
 }
 
-/// A JSON value as an error shows it: short, whatever it is.
+/// A JSON value as an error shows it, cut to a few words.
 std::string quoted(const Json& value)
 {
     constexpr size_t kLongest = 60;
@@ -98,7 +98,7 @@ float angleOf(const Json& light, const char* name, double lowestDegrees, const s
     const double degrees = static_cast<double>(finiteFloat(value, field, expected));
     if (degrees < lowestDegrees || degrees > 180.0)
         fail(field, Found(quoted(value)).expected(expected));
-    // The float nearest pi is above it.
+    // The float that is nearest to pi is above pi, so an angle of 180 degrees is cut to it.
     return std::min(static_cast<float>(degrees * kPi / 180.0), static_cast<float>(kPi));
 }
 

@@ -41,8 +41,8 @@ ClipCorner mixed(const ClipCorner& a, const ClipCorner& b, double share)
             a.weights + share * (b.weights - a.weights)};
 }
 
-/// Sutherland and Hodgman 1974 against the near plane alone: what lies outside the others has no
-/// pixel, but behind the eye the projection would turn over.
+/// Clips as Sutherland and Hodgman 1974, at the near plane alone: what lies outside the other
+/// planes has no pixel, but behind the eye the projection would turn over.
 std::vector<ClipCorner> clippedAtNear(const std::array<ClipCorner, 3>& triangle)
 {
     std::vector<ClipCorner> kept;
@@ -77,9 +77,9 @@ double edge(const ScreenCorner& a, const ScreenCorner& b, double x, double y)
            (b.snappedY - a.snappedY) * (x - a.snappedX);
 }
 
-/// Of a counter-clockwise triangle, y up: a left edge goes down, a bottom edge is level and goes
-/// right. Row 0 of a framebuffer object is the bottom one, so this is the top-left rule of its
-/// rows.
+/// True for a left or a bottom edge of a counter-clockwise triangle, y up: a left edge goes down, a
+/// bottom edge is level and goes right. Row 0 of a framebuffer object is the bottom one, so this is
+/// the top-left rule of its rows.
 bool ownsTies(const ScreenCorner& a, const ScreenCorner& b)
 {
     return b.snappedY < a.snappedY || (b.snappedY == a.snappedY && b.snappedX > a.snappedX);

@@ -66,7 +66,7 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3d>& corners)
     while (left.size() > 3) {
         size_t ear = 0;
         while (ear < left.size() && !isEar(points, left, ear)) ++ear;
-        // Without an ear the corner after the first goes, which cuts the rest as a fan.
+        // Where there is no ear, the second corner is cut off, which makes a fan of the rest.
         if (ear == left.size()) ear = 1;
         const size_t count = left.size();
         triangles.push_back({left[(ear + count - 1) % count], left[ear], left[(ear + 1) % count]});

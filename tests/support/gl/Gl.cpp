@@ -10,7 +10,7 @@
 namespace fbrdf::test {
 namespace {
 
-/// What OpenGL ES 3.0 has that glad looks for in later desktop versions only.
+/// Fills in functions of OpenGL ES 3.0 that glad only looks for in later desktop versions.
 void loadEmbedded(GladGLContext& gl, HeadlessContext::Load load)
 {
     const auto find = [load](auto& function, const char* name) {

@@ -27,7 +27,7 @@ std::vector<GlVariant> modernVariants();
 /// Reports every GL error message of the current context as a test failure.
 void failOnGlMessages(const GladGLContext& gl);
 
-/// A picture, RGBA, bottom row first, and what was said of it.
+/// A picture, RGBA, bottom row first, and the messages about it.
 struct Drawn {
     std::vector<float> pixels;
     gl::DrawStats stats;
@@ -51,7 +51,8 @@ protected:
                     const std::vector<gl::Item>& items, const std::vector<Light>& lights,
                     const gl::DrawOptions& options = {});
 
-    /// The driver itself tells what the test provokes, as of a shader that does not compile.
+    /// For tests that provoke messages of the driver, such as those about a shader that does not
+    /// compile.
     void expectMessages() const { gl_.Disable(GL_DEBUG_OUTPUT); }
 
     std::vector<std::string> log;

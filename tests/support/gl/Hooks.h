@@ -27,8 +27,8 @@ public:
     bool corruptShaders = false;       ///< sources no longer compile
     bool spoilPrograms = false;        ///< shaders compile, programs do not link
     bool refuseFramebuffers = false;   ///< framebuffers with a texture are never complete
-    GLenum nextError = GL_NO_ERROR;    ///< what glGetError tells once
-    int errorAfter = 0;                ///< calls of glGetError that still tell the truth
+    GLenum nextError = GL_NO_ERROR;    ///< what glGetError returns once
+    int errorAfter = 0;                ///< calls of glGetError that are still answered by GL
     bool countSamples = false;         ///< measure every draw call
     std::vector<GLuint> samples;       ///< samples that passed, one for each draw call
 

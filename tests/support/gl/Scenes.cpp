@@ -24,7 +24,7 @@ Table noiseTable(const TableSpec& spec, Storage storage, std::mt19937& random)
     Table table;
     table.name = spec.name;
     table.domain = spec.domain;
-    // Linear maps hold at most 1, and keep few digits of what is far below.
+    // Linear maps store at most 1, and few digits of values far below.
     const float low = storage == Storage::linear8 ? -4.0f : -1.5f,
                 high = storage == Storage::linear8 ? 0.0f : 1.5f;
     table.texels.resize(3 * static_cast<size_t>(texelCount(spec.domain)));

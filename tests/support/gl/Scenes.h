@@ -7,7 +7,8 @@ namespace fbrdf::test {
 /// Tables of noise: log2 F between -1.5 and 1.5, for linear8 between -4 and 0.
 Material noiseMaterial(const Form& form, Storage storage, unsigned seed = 1);
 
-/// The same of a third of an octave up and down, half floats: what a sum can be is near what it is.
+/// The same with noise of a third of an octave and half floats, so that the bound of a sum is near
+/// its value.
 Material calmMaterial(const Form& form);
 
 /// a + b with the tables of both.

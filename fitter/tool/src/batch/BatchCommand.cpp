@@ -67,7 +67,8 @@ std::string note(const Material& material, const char* key)
     return found == material.notes.end() ? "" : found->second;
 }
 
-// The same source fitted with the same options by the same version, whole and not out of date.
+// True when the material is there, newer than its source, and fitted by the same version from the
+// same source with the same options.
 bool isDone(const std::string& path, const FitJob& job)
 {
     std::error_code ignored;
@@ -92,7 +93,7 @@ BatchOutcome fitItem(const BatchCommand& command, const BatchItem& item, int thr
     return {BatchOutcome::State::fitted, ""};
 }
 
-// One failing material does not stop the rest.
+// A material that fails does not stop the others.
 BatchOutcome tryItem(const BatchCommand& command, const BatchItem& item, int threads)
 {
     try {
@@ -104,7 +105,7 @@ BatchOutcome tryItem(const BatchCommand& command, const BatchItem& item, int thr
     }
 }
 
-// Index, state and error of an item on one line: what ranks tell each other.
+// Index, state and error of an item on one line, as ranks send it to rank 0.
 std::string lineOf(size_t index, const BatchOutcome& outcome)
 {
     return fmt::format("{} {} {}\n", index, static_cast<int>(outcome.state), outcome.error);
@@ -132,7 +133,8 @@ int threadsOfRank(const BatchCommand& command, const Ranks& ranks)
     return std::max(1, std::min(threadCount(0), online / ranks.onThisMachine()));
 }
 
-// Every count()-th item from rank() on. Threads take whole materials as long as there are enough.
+// Fits every count()-th item from rank() on. Threads take whole materials as long as there are
+// enough.
 std::string fitShare(const BatchCommand& command, const std::vector<BatchItem>& items,
                      const Ranks& ranks)
 {
@@ -155,7 +157,7 @@ std::string fitShare(const BatchCommand& command, const std::vector<BatchItem>& 
     return lines;
 }
 
-// What rank 0 checks before any work; the text of the list.
+// Checks on rank 0 before any work. Returns the text of the list.
 std::string prepare(const BatchCommand& command)
 {
     const std::string text = readListFile(command.list);
@@ -167,7 +169,7 @@ std::string prepare(const BatchCommand& command)
     return text;
 }
 
-// The items on every rank; none where rank 0 found them wrong, which it alone reports.
+// Returns the items on every rank, or none where rank 0 found an error, which it alone reports.
 std::vector<BatchItem> sharedItems(const BatchCommand& command, const Ranks& ranks)
 {
     std::string text;
@@ -220,7 +222,7 @@ Json summaryJson(const BatchCommand& command, const Counts& counts)
             {"results", resultsPath(command)}};
 }
 
-// Rank 0: the table, a line on stderr for each failure, the summary.
+// Writes the table, a line on stderr for each failure, and the summary. Only rank 0 calls it.
 int conclude(const BatchCommand& command, const std::vector<BatchItem>& items,
              const std::vector<BatchOutcome>& outcomes)
 {
@@ -265,7 +267,7 @@ void addBatchCommand(CLI::App& app, Action& action)
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");
     sub->footer(
         "Alone it fits several materials at a time; mpirun -n N fbrdf batch ... spreads them\n"
-        "over N processes. Exit code 1: some materials failed; results.csv says why.");
+        "over N processes. Exit code 1: some materials failed; results.csv has the reasons.");
     sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -15,7 +15,7 @@ namespace {
     throw Error(ErrorKind::input, path + ":" + std::to_string(line), what);
 }
 
-// A plain name cannot leave the output folder, nor hide there.
+// True for names that neither leave the output folder nor are hidden in it.
 bool isFileName(const std::string& name)
 {
     constexpr size_t kLongest =

@@ -11,11 +11,11 @@ struct BatchItem {
     std::string source;  ///< as on the command line of `fit`
 };
 
-/// The whole file. Throws Error(input).
+/// Reads the whole file. Throws Error(input).
 std::string readListFile(const std::string& path);
 
-/// Throws Error(input) with `path` and line for a line without a tab, a name that is not a plain
-/// file name or stands there twice, and for a list of nothing.
+/// Throws Error(input) with `path` and line for a line without a tab, for a name that is no plain
+/// file name or occurs twice, and for an empty list.
 std::vector<BatchItem> parseList(const std::string& text, const std::string& path);
 
 }  // namespace fbrdf::tool

@@ -12,8 +12,8 @@ namespace fbrdf::tool {
 std::string benchCsv(const std::vector<MaterialScores>& materials,
                      const std::vector<Contender>& contenders);
 
-/// The materials of such a file that have a row for every contender. Throws Error(input) naming
-/// `path` for a file with other columns.
+/// Reads the materials of such a file that have a row for every contender. Throws Error(input)
+/// naming `path` for a file with other columns.
 std::vector<MaterialScores> scoresFromCsv(const std::string& path,
                                           const std::vector<Contender>& contenders);
 

@@ -69,7 +69,7 @@ struct Judge {
     Vec3f floor{0.0f};
 };
 
-// Rows that a table makes when asked for are made once, not once a contender.
+// Tables that compute their rows when asked are read once, not once for each contender.
 constexpr uint64_t kHeldRows = 3'000'000;
 
 void holdSamples(Source& source)

@@ -58,7 +58,7 @@ struct MaterialScores {
 MaterialScores scoreMaterial(const std::string& source, const BenchOptions& options,
                              Progress& progress);
 
-/// One contender fitted to one source; nothing where it has no answer.
+/// Fits one contender to one source. Returns nothing where it has no answer.
 std::optional<PeerFit> fitContender(const Contender& contender, const Source& source,
                                     const BenchOptions& options);
 

@@ -37,7 +37,7 @@ std::vector<std::string> expanded(const std::vector<std::string>& sources)
     return all;
 }
 
-// One material that cannot be read or fitted must not lose the others.
+// A material that cannot be read or fitted must not lose the results of the others.
 MaterialScores scoresOrError(const std::string& source, const BenchOptions& options,
                              Progress& progress)
 {
@@ -48,7 +48,7 @@ MaterialScores scoresOrError(const std::string& source, const BenchOptions& opti
     }
 }
 
-// The table is written anew after every material: whoever ends the run early has all but one.
+// The table is written anew after every material, so that a run that is ended early loses one.
 std::vector<MaterialScores> allScores(const BenchFitCommand& command)
 {
     const std::vector<Contender>& contenders = command.options.contenders;
@@ -68,7 +68,7 @@ std::vector<MaterialScores> allScores(const BenchFitCommand& command)
     return materials;
 }
 
-// Our forms alone, on worse and worse data; 1 where they lose more than they may.
+// Fits our forms alone to worse and worse data. Returns 1 where they lose more than they may.
 int runRobustness(BenchFitCommand& command)
 {
     command.options.contenders = contendersFrom(command.forms, "none");

@@ -15,7 +15,7 @@ struct Value {
     const std::string* material;
 };
 
-// Worst first.
+// Sorts the worst first.
 ErrorSpread spreadOf(std::vector<Value> values, bool larger)
 {
     std::stable_sort(values.begin(), values.end(), [larger](const Value& a, const Value& b) {
@@ -23,7 +23,7 @@ ErrorSpread spreadOf(std::vector<Value> values, bool larger)
     });
     ErrorSpread spread;
     for (const Value& v : values) spread.mean += v.value / static_cast<double>(values.size());
-    // Linear between ranks, as usual for percentiles.
+    // Percentiles are interpolated between neighbouring ranks, as usual.
     const double rank = 0.1 * static_cast<double>(values.size() - 1);
     const auto lower = static_cast<size_t>(rank), upper = std::min(lower + 1, values.size() - 1);
     const double blend = rank - static_cast<double>(lower);

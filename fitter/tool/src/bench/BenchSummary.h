@@ -24,13 +24,13 @@ struct ContenderSummary {
     double belowOneItp = 0;  ///< share of the materials with a delta_e_itp below 1
 };
 
-/// By psnr_linear where there is a picture, else by log_median.
+/// Compares by psnr_linear where there is a picture, else by log_median.
 struct AheadOfPeers {
     size_t ahead = 0, of = 0;         ///< materials; those without a peer do not count
     std::vector<std::string> behind;  ///< "grease-covered-steel (npf 41.2, ours 40.1)"
 };
 
-/// True for the errors that are the better the larger they are.
+/// True for errors of which larger is better.
 bool largerIsBetter(const std::string& error);
 
 std::vector<ContenderSummary> summarise(const std::vector<MaterialScores>& materials);

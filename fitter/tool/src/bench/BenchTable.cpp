@@ -1,4 +1,4 @@
-// The scores of BenchSummary.h as text and as JSON.
+// BenchTable.cpp - the scores of BenchSummary.h as text and as JSON.
 #include "bench/BenchSummary.h"
 #include "TextTable.h"
 

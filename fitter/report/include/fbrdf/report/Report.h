@@ -1,7 +1,7 @@
 // Report.h - one fit as one HTML page: the maps, data against fit, where it fails, what else was
-// tried. The page holds everything itself (pictures as data: URIs, plots as inline SVG, no script,
-// no address), opens offline, and follows light, dark and print. It says nothing of when or where
-// it was made: equal fits give equal pages.
+// tried. The page is self-contained (pictures as data: URIs, plots as inline SVG, no script,
+// no address), opens offline, and follows light, dark and print. It does not contain when or where
+// it was made, so that equal fits give equal pages.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/metrics/Metrics.h>
@@ -23,16 +23,16 @@ struct ReportTrial {
     size_t bytes = 0;
     int lookups = 0;  ///< texture look-ups per light
     double seconds = 0;
-    std::map<std::string, double>
-        errors;  ///< held out, named as in Metrics.h; a column for each name
+    /// Held-out errors under the names of Metrics.h; the table has a column for each name.
+    std::map<std::string, double> errors;
     bool chosen = false;
     std::string stage{};  ///< what the search varied; may be empty
 };
 
 struct ReportCounts {
     uint64_t used = 0;  ///< samples that took part in the fit
-    uint64_t invalid =
-        0;  ///< samples that could not: not finite, below the horizon, marked as not measured
+    /// Samples that could not: not finite, below the horizon, or marked as not measured.
+    uint64_t invalid = 0;
     uint64_t belowFloor = 0;  ///< channel values at or below the noise floor
 };
 
@@ -41,13 +41,15 @@ struct ReportSeconds {
 };
 
 struct ReportInput {
-    const Material& material;  ///< as stored; must outlive the call, as the source must
-    const Source& source;  ///< without `evaluate`: plots show its samples, the sphere the fit alone
-    int lookups = 0;       ///< texture look-ups per light of the material
+    /// The material as stored. It must outlive the call, as must the source.
+    const Material& material;
+    /// Where it has no `evaluate`, plots show its samples, and the sphere shows the fit alone.
+    const Source& source;
+    int lookups = 0;  ///< texture look-ups per light of the material
     ReportSeconds seconds{};
     ReportCounts counts{};
-    std::optional<SampleReport>
-        rows{};              ///< of the data; unset: source.report, which a stream has not
+    /// Counts of the data. Where unset, source.report is used, which a stream does not have.
+    std::optional<SampleReport> rows{};
     Vec3f noiseFloor{0.0f};  ///< 1/sr
     SampleErrors heldOut{}, all{};
     std::string heldOutNote{};  ///< what "held out" was: "5 folds", "16,384 fresh pairs"
@@ -56,7 +58,7 @@ struct ReportInput {
     SphereImage sphereOfData{}, sphereOfFit{};
     std::optional<ImageErrors> image{};   ///< unset: computed from the pictures where there are two
     std::vector<ReportTrial> trials{};    ///< empty: the form was asked for by name
-    std::vector<MisfitRegion> misfits{};  ///< where the form does not hold the data
+    std::vector<MisfitRegion> misfits{};  ///< where the form cannot follow the data
     std::optional<Coverage> coverage{};   ///< of measurements
     std::string command{};                ///< how the fit was made, for people; may be empty
 };

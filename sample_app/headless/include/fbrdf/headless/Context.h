@@ -17,23 +17,24 @@ struct HeadlessOptions {
     enum class Profile { core, compatibility, es } profile = Profile::core;
     int major = 3, minor = 3;  ///< requested version
     bool debug = true;         ///< ask for a debug context (EGL)
-    /// Of the same backend: textures, buffers and programs are common, framebuffers are not.
+    /// A context of the same backend, with which textures, buffers and programs are shared, but not
+    /// framebuffers.
     const HeadlessContext* sharedWith = nullptr;
 };
 
-/// Current on the creating thread once made; makes itself current again with makeCurrent().
+/// A context. It is current on the thread that made it; makeCurrent() makes it current again.
 class HeadlessContext {
 public:
-    /// Throws Error(gl) saying which step failed and with which error.
+    /// Throws Error(gl) with the step that failed and the error of that step.
     explicit HeadlessContext(const HeadlessOptions& options);
     ~HeadlessContext();
     HeadlessContext(HeadlessContext&&) noexcept;
     HeadlessContext& operator=(HeadlessContext&&) noexcept;
 
     void makeCurrent();
-    /// Current nowhere, so that another thread can make it current.
+    /// Makes it current nowhere, so that another thread can make it current.
     void release();
-    /// GL function by name; user is ignored. Fits gl::LoadFunction.
+    /// Finds a GL function by name; `user` is ignored. Fits gl::LoadFunction.
     static void* loadEgl(void* user, const char* name);
     static void* loadOsMesa(void* user, const char* name);
     using Load = void* (*)(void*, const char*);

@@ -30,9 +30,9 @@ public:
     int width() const;
     int height() const;
 
-    /// Colour to the given value, depth to 1. Leaves the framebuffer bound as it was.
+    /// Sets colour to the given value and depth to 1. Leaves the framebuffer bound as it was.
     void clear(float red = 0.0f, float green = 0.0f, float blue = 0.0f, float alpha = 0.0f);
-    /// width x height x RGBA, row by row from the bottom. Waits for the drawing to end.
+    /// Returns width x height x RGBA, row by row from the bottom. Waits for the drawing to end.
     std::vector<float> readPixels() const;
 
 private:

@@ -1,4 +1,4 @@
-// Camera.h - where the viewer stands: as said on the command line, and as moved with the mouse.
+// Camera.h - where the viewer stands: as given on the command line, and as moved with the mouse.
 #pragma once
 #include <fbrdf/gl/Renderer.h>
 #include <fbrdf/scene/Meshes.h>
@@ -18,7 +18,8 @@ struct Camera {
 Camera cameraFromText(const std::string& text);
 
 /// Matrices for a picture of `aspect` = width / height. The near and far planes enclose `bounds`.
-/// Straight up or down the picture's up is -z or +z, the limit of tilting towards there.
+/// For a camera that looks straight up or down, up in the picture is -z or +z: the limit of tilting
+/// towards there.
 gl::View viewFromCamera(const Camera& camera, double aspect, const Bounds& bounds);
 
 /// Turns the camera about its centre by radians to the right and up (up stops short of the poles),

@@ -8,7 +8,7 @@
 namespace fbrdf::scene {
 
 /// How a picture is made. The first three are the runtime's (fbrdf/plan/Plan.h), the others are
-/// drawn on the CPU (Reference.h).
+/// drawn on the CPU (CpuRenderer.h).
 enum class ViewTechnique { single, batched, twoLookup, vertex, reference };
 constexpr int kViewTechniqueCount = 5;
 constexpr int kMostLights = 1024;  ///< that keys and panel ask for
@@ -35,9 +35,9 @@ struct ViewState {
 /// meaning, leaving the state as it was.
 bool applyKey(ViewState& state, char key);
 
-/// A drag of the mouse with the left button: pixels right and down in a window that high.
+/// Applies a drag with the left button: pixels to the right and down, in a window of that height.
 void applyDrag(ViewState& state, double right, double down, int windowHeight);
-/// Turns of the wheel: up comes nearer.
+/// Applies turns of the wheel; upwards the camera comes nearer.
 void applyScroll(ViewState& state, double steps);
 
 /// The lines of the help: key, meaning.

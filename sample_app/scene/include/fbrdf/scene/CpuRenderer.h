@@ -1,7 +1,7 @@
-// CpuRenderer.h - the scene drawn on the CPU in double: what the runtime's pictures are judged by.
+// CpuRenderer.h - draws the scene on the CPU in double, as a reference for the runtime's pictures.
 //
-// Both pictures hold linear radiance and coverage (0 or 1, no anti-aliasing) and cover the same
-// pixels as OpenGL's (Raster.h). Deterministic, whatever the number of threads.
+// Both pictures contain linear radiance and coverage (0 or 1, no anti-aliasing) and cover the same
+// pixels as OpenGL's (Raster.h). They do not depend on the number of threads.
 #pragma once
 #include <fbrdf/plan/Light.h>
 #include <fbrdf/scene/Image.h>
@@ -12,8 +12,8 @@
 
 namespace fbrdf::scene {
 
-/// f(wo, wi) in 1/sr of unit directions in the local frame, both above the horizon; called from
-/// several threads at once.
+/// f(wo, wi) in 1/sr for unit directions in the local frame, both above the horizon. It is called
+/// from several threads at once.
 using Brdf = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
 
 /// What is drawn: instances[i] is made of brdfs[instances[i].material].
@@ -29,12 +29,12 @@ struct PictureOptions {
     int threads = 0;                ///< 0: one a core
 };
 
-/// Seed Eq. 2 at every pixel: sum_j f(wo, wi_j) max(0, n.wi_j) E_j, with the interpolated position,
-/// normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h).
+/// docs/method.md, Eq. 2, at every pixel: sum_j f(wo, wi_j) max(0, n.wi_j) E_j, with the
+/// interpolated position, normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h).
 Image renderReference(const Scene& scene, const PictureOptions& options);
 
-/// The seed's figure 1a: seed Eq. 2 at every vertex of the mesh, its radiance interpolated over the
-/// triangles (Gouraud shading with the true BRDF). Highlights smaller than a triangle are lost.
+/// Gouraud shading with the true BRDF: docs/method.md, Eq. 2, at every vertex of the mesh, and its
+/// radiance interpolated over the triangles. Highlights smaller than a triangle are lost.
 Image renderVertex(const Scene& scene, const PictureOptions& options);
 
 }  // namespace fbrdf::scene

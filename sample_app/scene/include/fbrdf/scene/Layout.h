@@ -13,7 +13,7 @@ namespace fbrdf::scene {
 /// mesh's place. `mesh` must outlive the result.
 std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect);
 
-/// Ball around all instances. Expects matrices without scale.
+/// The ball around all instances. Expects matrices without scale.
 Bounds boundsOf(const std::vector<Instance>& instances);
 
 /// A camera that looks along -z and sees the ball of every instance, as near as it can be; its

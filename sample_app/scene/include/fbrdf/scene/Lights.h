@@ -3,9 +3,10 @@
 // {"lights": [{"type": "point", "position": [x, y, z], "intensity": [r, g, b], "radius": R},
 //             {"type": "spot", ..., "axis": [x, y, z], "inner_degrees": a, "outer_degrees": b},
 //             {"type": "directional", "direction": [x, y, z], "intensity": [r, g, b]}]}
-// World space; a direction points towards the light, an axis where a spot shines; neither need be
-// unit. Angles are from the axis; a spot has all that a point has. radius is optional (none:
-// unlimited). Other keys are ignored. What the numbers mean: fbrdf/plan/Light.h.
+// All is in world space. A direction points towards the light, an axis to where a spot shines;
+// neither need be unit. Angles are measured from the axis, and a spot has all fields of a point.
+// The radius is optional; without one the influence is unlimited. Other keys are ignored. Units are
+// in fbrdf/plan/Light.h.
 #pragma once
 #include <fbrdf/plan/Light.h>
 
@@ -16,8 +17,9 @@
 
 namespace fbrdf::scene {
 
-/// Throws Error(input) naming file, light and field: text that is not JSON (with line and column),
-/// a field that is missing, of the wrong kind, not finite or negative where it may not be.
+/// Throws Error(input) naming file, light and field for text that is not JSON (with line and
+/// column), and for a field that is missing, of the wrong kind, not finite, or negative where it
+/// may not be.
 std::vector<Light> readLights(const std::string& path);
 
 /// The same from memory; `where` stands for the file's name in errors.

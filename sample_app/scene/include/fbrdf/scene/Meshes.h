@@ -1,7 +1,8 @@
 // Meshes.h - the generated meshes of the viewer, and what every mesh needs: bounds, default frames.
 //
-// Object space, counter-clockwise seen from outside, unit normals, unit tangents at right angles to
-// them. A mesh is gl::MeshData: what is drawn on the CPU is what the runtime uploads.
+// Meshes are in object space and counter-clockwise seen from outside, with unit normals and unit
+// tangents at right angles to them. A mesh is gl::MeshData, so that the CPU draws what the runtime
+// uploads.
 #pragma once
 #include <fbrdf/gl/Renderer.h>
 
@@ -24,10 +25,11 @@ Mesh makeKnot(int along = 512, int around = 64);
 /// The square [-1, 1]^2 at z = 0 of cells x cells quads: normal +z, tangent +x. Expects cells >= 1.
 Mesh makePlane(int cells = 32);
 
-/// "sphere", "knot", "plane" or the path of an OBJ file (ObjFile.h, which says what is thrown).
+/// Makes "sphere", "knot" or "plane", or reads an OBJ file (and throws what readObj throws).
 Mesh meshFromName(const std::string& name);
 
-/// Ball around all positions: centre of their box, radius to the farthest. Radius 0 when empty.
+/// The ball around all positions: its centre is that of their box, its radius reaches the farthest.
+/// The radius of an empty mesh is 0.
 struct Bounds {
     Vec3f centre{0.0f};
     float radius = 0.0f;

@@ -2,10 +2,11 @@
 // (relative) indices and continued lines; and the tangents of the Waterloo meshes (`r x y z` lines,
 // not in the standard), one for each vn, or one for each v where there are no vn.
 //
-// Groups, materials, lines, points and free-form surfaces are skipped. What is absent is made:
-// smooth normals; tangents along growing u, or along increasing azimuth about +y where the file has
-// no texture coordinates (VertexFrames.h). Polygons are cut into triangles (Triangulate.h).
-// Reference: Wavefront, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
+// Groups, materials, lines, points and free-form surfaces are skipped. Missing normals are made
+// smooth. Missing tangents are made along growing u, or along increasing azimuth about +y where the
+// file has no texture coordinates (VertexFrames.h). Polygons are cut into triangles
+// (Triangulate.h). Reference: Wavefront, "Object Files (.obj)", Advanced Visualizer manual,
+// appendix B1.
 #pragma once
 #include <fbrdf/scene/Meshes.h>
 

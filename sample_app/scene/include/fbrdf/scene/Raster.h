@@ -28,8 +28,9 @@ struct Fragment {
     int instance = -1;   ///< -1: nothing
     uint32_t first = 0;  ///< position in mesh->indices of the triangle's first corner
     double depth = 1.0;  ///< in [-1, 1], OpenGL's
-    Vec3d weights{0.0};  ///< of the three corners, perspective-correct, sum 1; a little outside
-                         ///< [0, 1] where snapping moved an edge over the pixel's centre
+    /// Weights of the three corners, perspective-correct, of sum 1. They are a little outside [0,
+    /// 1] where snapping moved an edge over the pixel's centre.
+    Vec3d weights{0.0};
     bool covered() const { return instance >= 0; }
 };
 

@@ -15,22 +15,24 @@ struct Stats {
     std::string backend;  ///< "egl", "osmesa", "window"; "cpu" for techniques without GL
     std::string glRenderer, glVersion;  ///< empty without GL
     std::string technique, mesh;
-    std::string techniqueDrawn, whyReplaced;  ///< what the runtime took, and why not `technique`;
-                                              ///< empty on the CPU, and where it is the same
-    std::string lookUp;                       ///< asked for of maps over one direction
+    /// The technique that the runtime took, and why it did not take `technique`. Both are empty on
+    /// the CPU, and the reason where the technique is the same.
+    std::string techniqueDrawn, whyReplaced;
+    std::string lookUp;  ///< the kind that was asked for, for maps over one direction
     double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
     std::vector<std::string> materials;               ///< names
     std::string evaluated;  ///< "source" or "material": what the BRDF values came from
     int width = 0, height = 0, coveredPixels = 0;
-    int passes = 0, drawCalls = 0;  ///< of the object that needed most; of all objects
+    int passes = 0;     ///< of the object that needed most
+    int drawCalls = 0;  ///< of all objects
     int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
     int maxLookups = 0;        ///< texture look-ups in any pass, counted from the linked programs
     std::string accumulation;  ///< "RGBA32F", ...; "double" on the CPU
     std::vector<double> milliseconds;  ///< one a frame: wall clock, from nothing to finished pixels
 };
 
-/// One object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
-/// look_up, technique_drawn, why_replaced (null where there is nothing to say), error_bound
+/// A JSON object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
+/// look_up, technique_drawn, why_replaced (null where there is none), error_bound
 /// {relative, absolute}, evaluated, size, covered_pixels, passes, draw_calls, lights {given, used,
 /// dropped}, max_lookups, accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);

@@ -1,4 +1,4 @@
-// VertexFrames.h - normals and tangents for meshes that came without.
+// VertexFrames.h - normals and tangents for meshes that have none.
 #pragma once
 #include <fbrdf/scene/Meshes.h>
 

@@ -6,16 +6,16 @@
 
 namespace fbrdf::truth {
 
-/// What a target holds of radiance (RGBA, alpha left alone) after the transfer, exposure 1; unorm:
-/// at most 1.
+/// The values that a target stores for a radiance (RGBA; alpha is left alone) after the transfer,
+/// at exposure 1. Where `unorm` is set they are at most 1.
 std::vector<double> storedImage(std::vector<double> radiance, Transfer transfer, bool unorm);
 
 struct Deviation {
     double relative = 0.0;  ///< largest |found - exact| / max(|exact|, mean / 100)
     double absolute = 0.0;  ///< largest |found - exact|
-    double share = 0.0;     ///< largest part of what the bound allows; above 1 it does not hold
+    double share = 0.0;     ///< largest part of what the bound allows; above 1 the bound is broken
 };
-/// found, exact: of one size.
+/// Expects pictures of one size.
 Deviation deviationOf(const std::vector<float>& found, const std::vector<double>& exact,
                       const ErrorBound& bound);
 

@@ -1,4 +1,4 @@
-// Program.h - a program of two stages, for what is drawn beside the renderer.
+// Program.h - links programs of two stages, for pictures that are not drawn by the renderer.
 #pragma once
 #include <glad/gl.h>
 
