@@ -1,4 +1,5 @@
-// Contexts that end and begin, the optimizer, and the log.
+// Contexts end and begin, the optimizer changes the scene, and the log has each reason once.
+#include "DrawLog.h"
 #include "EffectTest.h"
 
 #include "support/gl/CompareImages.h"
@@ -49,7 +50,7 @@ public:
 
     unsigned int contextId() const { return window_->getState()->getContextID(); }
 
-    /// As osg::GraphicsContext::close(), while the context is still current.
+    /// Does what osg::GraphicsContext::close() does, while the context is still current.
     void close()
     {
         viewer_->getSceneData()->releaseGLObjects(window_->getState());
@@ -65,8 +66,8 @@ private:
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window_;
 };
 
-// As when a widget is docked elsewhere. OpenSceneGraph gives the next context the number of the
-// last, and OpenGL the same names to other objects.
+// This happens when a widget is docked elsewhere. OpenSceneGraph gives the next context the number
+// of the last, and OpenGL gives the same names to other objects.
 TEST_F(Lifetime, AContextAfterAnotherIsDrawnToAnew)
 {
     for (const size_t material : {size_t(0), size_t(4)}) {
@@ -101,7 +102,8 @@ TEST_F(Lifetime, AContextAfterAnotherIsDrawnToAnew)
     context().makeCurrent();
 }
 
-// Static transforms go into vertices and normals, but not into lights nor into tangents.
+// The optimizer flattens static transforms into vertices and normals, but not into lights or
+// tangents.
 TEST_F(Lifetime, TheOptimizerKeepsTransformsThatLightsAndTangentsNeed)
 {
     const osg::Matrixd turn = osg::Matrixd::rotate(0.7, 0.3, 0.9, 0.1);
@@ -114,7 +116,7 @@ TEST_F(Lifetime, TheOptimizerKeepsTransformsThatLightsAndTangentsNeed)
     effect->addChild(within);
     above->addChild(effect);
     above->addChild(osgLights(testLights(9)));
-    // Neither lights nor tangents: may be flattened.
+    // This one is above neither lights nor tangents, so it may be flattened.
     osg::ref_ptr<osg::MatrixTransform> free =
         new osg::MatrixTransform(osg::Matrixd::translate(0.0, 0.0, -100.0));
     const osg::ref_ptr<osg::Geometry> plain = osgMesh(sphereMesh(4));
@@ -155,18 +157,26 @@ TEST_F(Lifetime, TheLogHasEachReasonOnceWithNameAndFile)
     EXPECT_EQ(countOf(notices.text(), "'statue', gone.fbrdf: diffuse fallback is drawn"), 1u)
         << notices.text();
     EXPECT_EQ(countOf(notices.text(), "lights are left out"), 1u) << notices.text();
-    // Reasons that take turns, as two views of one scene give them.
-    for (int i = 0; i < 5; ++i)
-        for (const char* reason : {"one", "", "two"}) effect->report({"t", reason, 1, 1});
-    EXPECT_EQ(countOf(notices.text(), "t is drawn: one"), 1u) << notices.text();
-    EXPECT_EQ(countOf(notices.text(), "t is drawn: two"), 1u) << notices.text();
-    // Numbers of lights that change.
-    for (int dropped = 1; dropped < 5; ++dropped) effect->report({"t", "", 1, 1, dropped});
-    EXPECT_EQ(countOf(notices.text(), "lights are left out"), 1u) << notices.text();
-    // What is set anew is said anew.
+    // After a property has changed the warning may come again.
     effect->setLightsPerPass(3);
     view_->frame();
     EXPECT_EQ(countOf(notices.text(), "diffuse fallback is drawn"), 2u) << notices.text();
+}
+
+TEST_F(Lifetime, TheLogHasReasonsThatTakeTurnsOnce)
+{
+    const osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
+    osgFbrdf::DrawLog log;
+    const Notices notices;
+    // As two views of one scene give them.
+    for (int i = 0; i < 5; ++i)
+        for (const char* reason : {"one", "", "two"}) log.report(*effect, {"t", reason, 1, 1});
+    EXPECT_EQ(countOf(notices.text(), "t is drawn: one"), 1u) << notices.text();
+    EXPECT_EQ(countOf(notices.text(), "t is drawn: two"), 1u) << notices.text();
+    // Numbers of lights that change.
+    for (int dropped = 1; dropped < 5; ++dropped) log.report(*effect, {"t", "", 1, 1, dropped});
+    EXPECT_EQ(countOf(notices.text(), "lights are left out"), 1u) << notices.text();
+    EXPECT_EQ(log.last().lightsDropped, 4);
 }
 
 }  // namespace

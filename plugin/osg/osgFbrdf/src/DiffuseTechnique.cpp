@@ -1,17 +1,19 @@
 #include "DiffuseTechnique.h"
 
+#include "EffectInternals.h"
+#include "EyeLights.h"
 #include "GlLights.h"
 #include "InheritedState.h"
 #include "PassState.h"
-#include "SceneLights.h"
 #include "Vectors.h"
+#include "ViewState.h"
 
-#include <osg/LightModel>
+#include <osgFbrdf/FactorizedBrdf.h>
+
 #include <osg/Material>
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
-#include <array>
 
 namespace osgFbrdf {
 namespace {
@@ -30,26 +32,28 @@ std::vector<int> freeNumbers(const SceneLights& scene)
 {
     std::vector<int> numbers;
     for (int n = 0; n < kMostGlLights; ++n)
-        if (n != scene.viewNumber &&
-            std::none_of(scene.plain.begin(), scene.plain.end(),
-                         [n](const PlainLight& plain) { return plain.light->getLightNum() == n; }))
+        if (n != scene.viewNumber && std::none_of(scene.sources.begin(), scene.sources.end(),
+                                                  [n](const PlacedOsgLight& source) {
+                                                      return source.light->getLightNum() == n;
+                                                  }))
             numbers.push_back(n);
     return numbers;
 }
 
-/// Lights of PointLights become GL's, once a view and frame: GL has one set for all objects.
-void placeLights(osgUtil::CullVisitor& visitor, SceneLights& scene, const osg::Vec3d& centre)
+/// Lights of PointLights become OpenGL's, the strongest at `centre` first: once a frame, as OpenGL
+/// has one set for all objects.
+void placeLights(const EffectCull& cull, const osg::Vec3d& centre)
 {
-    if (scene.fallbackPlaced) return;
-    scene.fallbackPlaced = true;
-    auto lights = pointLightsInEye(scene, worldToEye(visitor));
+    if (!cull.view.claimsGlLights()) return;
+    const SceneLights& scene = cull.view.lights();
+    auto lights = pointLightsInEye(scene, worldToEye(cull.visitor));
     const fbrdf::Vec3f place = toVec3(centre);
     std::stable_sort(lights.begin(), lights.end(), [&](const auto& a, const auto& b) {
         return irradianceAt(a, place) > irradianceAt(b, place);
     });
     const auto numbers = freeNumbers(scene);
     for (size_t i = 0; i < std::min(numbers.size(), lights.size()); ++i)
-        visitor.addPositionedAttribute(nullptr, glLight(lights[i], numbers[i]).get());
+        cull.visitor.addPositionedAttribute(nullptr, glLight(lights[i], numbers[i]).get());
 }
 
 osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const SceneLights& scene,
@@ -68,27 +72,29 @@ osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const Sce
     const auto numbers = freeNumbers(scene);
     for (size_t i = 0; i < std::min(numbers.size(), scene.lights.size()); ++i)
         state->setMode(GL_LIGHT0 + static_cast<GLenum>(numbers[i]), kOurs);
-    for (const PlainLight& plain : scene.plain)
-        if (plain.light->getLightNum() < kMostGlLights && isOn(plain, inherited))
-            state->setMode(GL_LIGHT0 + static_cast<GLenum>(plain.light->getLightNum()), kOurs);
+    for (const PlacedOsgLight& source : scene.sources)
+        if (source.light->getLightNum() < kMostGlLights && isOn(source, inherited))
+            state->setMode(GL_LIGHT0 + static_cast<GLenum>(source.light->getLightNum()), kOurs);
     return state;
 }
 
 }  // namespace
 
-void cullDiffuse(osgUtil::CullVisitor& visitor, FactorizedBrdf& effect, const std::string& reason)
+void cullDiffuse(const EffectCull& cull, const std::string& reason)
 {
-    SceneLights& scene = sceneLights(visitor);
-    placeLights(visitor, scene,
-                osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix());
+    osgUtil::CullVisitor& visitor = cull.visitor;
+    FactorizedBrdf& effect = cull.effect;
+    const SceneLights& scene = cull.view.lights();
+    placeLights(cull, osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix());
     const int given = static_cast<int>(scene.lights.size());
     const int used = std::min(given, static_cast<int>(freeNumbers(scene).size()));
     const InheritedState inherited(visitor);
-    const auto plain =
-        std::count_if(scene.plain.begin(), scene.plain.end(),
-                      [&](const PlainLight& light) { return isOn(light, inherited); });
-    effect.report({"diffuse fallback", reason, 1, used + static_cast<int>(plain),
-                   scene.dropped + given - used});
+    const auto sources =
+        std::count_if(scene.sources.begin(), scene.sources.end(),
+                      [&](const PlacedOsgLight& source) { return isOn(source, inherited); });
+    cull.internals.log.report(effect,
+                              {"diffuse fallback", reason, 1, used + static_cast<int>(sources),
+                               scene.dropped + given - used});
     const auto state = diffuseState(effect, scene, inherited);
     visitor.pushStateSet(state);
     effect.inherited_traverse(visitor);
@@ -97,11 +103,12 @@ void cullDiffuse(osgUtil::CullVisitor& visitor, FactorizedBrdf& effect, const st
 
 void DiffuseTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
 {
-    auto* cull = visitor.asCullVisitor();
-    if (!cull) return effect->inherited_traverse(visitor);
+    auto* culling = visitor.asCullVisitor();
+    if (!culling) return effect->inherited_traverse(visitor);
     const bool missing = !effect_.getMaterial() || !effect_.getMaterial()->valid();
     const bool forced = effect_.getSelectedTechnique() == kDiffuseFallback;
-    cullDiffuse(*cull, effect_, missing ? "no material" : forced ? "" : effect_.refusal());
+    const EffectCull cull{*culling, ViewState::of(*culling), effect_, internals_};
+    cullDiffuse(cull, missing ? "no material" : forced ? "" : internals_.choice->refusal());
 }
 
 }  // namespace osgFbrdf

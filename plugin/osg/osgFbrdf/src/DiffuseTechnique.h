@@ -1,22 +1,23 @@
-// DiffuseTechnique.h - the fallback: fixed function, a diffuse colour as bright as the material,
-// the brightest lights. Draws wherever OSG draws.
+// DiffuseTechnique.h - the fallback, which draws wherever OSG draws: fixed function with a diffuse
+// colour as bright as the material, under the brightest lights.
 #pragma once
-#include <osgFbrdf/FactorizedBrdf.h>
+#include "EffectCull.h"
 
 #include <osgFX/Technique>
 
-namespace osgUtil {
-class CullVisitor;
-}
+#include <string>
 
 namespace osgFbrdf {
 
 /// Culls the children of the effect diffusely and reports why.
-void cullDiffuse(osgUtil::CullVisitor& visitor, FactorizedBrdf& effect, const std::string& reason);
+void cullDiffuse(const EffectCull& cull, const std::string& reason);
 
 class DiffuseTechnique : public osgFX::Technique {
 public:
-    explicit DiffuseTechnique(FactorizedBrdf& effect) : effect_(effect) {}
+    DiffuseTechnique(FactorizedBrdf& effect, EffectInternals& internals)
+        : effect_(effect), internals_(internals)
+    {
+    }
 
     const char* techniqueName() override { return "diffuse fallback"; }
     const char* techniqueDescription() override
@@ -32,6 +33,7 @@ protected:
 
 private:
     FactorizedBrdf& effect_;  ///< owns this
+    EffectInternals& internals_;
 };
 
 }  // namespace osgFbrdf

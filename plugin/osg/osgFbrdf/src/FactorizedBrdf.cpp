@@ -1,12 +1,11 @@
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include "DiffuseTechnique.h"
+#include "EffectInternals.h"
 #include "FileWatch.h"
 #include "KeptTransforms.h"
 #include "PassTechnique.h"
 #include "ShapeCameras.h"
-#include "Surfaces.h"
-#include "TechniqueChoice.h"
 
 #include <osg/Notify>
 #include <osgDB/FileUtils>
@@ -14,17 +13,10 @@
 #include <osgUtil/CullVisitor>
 #include <osgUtil/GLObjectsVisitor>
 
-#include <OpenThreads/ScopedLock>
-
 #include <algorithm>
 #include <cmath>
 
 namespace osgFbrdf {
-namespace {
-
-using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
-
-}  // namespace
 
 osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
                                                 const osgDB::Options* options)
@@ -50,7 +42,7 @@ osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
 }
 
 FactorizedBrdf::FactorizedBrdf()
-    : watch_(std::make_unique<FileWatch>()), choice_(new TechniqueChoice)
+    : watch_(std::make_unique<FileWatch>()), internals_(new EffectInternals)
 {
     FactorizedBrdf::define_techniques();
 }
@@ -69,7 +61,7 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
       derivedTangents_(other.derivedTangents_),
       transfer_(other.transfer_),
       watch_(std::make_unique<FileWatch>(*other.watch_)),
-      choice_(new TechniqueChoice)
+      internals_(new EffectInternals)
 {
     FactorizedBrdf::define_techniques();
     setReloading(other.reloading_);
@@ -151,87 +143,25 @@ void FactorizedBrdf::setFloatTarget(bool isFloat)
     changed();
 }
 
-/// What contexts said about the techniques no longer holds.
+/// Contexts are asked anew what they can draw, and warnings may come again.
 void FactorizedBrdf::changed()
 {
-    {
-        const Lock lock(reporting_);
-        said_.clear();
-    }
-    choice_->forget();
-}
-
-std::string FactorizedBrdf::refusal() const
-{
-    return choice_->refusal();
-}
-
-void FactorizedBrdf::refuse(const std::string& reason) const
-{
-    choice_->refuse(reason);
+    internals_->log.forgetWarnings();
+    internals_->choice->forget();
 }
 
 DrawReport FactorizedBrdf::lastReport() const
 {
-    const Lock lock(reporting_);
-    return report_;
+    return internals_->log.last();
 }
 
-// A warning a frame would drown the log: views and frames may differ in what they can draw, and
-// numbers of lights change.
-void FactorizedBrdf::warnOnce(const std::string& kind, const std::string& problem)
-{
-    if (!said_.insert(kind).second) return;
-    std::string who = getName().empty() ? "an effect without a name" : "'" + getName() + "'";
-    if (!materialFile_.empty())
-        who = getName().empty() ? materialFile_ : who + ", " + materialFile_;
-    OSG_WARN << "osgFbrdf: " << who << ": " << problem << std::endl;
-}
-
-void FactorizedBrdf::report(const DrawReport& report)
-{
-    const Lock lock(reporting_);
-    if (!report.reason.empty())
-        warnOnce(report.reason, report.technique + " is drawn: " + report.reason);
-    // Who forces the fallback knows that it has eight lights.
-    if (report.lightsDropped > 0 && getSelectedTechnique() != kDiffuseFallback)
-        warnOnce("lights", "lights are left out: found " +
-                               std::to_string(report.lightsDropped + report.lightsUsed) + ", " +
-                               std::to_string(report.lightsUsed) +
-                               " of which are valid and within what the technique can draw");
-    report_ = report;
-}
-
-void FactorizedBrdf::uses(Surfaces& surfaces) const
-{
-    const Lock lock(reporting_);
-    if (std::find(surfaces_.begin(), surfaces_.end(), &surfaces) != surfaces_.end()) return;
-    surfaces_.erase(std::remove_if(surfaces_.begin(), surfaces_.end(),
-                                   [](const auto& known) { return !known.valid(); }),
-                    surfaces_.end());
-    surfaces_.emplace_back(&surfaces);
-}
-
-bool FactorizedBrdf::arraysReleased(unsigned int contextId) const
-{
-    const Lock lock(reporting_);
-    const auto known = forgotten_.find(contextId);
-    return releases_ != (known == forgotten_.end() ? 0 : known->second);
-}
-
-void FactorizedBrdf::arraysForgotten(unsigned int contextId)
-{
-    const Lock lock(reporting_);
-    forgotten_[contextId] = releases_;
-}
-
-// Once, by the constructors: they only look at what the effect is when they are used.
+// Called once, by the constructors: techniques look at the effect only when they are used.
 bool FactorizedBrdf::define_techniques()
 {
     for (const auto kind :
          {fbrdf::Technique::single, fbrdf::Technique::batched, fbrdf::Technique::twoLookup})
-        addTechnique(new PassTechnique(*this, kind));
-    addTechnique(new DiffuseTechnique(*this));
+        addTechnique(new PassTechnique(*this, *internals_, kind));
+    addTechnique(new DiffuseTechnique(*this, *internals_));
     return true;
 }
 
@@ -260,7 +190,7 @@ void FactorizedBrdf::compile(osgUtil::GLObjectsVisitor& visitor)
     // Others only collect what is to be compiled: no context is current.
     constexpr auto kCompiles = osgUtil::GLObjectsVisitor::COMPILE_STATE_ATTRIBUTES;
     if (visitor.getState() && (visitor.getMode() & kCompiles))
-        choice_->ask(*visitor.getState(), needs());
+        internals_->choice->ask(*visitor.getState(), needs());
 }
 
 void FactorizedBrdf::cull(osgUtil::CullVisitor& visitor)
@@ -268,13 +198,14 @@ void FactorizedBrdf::cull(osgUtil::CullVisitor& visitor)
     const osg::Camera* camera = visitor.getCurrentCamera();
     if (camera && drawsShapes(*camera)) return inherited_traverse(visitor);
     const osg::State* state = visitor.getState();
-    osg::ref_ptr<osg::StateSet> question;
-    if (state && !choice_->asked(state->getContextID())) question = choice_->question(needs());
+    osg::ref_ptr<osg::StateSet> probe;
+    if (state && !internals_->choice->asked(state->getContextID()))
+        probe = internals_->choice->probe(needs());
     const int selected = getSelectedTechnique();
-    const int index = selected == AUTO_DETECT ? choice_->index() : selected;
-    if (question) visitor.pushStateSet(question);
+    const int index = selected == AUTO_DETECT ? internals_->choice->index() : selected;
+    if (probe) visitor.pushStateSet(probe);
     getTechnique(std::clamp(index, 0, getNumTechniques() - 1))->traverse(visitor, this);
-    if (question) visitor.popStateSet();
+    if (probe) visitor.popStateSet();
 }
 
 void FactorizedBrdf::resizeGLObjectBuffers(unsigned int maxSize)
@@ -287,13 +218,8 @@ void FactorizedBrdf::releaseGLObjects(osg::State* state) const
 {
     Effect::releaseGLObjects(state);
     if (material_) material_->releaseGLObjects(state);
-    state ? choice_->forget(state->getContextID()) : choice_->forget();
-    const Lock lock(reporting_);
-    for (const auto& known : surfaces_) {
-        osg::ref_ptr<Surfaces> surfaces;
-        if (known.lock(surfaces)) surfaces->releaseGLObjects(state);
-    }
-    ++releases_;
+    state ? internals_->choice->forget(state->getContextID()) : internals_->choice->forget();
+    internals_->objects.release(state);
 }
 
 }  // namespace osgFbrdf

@@ -5,6 +5,7 @@
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <string>
@@ -28,6 +29,7 @@ osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
     osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
         osg::Uniform::FLOAT_VEC4, "fbrdfLights", fbrdf::kVectorsPerLight * pass.lightCount);
     unsigned int at = 0;
+    FBRDF_ASSERT(static_cast<size_t>(pass.firstLight + pass.lightCount), <=, lights.size());
     for (int i = 0; i < pass.lightCount; ++i)
         for (const glm::vec4& v :
              fbrdf::lightVectors(lights[static_cast<size_t>(pass.firstLight + i)], glm::dmat4(1.0)))
@@ -35,24 +37,26 @@ osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
     return uniform;
 }
 
-osg::ref_ptr<osg::Uniform> lawUniform(const std::vector<Law>& laws)
+osg::ref_ptr<osg::Uniform> attenuationUniform(const std::vector<Attenuation>& attenuations)
 {
-    osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
-        osg::Uniform::FLOAT_VEC4, "osgFbrdfLaws", static_cast<int>(kVectorsPerLaw * laws.size()));
+    osg::ref_ptr<osg::Uniform> uniform =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC4, "osgFbrdfAttenuations",
+                         static_cast<int>(kVectorsPerAttenuation * attenuations.size()));
     unsigned int at = 0;
-    for (const Law& law : laws)
-        for (const osg::Vec4f& v : law) uniform->setElement(at++, v);
+    for (const Attenuation& attenuation : attenuations)
+        for (const osg::Vec4f& v : attenuation) uniform->setElement(at++, v);
     return uniform;
 }
 
-/// For laws.glsl: of each light of the pass.
-osg::ref_ptr<osg::Uniform> lawNumbers(const std::vector<int>& lawOf, const fbrdf::Pass& pass)
+/// For attenuation.glsl: which attenuation each light of the pass has.
+osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuationOf,
+                                              const fbrdf::Pass& pass)
 {
     osg::ref_ptr<osg::Uniform> uniform =
         new osg::Uniform(osg::Uniform::INT, "fbrdfLightNumbers", pass.lightCount);
     for (int i = 0; i < pass.lightCount; ++i)
         uniform->setElement(static_cast<unsigned int>(i),
-                            lawOf[static_cast<size_t>(pass.firstLight + i)]);
+                            attenuationOf[static_cast<size_t>(pass.firstLight + i)]);
     return uniform;
 }
 
@@ -61,7 +65,8 @@ osg::ref_ptr<osg::Uniform> lawNumbers(const std::vector<int>& lawOf, const fbrdf
 FrameStates::FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
                          EyeLights lights, Surfaces* surfaces)
     : lights_(std::move(lights)),
-      laws_(lights_.laws.empty() ? nullptr : lawUniform(lights_.laws)),
+      attenuations_(lights_.attenuations.empty() ? nullptr
+                                                 : attenuationUniform(lights_.attenuations)),
       surfaces_(surfaces),
       readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
       eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
@@ -89,13 +94,14 @@ void FrameStates::addLights(osg::StateSet& state, const fbrdf::Pass& pass) const
 {
     state.addUniform(lightUniform(lights_.lights, pass));
     state.addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
-    if (!laws_) return;
-    state.addUniform(laws_);
-    state.addUniform(lawNumbers(lights_.lawOf, pass));
+    if (!attenuations_) return;
+    state.addUniform(attenuations_);
+    state.addUniform(attenuationNumbers(lights_.attenuationOf, pass));
 }
 
 void FrameStates::addSurface(osg::StateSet& state, fbrdf::Surface surface) const
 {
+    FBRDF_ASSERT(surfaces_.valid(), ==, true);
     state.setTextureAttribute(static_cast<unsigned int>(readUnit_), surfaces_->texture(surface),
                               kOurs);
     state.addUniform(new osg::Uniform("fbrdfRead", readUnit_));

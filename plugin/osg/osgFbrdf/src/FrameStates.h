@@ -1,7 +1,7 @@
 // FrameStates.h - what changes in the passes of an effect with frame and view: lights, exposure,
-// the eye. Fresh each time, as the last one may still be being drawn.
+// the eye. It is made anew each time, as the last one may still be being drawn.
 #pragma once
-#include "SceneLights.h"
+#include "EyeLights.h"
 #include "Surfaces.h"
 
 #include <fbrdf/plan/Plan.h>
@@ -20,7 +20,7 @@ public:
     FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
                 Surfaces* surfaces);
 
-    /// Uniforms and the surface that the pass reads, beside what MaterialStates has of it.
+    /// The uniforms of the pass and the surface that it reads; MaterialStates has the rest.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const;
 
 private:
@@ -28,7 +28,7 @@ private:
     void addSurface(osg::StateSet& state, fbrdf::Surface surface) const;
 
     EyeLights lights_;
-    osg::ref_ptr<osg::Uniform> laws_;  ///< null: no light has one
+    osg::ref_ptr<osg::Uniform> attenuations_;  ///< null: no light has one
     osg::ref_ptr<Surfaces> surfaces_;
     int readUnit_;
     osg::ref_ptr<osg::Uniform> eye_;

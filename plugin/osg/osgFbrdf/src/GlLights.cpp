@@ -1,5 +1,6 @@
 #include "GlLights.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/Conventions.h>
 
 #include <osg/Math>
@@ -15,6 +16,8 @@ float luminance(const fbrdf::Vec3f& rgb)
 
 osg::ref_ptr<osg::Light> glLight(const fbrdf::Light& source, int number)
 {
+    FBRDF_ASSERT(number, >=, 0);
+    FBRDF_ASSERT(number, <, kMostGlLights);
     osg::ref_ptr<osg::Light> light = new osg::Light(static_cast<unsigned int>(number));
     const bool point = source.type != fbrdf::Light::Type::directional;
     const fbrdf::Vec3f colour = source.intensity / static_cast<float>(fbrdf::kPi);

@@ -2,8 +2,8 @@
 
 #include "EmbeddedShaders.h"
 #include "FogPass.h"
+#include "OsgLights.h"
 #include "PassState.h"
-#include "PlainLights.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
@@ -68,16 +68,37 @@ osg::ref_ptr<osg::Texture> textureOf(const fbrdf::TextureImage& texels, bool vol
     return texture;
 }
 
-osg::Vec3f toOsg(const fbrdf::Vec3f& v)
+osg::Vec3f toVec3f(const fbrdf::Vec3f& v)
 {
     return {v.x, v.y, v.z};
 }
 
-std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, const PassPlace& place)
+// Numbers of lights vary as lights come into reach and go: so many plans of a material are kept.
+constexpr size_t kMostPlans = 32;
+
+std::string keyOf(const PassInputs& inputs)
 {
-    std::string key = std::string(place.derivedTangents ? "t" : "") + (place.laws ? "w" : "") +
-                      std::to_string(place.bin) + '@' + std::to_string(place.firstTextureUnit) +
-                      'b' + std::to_string(static_cast<int>(pass.blend)) + 'd' +
+    return std::to_string(inputs.firstTextureUnit) + (inputs.derivedTangents ? "t" : "") +
+           (inputs.attenuated ? "a" : "");
+}
+
+/// Of all that PassTechnique sets in a request.
+std::string keyOf(const fbrdf::PlanRequest& request, const PassInputs& inputs)
+{
+    std::string key = keyOf(inputs);
+    for (const int value :
+         {static_cast<int>(request.technique), request.lights, request.lightsPerPass,
+          request.maxLookups, static_cast<int>(request.target), static_cast<int>(request.offscreen),
+          static_cast<int>(request.transfer), static_cast<int>(request.signs)})
+        key += ',' + std::to_string(value);
+    return key;
+}
+
+std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, int bin,
+                  const PassInputs& inputs)
+{
+    std::string key = keyOf(inputs) + '@' + std::to_string(bin) + 'b' +
+                      std::to_string(static_cast<int>(pass.blend)) + 'd' +
                       std::to_string(static_cast<int>(pass.depth)) + (spec.reads ? 'r' : '-') +
                       (spec.lit ? 'l' : 'u') + std::to_string(spec.lightSlots) + 'o' +
                       std::to_string(static_cast<int>(spec.transfer));
@@ -88,7 +109,7 @@ std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, const
     return key;
 }
 
-// Alpha: 1 where the first pass drew, then left alone.
+// Alpha is 1 where the first pass drew; later passes leave it alone.
 void setBlend(osg::StateSet& state, fbrdf::Blend blend)
 {
     if (blend == fbrdf::Blend::replace) return state.setMode(GL_BLEND, kOff);
@@ -106,15 +127,16 @@ osg::Shader* vertexShader(bool derivesTangents)
 
 }  // namespace
 
-fbrdf::Capabilities assumedCapabilities(bool laws)
+fbrdf::Capabilities assumedCapabilities(bool attenuated)
 {
     fbrdf::Capabilities assumed;
     assumed.maxTextureUnits = 16;
     assumed.maxUniformVectors = 1024;
-    // The laws, and of each light which one it has: a quarter of what lights can have, as an int of
-    // an array may fill a vector.
-    if (laws)
-        assumed.maxUniformVectors -= kVectorsPerLaw * kMostLaws + assumed.maxUniformVectors / 4;
+    // Taken off are the attenuations, and for each light the number of its attenuation: a quarter
+    // of all, as an int of an array may fill a vector and a light has three vectors beside it.
+    if (attenuated)
+        assumed.maxUniformVectors -=
+            kVectorsPerAttenuation * kMostAttenuations + assumed.maxUniformVectors / 4;
     assumed.floatTextures = true;
     assumed.framebufferObjects = assumed.floatTargets = true;
     return assumed;
@@ -143,7 +165,7 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
         osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
             osg::Uniform::FLOAT_VEC3, "fbrdfKnots" + k, static_cast<int>(knots.size()));
         for (size_t i = 0; i < knots.size(); ++i)
-            uniform->setElement(static_cast<unsigned int>(i), toOsg(knots[i]));
+            uniform->setElement(static_cast<unsigned int>(i), toVec3f(knots[i]));
         map.uniforms = {uniform};
         encodings_.push_back({fbrdf::isLog(table.storage), false});
         return map;
@@ -152,24 +174,26 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
     map.texture = textureOf(texels, fbrdf::dimensionCount(table.domain) == 3);
     map.texture->setName(name_ + ":" + table.name);
     if (texels.encoding.ranged)
-        map.uniforms = {new osg::Uniform(("fbrdfLower" + k).c_str(), toOsg(texels.lower)),
-                        new osg::Uniform(("fbrdfExtent" + k).c_str(), toOsg(texels.extent))};
+        map.uniforms = {new osg::Uniform(("fbrdfLower" + k).c_str(), toVec3f(texels.lower)),
+                        new osg::Uniform(("fbrdfExtent" + k).c_str(), toVec3f(texels.extent))};
     encodings_.push_back(texels.encoding);
     return map;
 }
 
 osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec,
-                                                     const PassPlace& place)
+                                                     const PassInputs& inputs)
 {
-    fbrdf::SurfaceInputs inputs{true, place.derivedTangents};
-    if (place.laws) inputs.shadowHook = fbrdf::osgFbrdfShader("laws.glsl");
+    fbrdf::SurfaceInputs surface;
+    surface.builtIns = true;
+    surface.derivedTangent = inputs.derivedTangents;
+    if (inputs.attenuated) surface.shadowHook = fbrdf::osgFbrdfShader("attenuation.glsl");
     const std::string fragment =
-        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl, inputs);
-    osg::ref_ptr<osg::Program>& program = programs_[fragment + (place.derivedTangents ? "t" : "")];
+        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl, surface);
+    osg::ref_ptr<osg::Program>& program = programs_[fragment + (inputs.derivedTangents ? "t" : "")];
     if (program) return program;
     program = new osg::Program;
     program->setName("fbrdf " + name_);
-    program->addShader(place.derivedTangents ? derivingVertex_ : vertex_);
+    program->addShader(inputs.derivedTangents ? derivingVertex_ : vertex_);
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
     program->addBindAttribLocation("fbrdfVertexTangent", kTangentAttribute);
     return program;
@@ -188,19 +212,41 @@ void MaterialStates::addMaps(osg::StateSet& state, int firstTextureUnit) const
         for (const auto& uniform : map.uniforms) state.addUniform(uniform, kOurs);
 }
 
-osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, const PassPlace& place)
+/// The caller has the lock.
+osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int bin,
+                                                    const PassInputs& inputs)
 {
     const auto spec = fbrdf::programSpec(
-        pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(place.laws)));
-    const Lock lock(mutex_);
-    osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, place)];
+        pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.attenuated)));
+    osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, bin, inputs)];
     if (state) return state;
     state = new osg::StateSet;
-    state->setAttributeAndModes(programOf(spec, place), kOurs);
-    addMaps(*state, place.firstTextureUnit);
+    state->setAttributeAndModes(programOf(spec, inputs), kOurs);
+    addMaps(*state, inputs.firstTextureUnit);
     setBlend(*state, pass.blend);
-    setPlace(*state, pass.depth, place.bin);
+    setPlace(*state, pass.depth, bin);
     return state;
+}
+
+fbrdf::Plan MaterialStates::plan(const fbrdf::PlanRequest& request, bool attenuated) const
+{
+    return fbrdf::planPasses(form_, request, assumedCapabilities(attenuated));
+}
+
+std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanRequest& request,
+                                                            const PassInputs& inputs)
+{
+    const std::string key = keyOf(request, inputs);
+    const Lock lock(mutex_);
+    if (const auto known = planned_.find(key); known != planned_.end()) return known->second;
+    const auto planned = std::make_shared<PlannedPasses>();
+    planned->plan = plan(request, inputs.attenuated);
+    for (const fbrdf::Pass& pass : planned->plan.passes)
+        planned->states.push_back(
+            stateOf(pass, static_cast<int>(planned->states.size()) + 1, inputs));
+    if (planned_.size() >= kMostPlans) planned_.clear();
+    planned_.emplace(key, planned);
+    return planned;
 }
 
 osg::ref_ptr<osg::StateSet> MaterialStates::fogStateOf(int bin)

@@ -11,23 +11,29 @@
 #include <OpenThreads/Mutex>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace osgFbrdf {
 
 /// What plans assume of every context (a technique's validate() asks the context): GLSL 1.20,
-/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has, less what laws.glsl
-/// needs where lights have laws.
-fbrdf::Capabilities assumedCapabilities(bool laws = false);
+/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has, less what
+/// attenuation.glsl needs where lights are attenuated.
+fbrdf::Capabilities assumedCapabilities(bool attenuated = false);
 
-/// Where a pass stands: bin number within the effect, its textures, where tangents come from,
-/// whether lights have laws of their own (PlainLights.h).
-struct PassPlace {
-    int bin = 0;
+/// What an effect decides of its passes beside the plan.
+struct PassInputs {
     int firstTextureUnit = 0;
     bool derivedTangents = false;
-    bool laws = false;
+    bool attenuated = false;  ///< some lights are, by attenuation.glsl (OsgLights.h)
+};
+
+/// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
+/// the pass, from 1). Lights, scales and eye come on top of it (FrameStates.h).
+struct PlannedPasses {
+    fbrdf::Plan plan;
+    std::vector<osg::ref_ptr<osg::StateSet>> states;
 };
 
 class MaterialStates : public osg::Referenced {
@@ -37,9 +43,14 @@ public:
     const fbrdf::Form& form() const { return form_; }
     bool hasSigns() const { return hasSigns_; }
     int textureUnits() const { return static_cast<int>(textures_.size()); }
-    /// Program, maps, blending, depth and bin of a pass. The caller adds lights, scales and eye.
-    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, const PassPlace& place);
-    /// The same of the pass that blends fog over the others.
+
+    /// The plan for the request, or its reason for being none.
+    fbrdf::Plan plan(const fbrdf::PlanRequest& request, bool attenuated) const;
+    /// The same with the states of its passes, from the last few that were asked for where they are
+    /// among them: most frames ask for what the frame before asked for.
+    std::shared_ptr<const PlannedPasses> passes(const fbrdf::PlanRequest& request,
+                                                const PassInputs& inputs);
+    /// State of the pass that blends fog over the others.
     osg::ref_ptr<osg::StateSet> fogStateOf(int bin);
 
     void resizeGLObjectBuffers(unsigned int maxSize);
@@ -54,7 +65,8 @@ private:
         std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     };
     Map mapOf(int index, const fbrdf::Table& table);
-    osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassPlace& place);
+    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, int bin, const PassInputs& inputs);
+    osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassInputs& inputs);
     void addMaps(osg::StateSet& state, int firstTextureUnit) const;
 
     fbrdf::Form form_;
@@ -64,10 +76,11 @@ private:
     std::vector<Map> maps_;         ///< one a table
     std::vector<size_t> textures_;  ///< maps with a texture, in the order of their units
     osg::ref_ptr<osg::Shader> vertex_, derivingVertex_;
-    OpenThreads::Mutex mutex_;
+    OpenThreads::Mutex mutex_;                                    ///< guards what follows
     std::map<std::string, osg::ref_ptr<osg::Program>> programs_;  ///< by fragment shader
     osg::ref_ptr<osg::Program> fog_;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> states_;
+    std::map<std::string, std::shared_ptr<const PlannedPasses>> planned_;
 };
 
 }  // namespace osgFbrdf

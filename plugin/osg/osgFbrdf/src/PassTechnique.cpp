@@ -1,14 +1,15 @@
 #include "PassTechnique.h"
 
 #include "DiffuseTechnique.h"
+#include "EffectInternals.h"
 #include "FogPass.h"
 #include "FrameStates.h"
 #include "InheritedState.h"
-#include "MaterialStates.h"
 #include "PassState.h"
-#include "SceneLights.h"
-#include "Surfaces.h"
 #include "Vectors.h"
+#include "ViewState.h"
+
+#include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/plan/LightVectors.h>
 
@@ -22,7 +23,7 @@
 namespace osgFbrdf {
 namespace {
 
-// Beside lights, their laws and knots: as in the planner, generous.
+// Room for all uniforms but lights, attenuations and knots: as many as the planner leaves.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
 // Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
@@ -49,11 +50,10 @@ private:
     osg::ref_ptr<osg::StateSet> state_ = new osg::StateSet;
 };
 
-/// OSG 3.6 dispatches an array anew only when it is another one: after releaseGLObjects() it would
-/// draw from buffers that are gone (OpenGL reads address 0 then).
+/// Makes OSG dispatch the arrays of the model anew (GlObjectsInUse::arraysReleased).
 class ForgetArrays : public osgUtil::RenderBin::DrawCallback {
 public:
-    explicit ForgetArrays(FactorizedBrdf& effect) : effect_(&effect) {}
+    explicit ForgetArrays(EffectInternals& internals) : internals_(&internals) {}
     void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
                             osgUtil::RenderLeaf*& previous) override
     {
@@ -63,12 +63,12 @@ public:
         state.getCurrentVertexArrayState()->disableVertexAttribArrayAboveAndIncluding(state, 0);
         state.unbindVertexBufferObject();
         state.unbindElementBufferObject();
-        effect_->arraysForgotten(state.getContextID());
+        internals_->objects.arraysForgotten(state.getContextID());
         bin->drawImplementation(info, previous);
     }
 
 private:
-    osg::ref_ptr<FactorizedBrdf> effect_;
+    osg::ref_ptr<EffectInternals> internals_;
 };
 
 bool isOffscreen(const fbrdf::Pass& pass)
@@ -103,7 +103,7 @@ int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
     if (kind == fbrdf::Technique::single) return assumedCapabilities().maxUniformVectors;
     const int lights = kind == fbrdf::Technique::batched ? effect.getLightsPerPass() : 1;
     const fbrdf::Form& form = effect.getMaterial()->material().form;
-    int vectors = kOtherUniformVectors + kVectorsPerLaw * kMostLaws +
+    int vectors = kOtherUniformVectors + kVectorsPerAttenuation * kMostAttenuations +
                   (fbrdf::kVectorsPerLight + 1) * lights + 2 * static_cast<int>(form.tables.size());
     for (const fbrdf::TableSpec& table : form.tables)
         if (table.uniform) vectors += fbrdf::texelCount(table.domain);
@@ -133,8 +133,9 @@ fbrdf::Sphere boundsInEye(const FactorizedBrdf& effect, const osg::Matrixd& toEy
 
 }  // namespace
 
-PassTechnique::PassTechnique(FactorizedBrdf& effect, fbrdf::Technique kind)
-    : effect_(effect), kind_(kind)
+PassTechnique::PassTechnique(FactorizedBrdf& effect, EffectInternals& internals,
+                             fbrdf::Technique kind)
+    : effect_(effect), internals_(internals), kind_(kind)
 {
 }
 
@@ -168,16 +169,17 @@ bool PassTechnique::mayDraw(osg::State& state) const
 {
     const auto* extensions = state.get<osg::GLExtensions>();
     if (extensions && !extensions->isGlslSupported) {
-        effect_.refuse(kNoGlsl);
+        internals_.choice->refuse(kNoGlsl);
         return false;
     }
-    // 1: OSG has not asked yet, so what every context has decides; the next frame has a reason.
+    // OSG reports 1 before its first query: the minimum that every context has decides until the
+    // next frame, which has a reason.
     const int known = static_cast<int>(state.getMaxTextureUnits());
     const int limit = known > 1 ? known : assumedCapabilities().maxTextureUnits;
     const int units =
         effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
     if (units <= limit) return true;
-    effect_.refuse(known > 1 ? tooFew("texture units", units, limit) : "");
+    internals_.choice->refuse(known > 1 ? tooFew("texture units", units, limit) : "");
     return false;
 }
 
@@ -188,18 +190,19 @@ ContextNeeds PassTechnique::needs() const
         needs.refusal = "no material";
         return needs;
     }
-    const fbrdf::Plan several = plan(2, false, true);
+    // Two lights are the fewest whose passes add up.
+    const MaterialStates& states = *effect_.getMaterial()->states();
+    const fbrdf::Plan several = states.plan(request(2, true), false);
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     needs.refusal = several.reason;
-    needs.withoutSurfaces = plan(2, false, false).reason;
-    needs.textureUnits = effect_.getFirstTextureUnit() +
-                         effect_.getMaterial()->states()->textureUnits() + (reads ? 1 : 0);
+    needs.withoutSurfaces = states.plan(request(2, false), false).reason;
+    needs.textureUnits = effect_.getFirstTextureUnit() + states.textureUnits() + (reads ? 1 : 0);
     needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
     return needs;
 }
 
-fbrdf::Plan PassTechnique::plan(int lights, bool laws, bool offscreen) const
+fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen) const
 {
     fbrdf::PlanRequest request;
     request.technique = kind_;
@@ -211,79 +214,89 @@ fbrdf::Plan PassTechnique::plan(int lights, bool laws, bool offscreen) const
     request.offscreen = offscreen;
     request.transfer = effect_.getTransfer();
     request.signs = effect_.getMaterial()->states()->hasSigns();
-    return fbrdf::planPasses(effect_.getMaterial()->states()->form(), request,
-                             assumedCapabilities(laws));
+    return request;
+}
+
+PassInputs PassTechnique::inputs(bool attenuated) const
+{
+    PassInputs inputs;
+    inputs.firstTextureUnit = effect_.getFirstTextureUnit();
+    inputs.derivedTangents = effect_.getDerivedTangents();
+    inputs.attenuated = attenuated;
+    return inputs;
 }
 
 void PassTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
 {
-    if (auto* cull = visitor.asCullVisitor())
-        this->cull(*cull);
+    if (auto* culling = visitor.asCullVisitor())
+        cull({*culling, ViewState::of(*culling), effect_, internals_});
     else
         effect->inherited_traverse(visitor);
 }
 
-void PassTechnique::cull(osgUtil::CullVisitor& visitor)
+void PassTechnique::cull(const EffectCull& cull)
 {
-    SceneLights& scene = sceneLights(visitor);
+    osgUtil::CullVisitor& visitor = cull.visitor;
     if (!effect_.getMaterial() || !effect_.getMaterial()->valid())
-        return cullDiffuse(visitor, effect_, "no material");
+        return cullDiffuse(cull, "no material");
     if (visitor.getState() && !mayDraw(*visitor.getState()))
-        return cullDiffuse(visitor, effect_, effect_.refusal());
+        return cullDiffuse(cull, internals_.choice->refusal());
     const InheritedState inherited(visitor);
     const fbrdf::Sphere bounds = boundsInEye(effect_, *visitor.getModelViewMatrix());
-    EyeLights lights = lightsOf(scene, worldToEye(visitor), bounds, inherited);
-    Drawing drawing = drawingOf(visitor, lights);
-    if (!drawing.plan.feasible() && kind_ == fbrdf::Technique::single) {
+    EyeLights lights = lightsOf(cull.view.lights(), worldToEye(visitor), bounds, inherited);
+    Drawing drawing = drawingOf(cull, lights);
+    if (!drawing.passes->plan.feasible() && kind_ == fbrdf::Technique::single) {
         // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
         lights = strongest(lights, bounds, lightsInOnePass(lights));
-        drawing = drawingOf(visitor, lights);
+        drawing = drawingOf(cull, lights);
     }
-    if (!drawing.plan.feasible()) return cullDiffuse(visitor, effect_, drawing.plan.reason);
+    const fbrdf::Plan& plan = drawing.passes->plan;
+    if (!plan.feasible())
+        return cullDiffuse(cull, (drawing.surfacesFailed ? kNoSurfaces : "") + plan.reason);
     const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
     DrawReport report;
     report.technique = techniqueName();
-    report.passes = static_cast<int>(drawing.plan.passes.size()) + (fog ? 1 : 0);
+    report.passes = static_cast<int>(plan.passes.size()) + (fog ? 1 : 0);
     report.lightsUsed = static_cast<int>(lights.lights.size());
-    report.lightsDropped = scene.dropped + lights.dropped;
+    report.lightsDropped = cull.view.lights().dropped + lights.dropped;
     report.lightsCulled = lights.culled;
-    report.maxLookups = drawing.plan.maxLookups;
-    effect_.report(report);
-    cullPasses(visitor, drawing, std::move(lights), fog);
+    report.maxLookups = plan.maxLookups;
+    internals_.log.report(effect_, report);
+    cullPasses(cull, drawing, std::move(lights), fog);
 }
 
 int PassTechnique::lightsInOnePass(const EyeLights& lights) const
 {
     return fbrdf::maxLightsInUniforms(effect_.getMaterial()->states()->form(),
-                                      assumedCapabilities(!lights.laws.empty()));
+                                      assumedCapabilities(!lights.attenuations.empty()));
 }
 
-/// The plan, and what it draws to; a plan without surfaces where they cannot be drawn to.
-PassTechnique::Drawing PassTechnique::drawingOf(osgUtil::CullVisitor& visitor,
+PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
                                                 const EyeLights& lights) const
 {
+    MaterialStates& states = *effect_.getMaterial()->states();
     const int count = static_cast<int>(lights.lights.size());
-    const bool laws = !lights.laws.empty();
-    Drawing drawing{plan(count, laws, !isMultisampled(visitor)), nullptr};
-    if (!needsSurfaces(drawing.plan)) return drawing;
-    Surfaces* surfaces = surfacesOf(visitor);
+    const PassInputs inputs = this->inputs(!lights.attenuations.empty());
+    Drawing drawing;
+    drawing.passes = states.passes(request(count, !isMultisampled(cull.visitor)), inputs);
+    if (!needsSurfaces(drawing.passes->plan)) return drawing;
+    Surfaces* surfaces = cull.view.surfaces(cull.visitor);
     if (!surfaces || !surfaces->usable()) {
-        drawing.plan = plan(count, laws, false);
-        if (!drawing.plan.feasible()) drawing.plan.reason = kNoSurfaces + drawing.plan.reason;
+        drawing.passes = states.passes(request(count, false), inputs);
+        drawing.surfacesFailed = true;
         return drawing;
     }
     drawing.surfaces = surfaces;
-    effect_.uses(*surfaces);
+    internals_.objects.use(*surfaces);
     return drawing;
 }
 
-void PassTechnique::cullPasses(osgUtil::CullVisitor& visitor, const Drawing& drawing,
-                               EyeLights lights, osg::StateSet* fog)
+void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
+                               osg::StateSet* fog)
 {
-    const bool laws = !lights.laws.empty();
+    osgUtil::CullVisitor& visitor = cull.visitor;
     const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights),
                             drawing.surfaces);
-    MaterialStates& states = *effect_.getMaterial()->states();
     const auto cullUnder = [&](osg::StateSet* state, osg::StateSet* varying) {
         visitor.pushStateSet(state);
         visitor.pushStateSet(varying);
@@ -291,24 +304,22 @@ void PassTechnique::cullPasses(osgUtil::CullVisitor& visitor, const Drawing& dra
         visitor.popStateSet();
         visitor.popStateSet();
     };
-    const auto& passes = drawing.plan.passes;
+    const auto& passes = drawing.passes->plan.passes;
     const auto cullPass = [&](size_t i) {
-        const PassPlace place{static_cast<int>(i) + 1, effect_.getFirstTextureUnit(),
-                              effect_.getDerivedTangents(), laws};
-        cullUnder(states.stateOf(passes[i], place), frame.stateOf(passes[i]));
+        cullUnder(drawing.passes->states[i], frame.stateOf(passes[i]));
     };
 
     NestedBin effectBin(visitor, kEffectBin);
-    if (visitor.getState() && effect_.arraysReleased(visitor.getState()->getContextID()))
-        effectBin.setDrawCallback(new ForgetArrays(effect_));
+    if (visitor.getState() && internals_.objects.arraysReleased(visitor.getState()->getContextID()))
+        effectBin.setDrawCallback(new ForgetArrays(internals_));
     std::optional<NestedBin> own;
-    // Surfaces are shared: whole effects one after another, before those that need none.
-    if (drawing.surfaces) own.emplace(visitor, --sceneLights(visitor).lastOwnBin);
+    if (drawing.surfaces) own.emplace(visitor, cull.view.nextSurfaceBin());
     if (drawing.surfaces)
-        cullRuns(visitor, drawing.plan, *drawing.surfaces, cullPass);
+        cullRuns(visitor, drawing.passes->plan, *drawing.surfaces, cullPass);
     else
         for (size_t i = 0; i < passes.size(); ++i) cullPass(i);
-    if (fog) cullUnder(states.fogStateOf(static_cast<int>(passes.size()) + 1), fog);
+    const int fogBin = static_cast<int>(passes.size()) + 1;
+    if (fog) cullUnder(effect_.getMaterial()->states()->fogStateOf(fogBin), fog);
 }
 
 }  // namespace osgFbrdf

@@ -1,28 +1,24 @@
 // PassTechnique.h - draws an effect by a plan of the runtime: each pass is a state set under which
-// the children are culled once. Passes live in bins inside one bin, so that any number of them is
-// drawn before what comes after the effect (OSG's bin 10 holds what is transparent).
+// the children are culled once. Passes are in bins inside one bin, so that any number of them is
+// drawn before what comes after the effect (transparent objects are in OSG's bin 10).
 #pragma once
 #include "ContextNeeds.h"
-#include "SceneLights.h"
+#include "EffectCull.h"
+#include "EyeLights.h"
+#include "MaterialStates.h"
 #include "Surfaces.h"
-
-#include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/plan/Plan.h>
 
 #include <osgFX/Technique>
 
-#include <string>
-
-namespace osgUtil {
-class CullVisitor;
-}
+#include <memory>
 
 namespace osgFbrdf {
 
 class PassTechnique : public osgFX::Technique {
 public:
-    PassTechnique(FactorizedBrdf& effect, fbrdf::Technique kind);
+    PassTechnique(FactorizedBrdf& effect, EffectInternals& internals, fbrdf::Technique kind);
 
     const char* techniqueName() override;
     const char* techniqueDescription() override;
@@ -30,9 +26,6 @@ public:
     void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
 
     ContextNeeds needs() const;
-    /// The plan for so many lights, or its reason for being none. offscreen: Surfaces can be used.
-    /// laws: some lights have one (PlainLights.h).
-    fbrdf::Plan plan(int lights, bool laws, bool offscreen) const;
 
 protected:
     ~PassTechnique() override = default;
@@ -40,20 +33,27 @@ protected:
 
 private:
     struct Drawing {
-        fbrdf::Plan plan;
+        std::shared_ptr<const PlannedPasses> passes;
         osg::ref_ptr<Surfaces> surfaces;  ///< null: the plan needs none
+        bool surfacesFailed = false;      ///< the plan does without them as there are none
     };
-    Drawing drawingOf(osgUtil::CullVisitor& visitor, const EyeLights& lights) const;
-    int lightsInOnePass(const EyeLights& lights) const;
-    /// fog: of the scene, null where there is none.
-    void cullPasses(osgUtil::CullVisitor& visitor, const Drawing& drawing, EyeLights lights,
-                    osg::StateSet* fog);
+    /// offscreen: Surfaces can be used.
+    fbrdf::PlanRequest request(int lights, bool offscreen) const;
+    /// attenuated: some lights are, by attenuation.glsl.
+    PassInputs inputs(bool attenuated) const;
+
+    void cull(const EffectCull& cull);
     /// False, with a refusal, where what is known of the context without asking OpenGL rules this
     /// technique out: before the first frame, or when it is forced.
     bool mayDraw(osg::State& state) const;
-    void cull(osgUtil::CullVisitor& visitor);
+    Drawing drawingOf(const EffectCull& cull, const EyeLights& lights) const;
+    int lightsInOnePass(const EyeLights& lights) const;
+    /// fog: of the scene, null where there is none.
+    void cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
+                    osg::StateSet* fog);
 
     FactorizedBrdf& effect_;  ///< owns this
+    EffectInternals& internals_;
     fbrdf::Technique kind_;
 };
 

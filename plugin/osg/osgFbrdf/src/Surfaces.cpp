@@ -1,5 +1,7 @@
 #include "Surfaces.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <osg/Camera>
 #include <osg/GLExtensions>
 #include <osg/GraphicsContext>
@@ -8,7 +10,7 @@
 
 #include <algorithm>
 
-// GL 3.0's, which headers of GL 2 lack.
+// OpenGL 3.0 defines these, and headers of OpenGL 2 lack them.
 #ifndef GL_DRAW_FRAMEBUFFER_BINDING
 #define GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6
 #define GL_READ_FRAMEBUFFER_BINDING 0x8CAA
@@ -32,7 +34,8 @@ osg::ref_ptr<osg::Texture2D> colourTexture(int width, int height)
     return texture;
 }
 
-/// Reading has a binding of its own. That functions are there proves nothing: libGL has them all.
+/// True where the framebuffer to read from is bound apart. That a function exists proves nothing,
+/// as libGL has them all.
 bool readsApart(const osg::GLExtensions& gl)
 {
     return gl.glVersion >= 3.0f ||
@@ -40,19 +43,19 @@ bool readsApart(const osg::GLExtensions& gl)
                                        "GL_ARB_framebuffer_object");
 }
 
-/// What the host has bound, put back at the end.
+/// Puts back at the end what the host has bound.
 class BoundFramebuffers {
 public:
     explicit BoundFramebuffers(const osg::GLExtensions& gl) : gl_(gl), readsApart_(readsApart(gl))
     {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
         if (readsApart_) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
-        // Where OSG makes one for a surface it leaves it bound.
+        // OSG leaves a renderbuffer bound where it makes one for a surface.
         glGetIntegerv(GL_RENDERBUFFER_BINDING_EXT, &renderbuffer_);
     }
     ~BoundFramebuffers()
     {
-        // This sets both; where reading has a binding of its own, that one follows.
+        // This binds both; where the one to read from is bound apart, it follows.
         gl_.glBindFramebuffer(GL_FRAMEBUFFER_EXT, static_cast<GLuint>(draw_));
         if (readsApart_ && read_ != draw_)
             gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(read_));
@@ -94,6 +97,12 @@ Surfaces::Surfaces(int width, int height, osg::State* state)
     }
 }
 
+const Surfaces::One& Surfaces::one(fbrdf::Surface surface) const
+{
+    FBRDF_ASSERT(static_cast<int>(surface), !=, static_cast<int>(fbrdf::Surface::target));
+    return surfaces_[static_cast<size_t>(surface) - 1];
+}
+
 void Surfaces::releaseGLObjects(osg::State* state) const
 {
     depth_->releaseGLObjects(state);
@@ -107,12 +116,12 @@ bool SurfaceDraw::bind(osg::State& state) const
 {
     const auto& gl = *state.get<osg::GLExtensions>();
     surfaces_->framebuffer(surface_).apply(state);
-    // Where the texture was made just now, this unit has it and the state does not know.
+    // A texture that was made just now is bound to this unit without the state's knowledge.
     state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
     return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
 }
 
-/// Nothing is drawn. The viewer waits until as many leaves as are dynamic were drawn.
+/// Draws nothing, but counts the dynamic leaves as drawn, as the viewer waits for them.
 void SurfaceDraw::refuse(const osgUtil::RenderBin& bin, osg::State& state) const
 {
     surfaces_->refuse();

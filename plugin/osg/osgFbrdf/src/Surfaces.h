@@ -1,8 +1,10 @@
-// Surfaces.h - where sums wait for their last factor: RGBA32F surfaces as large as the viewport,
-// with a depth buffer in common. Shared by all effects of a view, which draw one after another.
+// Surfaces.h - the RGBA32F surfaces in which passes add up before the last factor or curve is
+// applied. They are as large as the viewport and have a depth buffer in common. All effects of a
+// view share them and draw one after another.
 //
 // Passes switch framebuffer objects while the host's render stage is being drawn, and put back
-// whatever was bound: so they work in a window, in an RTT camera and in a host's own framebuffer.
+// whatever was bound. So they work in a window, in a camera that draws to a texture, and in a
+// framebuffer of the host's own.
 #pragma once
 #include <fbrdf/plan/Plan.h>
 
@@ -22,7 +24,8 @@ class CullVisitor;
 
 namespace osgFbrdf {
 
-/// Size and attachments do not change. A context that cannot draw to them says so while drawing.
+/// Size and attachments do not change. A context that cannot draw to the surfaces refuses them
+/// while it draws.
 class Surfaces : public osg::Referenced {
 public:
     /// For the context of `state` alone, as framebuffers are not shared between contexts; null:
@@ -34,21 +37,22 @@ public:
     }
     int width() const { return width_; }
     int height() const { return height_; }
-    /// surface: not the target.
+    /// surface: any but the target.
     osg::Texture2D* texture(fbrdf::Surface surface) const { return one(surface).texture; }
     const osg::FrameBufferObject& framebuffer(fbrdf::Surface surface) const
     {
         return *one(surface).framebuffer;
     }
-    /// OSG numbers framebuffers by context, but deletes one in any context that shares objects:
-    /// this puts the attachments back.
+    /// Attaches the texture of the surface again. OSG numbers framebuffers by context, but deletes
+    /// one in any context that shares objects, and the attachments are lost with it.
     void attachAnew(fbrdf::Surface surface)
     {
         const One& lost = one(surface);
         lost.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
                                         osg::FrameBufferAttachment(lost.texture));
     }
-    /// Of the context of `state`; null: of all. They are made anew when drawn to.
+    /// Releases the objects of the context of `state`, or of all contexts where it is null. They
+    /// are made anew when they are drawn to.
     void releaseGLObjects(osg::State* state) const;
     bool usable() const { return usable_; }
     void refuse() { usable_ = false; }
@@ -61,10 +65,7 @@ private:
         osg::ref_ptr<osg::Texture2D> texture;
         osg::ref_ptr<osg::FrameBufferObject> framebuffer;
     };
-    const One& one(fbrdf::Surface surface) const
-    {
-        return surfaces_[static_cast<size_t>(surface) - 1];
-    }
+    const One& one(fbrdf::Surface surface) const;
 
     int width_, height_;
     osg::observer_ptr<osg::State> state_;
@@ -93,8 +94,8 @@ private:
     bool clearsDepth_;
 };
 
-/// True where pixels of the target have several samples: at edges surfaces of one sample hold
-/// nothing. Of a window that the host made only the host knows.
+/// True where pixels of the target have several samples: surfaces have one, and would lack what the
+/// others show at edges. False for a window that the host made, of which only the host knows.
 bool isMultisampled(osgUtil::CullVisitor& visitor);
 
 }  // namespace osgFbrdf

@@ -12,22 +12,23 @@ using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
 
 }  // namespace
 
-/// Asks when it is applied; the one that OSG makes by itself as a default asks nothing.
-class TechniqueChoice::Question : public osg::StateAttribute {
+/// Asks the context in which OSG applies it; the one that OSG makes by itself as a default does
+/// nothing.
+class TechniqueChoice::Probe : public osg::StateAttribute {
 public:
-    Question() = default;
-    Question(TechniqueChoice& choice, unsigned int round, const std::vector<ContextNeeds>& needs)
+    Probe() = default;
+    Probe(TechniqueChoice& choice, unsigned int round, const std::vector<ContextNeeds>& needs)
         : choice_(&choice), round_(round), needs_(needs)
     {
     }
-    Question(const Question& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY)
+    Probe(const Probe& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY)
         : osg::StateAttribute(other, op),
           choice_(other.choice_),
           round_(other.round_),
           needs_(other.needs_)
     {
     }
-    META_StateAttribute(osgFbrdf, Question, VALIDATOR)
+    META_StateAttribute(osgFbrdf, Probe, VALIDATOR)
 
     int compare(const osg::StateAttribute& other) const override
     {
@@ -90,10 +91,10 @@ unsigned int TechniqueChoice::round() const
     return round_;
 }
 
-osg::ref_ptr<osg::StateSet> TechniqueChoice::question(const std::vector<ContextNeeds>& needs)
+osg::ref_ptr<osg::StateSet> TechniqueChoice::probe(const std::vector<ContextNeeds>& needs)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttribute(new Question(*this, round(), needs));
+    state->setAttribute(new Probe(*this, round(), needs));
     return state;
 }
 

@@ -1,4 +1,4 @@
-// Vectors.h - vectors of OpenSceneGraph as those of the runtime.
+// Vectors.h - vectors of OpenSceneGraph as those of the runtime, and the other way round.
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
@@ -9,6 +9,12 @@ namespace osgFbrdf {
 inline fbrdf::Vec3f toVec3(const osg::Vec3d& v)
 {
     return fbrdf::Vec3f(fbrdf::Vec3d(v.x(), v.y(), v.z()));
+}
+
+inline osg::Vec3d toOsg(const fbrdf::Vec3f& v)
+{
+    const fbrdf::Vec3d d(v);
+    return {d.x, d.y, d.z};
 }
 
 }  // namespace osgFbrdf

@@ -1,34 +1,31 @@
 // FactorizedBrdf.h - the effect: everything below it is drawn with one factored material, lit by
 // every osgFbrdf::PointLights and every osg::LightSource of the scene.
 //
-// Techniques, best first: "single pass", "batched", "two look-ups per pass", "diffuse fallback".
-// Each needs less than the one before, so a choice that suits one context suits a lesser one; every
-// context is asked when it first draws. selectTechnique() forces one. Cameras of shadow maps, which
-// draw no colour or override materials, draw the children as they are. Plans and shaders are the
-// runtime's (fbrdf/plan, fbrdf/shaders).
+// The techniques are, best first, "single pass", "batched", "two look-ups per pass" and "diffuse
+// fallback". Each needs less than the one before, so what one context can draw a better one can
+// draw too; every context is asked when it first draws, and the best technique that all can draw is
+// taken. selectTechnique() forces one. Cameras of shadow maps, which draw no colour or override
+// materials, draw the children as they are. Plans and shaders are the runtime's (fbrdf/plan,
+// fbrdf/shaders).
 //
-// Lights. An osg::Light is read so that a white Lambertian looks as it does in fixed function:
-// diffuse colour, attenuation, cut-off and exponent; not while its mode GL_LIGHTn is off in a state
-// set above. Beyond eight lights whose attenuation is not 1 / r^2 it is taken where the middle of
-// the object is. Where the scene has no light, the light of the osg::View is used (osgViewer's
-// headlight). A camera sees the lights that its cull mask lets it see; those whose radius or cone
-// ends before the object cost nothing.
-// Output is radiance times exposure through the transfer, then osg::Fog where that is on; alpha 1.
-// Tangents matter to anisotropic materials only.
+// An osg::Light lights the effect as it lights a white Lambertian in fixed function: by its diffuse
+// colour, attenuation, cut-off and exponent, and not while a state set above turns its mode
+// GL_LIGHTn off. After the first eight lights whose attenuation is not 1 / r^2, a light is
+// everywhere as bright as it should be in the middle of the object. Where the scene has no light,
+// the light of the osg::View is used (osgViewer's headlight). A camera sees the lights that its
+// cull mask lets it see. Lights whose radius or cone ends before the object cost nothing.
+//
+// What is drawn is radiance times exposure through the transfer, then osg::Fog where that is on;
+// alpha is 1. Tangents matter to anisotropic materials only.
 #pragma once
 #include <osgFbrdf/MaterialObject.h>
 
 #include <fbrdf/plan/Transfer.h>
 
-#include <osg/observer_ptr>
 #include <osgDB/Options>
 #include <osgFX/Effect>
 
-#include <OpenThreads/Mutex>
-
-#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -39,9 +36,10 @@ class GLObjectsVisitor;
 
 namespace osgFbrdf {
 
-constexpr unsigned int kTangentAttribute = 6;  ///< where osgFX::BumpMapping has tangents too
+/// The vertex attribute that has tangents; osgFX::BumpMapping has them there too.
+constexpr unsigned int kTangentAttribute = 6;
 
-/// Order of the techniques of an effect.
+/// The techniques of an effect in their order, as selectTechnique() takes them.
 enum TechniqueIndex { kSinglePass, kBatched, kTwoLookups, kDiffuseFallback };
 
 /// What the last cull of an effect did.
@@ -50,15 +48,14 @@ struct DrawReport {
     std::string reason;     ///< why that is not the one selected; empty when it is
     int passes = 0;
     int lightsUsed = 0;
-    int lightsDropped = 0;  ///< not valid, or too many for the fallback or for one pass
-    int lightsCulled = 0;   ///< cannot reach the object
-    int maxLookups = 0;     ///< in any pass
+    int lightsDropped = 0;  ///< lights that are not valid, or too many for what was drawn
+    int lightsCulled = 0;   ///< lights that cannot reach the object
+    int maxLookups = 0;     ///< the most texture look-ups of any pass
 };
 
 struct ContextNeeds;
+class EffectInternals;
 class FileWatch;
-class TechniqueChoice;
-class Surfaces;
 
 class FactorizedBrdf : public osgFX::Effect {
 public:
@@ -82,22 +79,26 @@ public:
     void setReloading(bool reloading);
     bool getReloading() const { return reloading_; }
     /// A material from memory or shared with other effects; null: the fallback. Where it has no
-    /// file name, scene files hold the material itself.
+    /// file name, scene files contain the material itself.
     void setMaterial(MaterialObject* material);
     MaterialObject* getMaterial() const { return material_.get(); }
 
-    void setExposure(float exposure) { exposure_ = exposure; }  ///< >= 0, times radiance
+    /// Radiance is multiplied by it; >= 0.
+    void setExposure(float exposure) { exposure_ = exposure; }
     float getExposure() const { return exposure_; }
     /// What is stored of exposure times radiance: linear (the default), or a curve, as a window
     /// without sRGB needs. A curve comes after the sum over all passes: several passes then add up
-    /// in an RGBA32F surface. The fallback heeds neither.
+    /// in an RGBA32F surface. The fallback ignores the transfer.
     void setTransfer(fbrdf::Transfer transfer);
     fbrdf::Transfer getTransfer() const { return transfer_; }
-    void setLightsPerPass(int lights);  ///< "batched" only, >= 1
+    /// Lights in each pass of the technique "batched"; >= 1.
+    void setLightsPerPass(int lights);
     int getLightsPerPass() const { return lightsPerPass_; }
-    void setLookupsPerPass(int lookups);  ///< limit in any pass; 0: what the technique says
+    /// The most texture look-ups that any pass may have; 0: the limit of the technique.
+    void setLookupsPerPass(int lookups);
     int getLookupsPerPass() const { return lookupsPerPass_; }
-    void setFirstTextureUnit(int unit);  ///< the maps take this unit and those after it
+    /// The maps take this texture unit and those after it.
+    void setFirstTextureUnit(int unit);
     int getFirstTextureUnit() const { return firstTextureUnit_; }
     /// False: tangents are vertex attribute kTangentAttribute, and the frame is arbitrary where
     /// the model has none. True: derived per pixel, towards increasing s of texture coordinates 0.
@@ -109,20 +110,10 @@ public:
     void setFloatTarget(bool isFloat);
     bool getFloatTarget() const { return floatTarget_; }
 
-    void setUpDemo() override;  ///< brushed metal, for osgfxbrowser
+    /// Sets a brushed metal, for osgfxbrowser.
+    void setUpDemo() override;
 
     DrawReport lastReport() const;
-    void report(const DrawReport& report);  ///< called by the techniques
-    /// Why the last context that refused a technique did so; empty: none did. Both are called by
-    /// the techniques.
-    std::string refusal() const;
-    void refuse(const std::string& reason) const;
-    /// Called by the techniques: releaseGLObjects() releases these too, as long as they are there.
-    void uses(Surfaces& surfaces) const;
-    /// True until arraysForgotten says that the context has drawn since releaseGLObjects; both are
-    /// called by the techniques.
-    bool arraysReleased(unsigned int contextId) const;
-    void arraysForgotten(unsigned int contextId);
 
     void traverse(osg::NodeVisitor& visitor) override;
     void resizeGLObjectBuffers(unsigned int maxSize) override;
@@ -139,7 +130,6 @@ private:
     void compile(osgUtil::GLObjectsVisitor& visitor);
     bool replaceMaterial(const osg::ref_ptr<MaterialObject>& material);
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
-    void warnOnce(const std::string& kind, const std::string& problem);
 
     std::string materialFile_;
     osg::ref_ptr<MaterialObject> material_;
@@ -148,13 +138,7 @@ private:
     bool floatTarget_ = false, derivedTangents_ = false, reloading_ = false;
     fbrdf::Transfer transfer_ = fbrdf::Transfer::linear;
     std::unique_ptr<FileWatch> watch_;
-    osg::ref_ptr<TechniqueChoice> choice_;
-    mutable OpenThreads::Mutex reporting_;
-    DrawReport report_;           ///< guarded by reporting_, as what follows
-    std::set<std::string> said_;  ///< kinds that the log has, since the last change
-    mutable std::vector<osg::observer_ptr<Surfaces>> surfaces_;
-    mutable unsigned int releases_ = 0;
-    std::map<unsigned int, unsigned int> forgotten_;  ///< releases that a context knows of
+    osg::ref_ptr<EffectInternals> internals_;
 };
 
 /// Plugin data of the options by which osgdb_fbrdf is asked for a MaterialObject. Without it a

@@ -1,4 +1,4 @@
-// osg::Lights: the law of each is OpenGL's, which draws the same sphere beside ours.
+// osg::Lights light the effect as OpenGL lights: OpenGL draws the same sphere beside ours.
 #include "EffectTest.h"
 
 #include "support/gl/CompareImages.h"
@@ -15,10 +15,10 @@ namespace {
 
 using osgFbrdf::FactorizedBrdf;
 
-// OpenGL lights vertices and interpolates colours; of a sphere of 192 columns.
+// OpenGL lights vertices and interpolates colours, here of a sphere of 192 columns.
 constexpr double kAgainstVertices = 4e-3;
 
-/// 1 / pi everywhere.
+/// A material of 1 / pi everywhere: a white Lambertian.
 Material white()
 {
     Material material;
@@ -42,7 +42,7 @@ osg::ref_ptr<osg::LightSource> sourceOf(osg::Light* light)
     return source;
 }
 
-/// Under the modes that OpenGL needs.
+/// The node under the modes that OpenGL needs.
 osg::ref_ptr<osg::Group> lit(osg::Node* node, const std::vector<osg::ref_ptr<osg::Light>>& lights)
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -70,7 +70,7 @@ osg::ref_ptr<osg::Light> lightAt(unsigned int number, const osg::Vec4f& position
     return light;
 }
 
-class PlainLights : public EffectTest {
+class OsgLights : public EffectTest {
 protected:
     std::vector<float> ours(const std::vector<osg::ref_ptr<osg::Light>>& lights)
     {
@@ -105,11 +105,11 @@ protected:
     osg::ref_ptr<FactorizedBrdf> effect_;
 };
 
-TEST_F(PlainLights, AttenuationIsThatOfOpenGl)
+TEST_F(OsgLights, AttenuationIsThatOfOpenGl)
 {
     for (const auto& [constant, linear, quadratic] : std::vector<std::array<float, 3>>{
              {1.0f, 0.0f, 0.0f}, {0.0f, 0.7f, 0.0f}, {0.0f, 0.0f, 0.5f}, {0.5f, 0.25f, 0.125f}}) {
-        // Close: over the sphere the distance doubles.
+        // The light is so close that the distance doubles over the sphere.
         const auto light = lightAt(0, {0.4f, 0.3f, 2.2f, 1.0f});
         light->setConstantAttenuation(constant);
         light->setLinearAttenuation(linear);
@@ -119,7 +119,7 @@ TEST_F(PlainLights, AttenuationIsThatOfOpenGl)
     }
 }
 
-TEST_F(PlainLights, ConesAreThoseOfOpenGl)
+TEST_F(OsgLights, ConesAreThoseOfOpenGl)
 {
     for (const float exponent : {1.0f, 8.0f, 40.0f}) {
         const auto light = lightAt(2, {0.5f, 0.5f, 4.0f, 1.0f});
@@ -130,12 +130,12 @@ TEST_F(PlainLights, ConesAreThoseOfOpenGl)
     }
 }
 
-TEST_F(PlainLights, ADirectionalOneHasNoLaw)
+TEST_F(OsgLights, ADirectionalOneIsNotAttenuated)
 {
     expectSame({lightAt(5, {1.0f, 1.0f, 2.0f, 0.0f})}, "directional");
 }
 
-TEST_F(PlainLights, EightOfThemAddUp)
+TEST_F(OsgLights, EightOfThemAddUp)
 {
     std::vector<osg::ref_ptr<osg::Light>> lights;
     for (unsigned int number = 0; number < 8; ++number) {
@@ -155,8 +155,8 @@ TEST_F(PlainLights, EightOfThemAddUp)
     }
 }
 
-// Which light has which law goes with each batch.
-TEST_F(PlainLights, LawsAreKeptAmongHundredsOfOthers)
+// Each batch of lights has the right attenuations.
+TEST_F(OsgLights, AttenuationIsKeptAmongHundredsOfOthers)
 {
     std::vector<Light> many;
     for (int i = 0; i < 300; ++i) {
@@ -174,7 +174,7 @@ TEST_F(PlainLights, LawsAreKeptAmongHundredsOfOthers)
     const auto node = osgLights(many);
     root->addChild(node);
     const auto both = view_->frame();
-    EXPECT_EQ(effect_->lastReport().passes, 2);  // a light with a law needs more uniforms
+    EXPECT_EQ(effect_->lastReport().passes, 2);  // an attenuated light needs more uniforms
     root->removeChild(1);
     auto sum = view_->frame();
     EXPECT_EQ(effect_->lastReport().passes, 1);
@@ -188,8 +188,8 @@ TEST_F(PlainLights, LawsAreKeptAmongHundredsOfOthers)
     EXPECT_LT(one.maxRelative, 1e-4) << describe(one);
 }
 
-// Beyond the laws that a program has room for: as bright in the middle.
-TEST_F(PlainLights, TheNinthIsTakenWhereTheObjectIs)
+// A light for whose attenuation a program has no room is right in the middle of the object.
+TEST_F(OsgLights, TheNinthIsTakenWhereTheObjectIs)
 {
     std::vector<osg::ref_ptr<osg::Light>> eight, nine;
     for (unsigned int number = 0; number < 8; ++number)
@@ -201,11 +201,11 @@ TEST_F(PlainLights, TheNinthIsTakenWhereTheObjectIs)
     const auto found = view_->frame();
     const auto expected = ours({ninth});
     EXPECT_GT(meanOf(expected, 0), 0.05);
-    // The sphere is 2 of 30 away from its middle at most.
+    // No point of the sphere is farther from its middle than 2 of the 30 to the light.
     EXPECT_NEAR(meanOf(found, 0), meanOf(expected, 0), 0.1 * meanOf(expected, 0));
 }
 
-TEST_F(PlainLights, ALightWhoseModeIsOffIsOff)
+TEST_F(OsgLights, ALightWhoseModeIsOffIsOff)
 {
     const auto key = lightAt(0, {1.0f, 1.0f, 4.0f, 1.0f}),
                fill = lightAt(1, {-3.0f, 0.0f, 2.0f, 1.0f});
@@ -220,7 +220,7 @@ TEST_F(PlainLights, ALightWhoseModeIsOffIsOff)
     EXPECT_EQ(one, ours({key}));
 }
 
-TEST_F(PlainLights, AreSeenThroughTheMaskOfTheView)
+TEST_F(OsgLights, AreSeenThroughTheMaskOfTheView)
 {
     const auto hidden = osgLights(testLights(2));
     hidden->setNodeMask(0x2);
@@ -237,7 +237,7 @@ TEST_F(PlainLights, AreSeenThroughTheMaskOfTheView)
     EXPECT_EQ(effect_->lastReport().lightsUsed + effect_->lastReport().lightsCulled, 5);
 }
 
-TEST_F(PlainLights, LevelsOfDetailOfLightsAreThoseOfTheView)
+TEST_F(OsgLights, LevelsOfDetailOfLightsAreThoseOfTheView)
 {
     osg::ref_ptr<osg::LOD> levels = new osg::LOD;
     levels->setCenterMode(osg::LOD::USER_DEFINED_CENTER);
@@ -259,8 +259,8 @@ TEST_F(PlainLights, LevelsOfDetailOfLightsAreThoseOfTheView)
     EXPECT_EQ(effect_->lastReport().lightsUsed + effect_->lastReport().lightsCulled, 2);
 }
 
-// What cannot reach the object costs no pass.
-TEST_F(PlainLights, LightsOutOfReachAreCulled)
+// A light that cannot reach the object costs no pass.
+TEST_F(OsgLights, LightsOutOfReachAreCulled)
 {
     std::vector<Light> lights = testLights(3);
     for (Light& light : lights) light.radius = 0.0f;
@@ -273,7 +273,7 @@ TEST_F(PlainLights, LightsOutOfReachAreCulled)
     }
     effect_ = osgEffect(testMaterials()[2], sphereMesh(24));
     effect_->selectTechnique(osgFbrdf::kTwoLookups);
-    // A scale above the object makes it larger; still far.
+    // A scale above the object makes it larger, and the light is still far away.
     osg::ref_ptr<osg::MatrixTransform> larger =
         new osg::MatrixTransform(osg::Matrixd::scale(2.0, 1.0, 1.5));
     larger->addChild(effect_);

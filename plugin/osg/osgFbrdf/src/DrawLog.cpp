@@ -1,0 +1,60 @@
+#include "DrawLog.h"
+
+#include <osg/Notify>
+
+#include <OpenThreads/ScopedLock>
+
+namespace osgFbrdf {
+namespace {
+
+using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
+
+/// By its name and the file of its material, as far as there are such.
+std::string nameOf(const FactorizedBrdf& effect)
+{
+    const std::string &name = effect.getName(), &file = effect.getMaterialFile();
+    if (name.empty()) return file.empty() ? "an effect without a name" : file;
+    return "'" + name + "'" + (file.empty() ? "" : ", " + file);
+}
+
+std::string lightsLeftOut(const DrawReport& report)
+{
+    return "lights are left out: found " +
+           std::to_string(report.lightsDropped + report.lightsUsed) + ", " +
+           std::to_string(report.lightsUsed) +
+           " of which are valid and within what the technique can draw";
+}
+
+}  // namespace
+
+void DrawLog::warnOnce(const FactorizedBrdf& effect, const std::string& kind,
+                       const std::string& problem)
+{
+    if (warned_.insert(kind).second)
+        OSG_WARN << "osgFbrdf: " << nameOf(effect) << ": " << problem << std::endl;
+}
+
+void DrawLog::report(const FactorizedBrdf& effect, const DrawReport& report)
+{
+    const Lock lock(mutex_);
+    if (!report.reason.empty())
+        warnOnce(effect, report.reason, report.technique + " is drawn: " + report.reason);
+    // Whoever forces the fallback knows that it has eight lights.
+    if (report.lightsDropped > 0 && effect.getSelectedTechnique() != kDiffuseFallback)
+        warnOnce(effect, "lights", lightsLeftOut(report));
+    last_ = report;
+}
+
+DrawReport DrawLog::last() const
+{
+    const Lock lock(mutex_);
+    return last_;
+}
+
+void DrawLog::forgetWarnings()
+{
+    const Lock lock(mutex_);
+    warned_.clear();
+}
+
+}  // namespace osgFbrdf

@@ -1,0 +1,20 @@
+// EffectInternals.h - what the techniques of an effect keep with it and users of the effect do not
+// see. Every member is safe to use from several threads at once.
+#pragma once
+#include "DrawLog.h"
+#include "GlObjectsInUse.h"
+#include "TechniqueChoice.h"
+
+namespace osgFbrdf {
+
+class EffectInternals : public osg::Referenced {
+public:
+    DrawLog log;
+    GlObjectsInUse objects;
+    const osg::ref_ptr<TechniqueChoice> choice = new TechniqueChoice;
+
+protected:
+    ~EffectInternals() override = default;
+};
+
+}  // namespace osgFbrdf

@@ -1,0 +1,70 @@
+// What a material keeps from frame to frame: plans and the state sets of their passes. No GL.
+#include "MaterialStates.h"
+
+#include "support/gl/Scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fbrdf::test {
+namespace {
+
+using osgFbrdf::MaterialStates;
+using osgFbrdf::PassInputs;
+
+PlanRequest requestFor(int lights)
+{
+    PlanRequest request;
+    request.technique = Technique::twoLookup;
+    request.lights = lights;
+    return request;
+}
+
+TEST(MaterialStates, GivesTheSamePassesForTheSameRequest)
+{
+    const osg::ref_ptr<MaterialStates> states = new MaterialStates(testMaterials()[0]);
+    const auto first = states->passes(requestFor(3), {});
+    ASSERT_TRUE(first->plan.feasible()) << first->plan.reason;
+    EXPECT_EQ(first->states.size(), first->plan.passes.size());
+    EXPECT_EQ(states->passes(requestFor(3), {}), first);
+}
+
+// Each of these changes the plan or a program: a key that left one out would draw the wrong passes.
+TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
+{
+    const osg::ref_ptr<MaterialStates> states = new MaterialStates(testMaterials()[0]);
+    const PlanRequest usual = requestFor(3);
+    std::vector<PlanRequest> requests(7, usual);
+    requests[0].technique = Technique::batched;
+    requests[1].lights = 4;
+    requests[2].lightsPerPass = 2;
+    requests[3].maxLookups = 5;
+    requests[4].target = ColourFormat::rgba8;
+    requests[5].offscreen = false;
+    requests[6].transfer = Transfer::srgb;
+    const auto first = states->passes(usual, {});
+    for (size_t i = 0; i < requests.size(); ++i)
+        EXPECT_NE(states->passes(requests[i], {}), first) << "request " << i;
+    std::vector<PassInputs> inputs(3);
+    inputs[0].firstTextureUnit = 2;
+    inputs[1].derivedTangents = true;
+    inputs[2].attenuated = true;
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const auto other = states->passes(usual, inputs[i]);
+        ASSERT_EQ(other->states.size(), first->states.size());
+        EXPECT_NE(other->states.front(), first->states.front()) << "inputs " << i;
+    }
+}
+
+// Lights come into reach and go: the plans of long ago are dropped, and made again when asked for.
+TEST(MaterialStates, ForgetsPlansThatAreNotAskedForAgain)
+{
+    const osg::ref_ptr<MaterialStates> states = new MaterialStates(testMaterials()[0]);
+    const std::weak_ptr<const osgFbrdf::PlannedPasses> first = states->passes(requestFor(1), {});
+    EXPECT_FALSE(first.expired());
+    for (int lights = 2; lights < 100; ++lights) states->passes(requestFor(lights), {});
+    EXPECT_TRUE(first.expired());
+    EXPECT_TRUE(states->passes(requestFor(1), {})->plan.feasible());
+}
+
+}  // namespace
+}  // namespace fbrdf::test
