@@ -12,7 +12,7 @@ namespace {
 
 using osgFbrdf::PointLights;
 
-// Longer lists are damage: 10 million lights are 320 MB.
+// Longer lists can only be damage: 10 million lights take 320 MB.
 constexpr unsigned int kMostLights = 10000000;
 
 bool checkLights(const PointLights& node)
@@ -22,8 +22,9 @@ bool checkLights(const PointLights& node)
 
 using Type = fbrdf::Light::Type;
 
-/// First line: x y z and 0 (towards a directional light), 1 (point) or 2 (spot); red green blue
-/// radius. A spot has a second: axis, inner and outer angle.
+/// A line has x y z of the position, or of the direction to a directional light, then 0 for a
+/// directional light, 1 for a point light and 2 for a spot, then red green blue radius. A spot has
+/// a second line: its axis, inner and outer angle.
 osg::Vec4f placeOf(const fbrdf::Light& light)
 {
     const float kind = light.type == Type::directional ? 0.0f
@@ -40,10 +41,15 @@ void readLight(osgDB::InputStream& stream, PointLights& node)
         colour(intensity.x(), intensity.y(), intensity.z());
     if (place.w() < 0.5f) return node.addDirectional(position, colour);
     if (place.w() < 1.5f) return node.addPoint(position, colour, intensity.w());
-    osg::Vec3f axis;
+    PointLights::Spot spot;
     osg::Vec2f angles;
-    stream >> axis >> angles;
-    node.addSpot(position, colour, axis, angles.x(), angles.y(), intensity.w());
+    stream >> spot.axis >> angles;
+    spot.position = position;
+    spot.intensity = colour;
+    spot.innerAngle = angles.x();
+    spot.outerAngle = angles.y();
+    spot.radius = intensity.w();
+    node.addSpot(spot);
 }
 
 bool readLights(osgDB::InputStream& stream, PointLights& node)

@@ -33,11 +33,17 @@ void PointLights::addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& ir
     lights_.push_back({fbrdf::Light::Type::directional, toVec3(toLight), toVec3(irradiance), 0.0f});
 }
 
-void PointLights::addSpot(const osg::Vec3f& position, const osg::Vec3f& intensity,
-                          const osg::Vec3f& axis, float innerAngle, float outerAngle, float radius)
+void PointLights::addSpot(const Spot& spot)
 {
-    lights_.push_back({fbrdf::Light::Type::spot, toVec3(position), toVec3(intensity), radius,
-                       toVec3(axis), innerAngle, outerAngle});
+    fbrdf::Light light;
+    light.type = fbrdf::Light::Type::spot;
+    light.position = toVec3(spot.position);
+    light.intensity = toVec3(spot.intensity);
+    light.axis = toVec3(spot.axis);
+    light.innerAngle = spot.innerAngle;
+    light.outerAngle = spot.outerAngle;
+    light.radius = spot.radius;
+    lights_.push_back(light);
 }
 
 }  // namespace osgFbrdf

@@ -1,6 +1,5 @@
-// PointLights.h - any number of point, directional and spot lights in a scene graph. Every
-// FactorizedBrdf in the same scene is lit by all of them; nothing else is: osg::Light ends at
-// eight.
+// PointLights.h - any number of point, directional and spot lights in a scene graph, of which
+// osg::Light has eight. All of them light every FactorizedBrdf in the same scene, and nothing else.
 #pragma once
 #include <fbrdf/plan/Light.h>
 
@@ -11,9 +10,9 @@
 
 namespace osgFbrdf {
 
-/// Lights in the coordinates of the node: transforms above move positions and turn directions,
-/// intensity and radius stay (world units). Change them in the update traversal. A light that is
-/// not valid (fbrdf/plan/Light.h) lights nothing and is reported as dropped.
+/// Lights in the coordinates of the node. Transforms above move positions and turn directions;
+/// intensity and radius stay, in units of the world. Change lights in the update traversal. A light
+/// that is not valid (fbrdf/plan/Light.h) lights nothing and is reported as dropped.
 class PointLights : public osg::Group {
 public:
     PointLights() = default;
@@ -22,12 +21,18 @@ public:
 
     /// intensity: W/sr, falls off as 1 / r^2; radius: of influence, 0: unlimited.
     void addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius = 0.0f);
-    /// toLight: need not be unit; irradiance on a surface that faces the light.
+    /// toLight: need not be unit; irradiance: on a surface that faces the light.
     void addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& irradiance);
-    /// A point light inside a cone around `axis` (need not be unit): full up to innerAngle, nothing
-    /// beyond outerAngle; radians.
-    void addSpot(const osg::Vec3f& position, const osg::Vec3f& intensity, const osg::Vec3f& axis,
-                 float innerAngle, float outerAngle, float radius = 0.0f);
+    /// A point light inside a cone.
+    struct Spot {
+        osg::Vec3f position;
+        osg::Vec3f intensity{1.0f, 1.0f, 1.0f};  ///< on the axis; W/sr, falls off as 1 / r^2
+        osg::Vec3f axis{0.0f, 0.0f, -1.0f};      ///< where it shines; need not be unit
+        /// Radians from the axis: full inside the inner angle, nothing outside the outer one.
+        float innerAngle = 0.0f, outerAngle = 0.785398f;  // 45 degrees, as of fbrdf::Light
+        float radius = 0.0f;                              ///< of influence, 0: unlimited
+    };
+    void addSpot(const Spot& spot);
 
     void setLights(const std::vector<fbrdf::Light>& lights) { lights_ = lights; }
     const std::vector<fbrdf::Light>& getLights() const { return lights_; }
