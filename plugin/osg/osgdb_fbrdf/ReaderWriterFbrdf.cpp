@@ -1,10 +1,11 @@
 // osgdb_fbrdf: materials for osgDB. FILE.fbrdf is a sphere of that material, or the material itself
 // where osgFbrdf::readMaterialObject() asks; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it.
-// SCENE.EXT.fbrdf, where that is no material, is SCENE.EXT in the plain form
-// (osgFbrdf/PlainForm.h): written and restored. Written to FILE.fbrdf and to streams are materials:
-// of an object, or the one of a scene.
+// SCENE.EXT.fbrdf, where that is no material, writes SCENE.EXT in the plain form
+// (osgFbrdf/PlainForm.h) and reads it back. What is written to FILE.fbrdf and to streams is the
+// material of an object, or the one material of a scene.
 #include "Arguments.h"
 #include "MaterialOf.h"
+#include "MaterialsInUse.h"
 #include "Sphere.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
@@ -39,8 +40,8 @@ public:
 
     ReadResult readObject(const std::string& file, const Options* options) const override
     {
-        const bool material = options && !options->getPluginStringData(kReadMaterial).empty();
-        return material ? readMaterialFile(file, options) : readNode(file, options);
+        const std::string how = options ? options->getPluginStringData(kReadMaterial) : "";
+        return how.empty() ? readNode(file, options) : readMaterialFile(file, options, how);
     }
 
     ReadResult readNode(const std::string& file, const Options* options) const override
@@ -51,10 +52,11 @@ public:
         if (!name.model.empty()) return readModel(name, options);
         if (osgDB::findDataFile(file, options).empty() && !plainName(file).empty())
             return readPlain(plainName(file), options);
-        const ReadResult material = readMaterialFile(file, options);
-        if (!material.success()) return material;
+        ReadResult read = readMaterialFile(file, options, kShared);
+        auto* material = dynamic_cast<MaterialObject*>(read.getObject());
+        if (!material) return read;
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
-        effect->setMaterialFile(file, options);
+        effect->setMaterial(material, options);
         effect->addChild(unitSphere());
         return effect.get();
     }
@@ -124,7 +126,7 @@ private:
         });
     }
 
-    /// What became of write(the material of the object).
+    /// Calls write with the material of the object, and returns what became of it.
     template <class Write>
     static WriteResult written(const osg::Object& object, const std::string& where, Write write)
     {
@@ -139,13 +141,22 @@ private:
         return WriteResult::FILE_SAVED;
     }
 
-    static ReadResult readMaterialFile(const std::string& file, const Options* options)
+    /// how: kShared or kAnew.
+    ReadResult readMaterialFile(const std::string& file, const Options* options,
+                                const std::string& how) const
     {
         const std::string path = osgDB::findDataFile(file, options);
         if (path.empty()) return notFound(file);
+        // The key is made before the file is read: one that changes meanwhile is read again.
+        const MaterialsInUse::Key key = MaterialsInUse::keyOf(file, path);
+        const auto known = how == kAnew ? nullptr : inUse_.find(key);
+        if (known) return known.get();
         if (!fbrdf::isMaterialFile(path)) return ReadResult::FILE_NOT_HANDLED;
         try {
-            return new MaterialObject(fbrdf::readMaterial(path), file);
+            const osg::ref_ptr<MaterialObject> material =
+                new MaterialObject(fbrdf::readMaterial(path), file);
+            inUse_.add(key, *material);
+            return material.get();
         } catch (const fbrdf::Error& error) {
             return ReadResult(std::string(error.what()));
         }
@@ -161,7 +172,7 @@ private:
         return restored(*scene, local).get();
     }
 
-    /// Options that look in the folder of a file first.
+    /// Options that search the folder of a file first.
     static osg::ref_ptr<Options> besides(const std::string& path, const Options* options)
     {
         osg::ref_ptr<Options> local = options ? new Options(*options) : new Options;
@@ -174,7 +185,7 @@ private:
         return ReadResult(file + ": found no such file, expected a material");
     }
 
-    /// The effect with what the option string says; what it does not say stays the default.
+    /// An effect with the properties of the option string; others have their defaults.
     static osg::ref_ptr<FactorizedBrdf> newEffect(const Options* options)
     {
         osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
@@ -190,12 +201,14 @@ private:
         if (!model) return ReadResult(name.model + ": found no model that can be read");
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setName(name.model);
-        // Found beside the model too. Without its material the model is drawn by the fallback.
+        // The material may also be beside the model. Without it the fallback draws the model.
         effect->setMaterialFile(name.material,
                                 besides(osgDB::findDataFile(name.model, options), options));
         effect->addChild(model);
         return effect.get();
     }
+
+    mutable MaterialsInUse inUse_;
 };
 
 }  // namespace

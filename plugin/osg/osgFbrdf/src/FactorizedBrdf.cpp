@@ -18,8 +18,11 @@
 
 namespace osgFbrdf {
 
-osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
-                                                const osgDB::Options* options)
+namespace {
+
+/// how: kShared or kAnew.
+osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options* options,
+                                  const char* how)
 {
     auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension("fbrdf");
     if (!reader) {
@@ -30,7 +33,7 @@ osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
     }
     const osg::ref_ptr<osgDB::Options> local =
         options ? new osgDB::Options(*options) : new osgDB::Options;
-    local->setPluginStringData(kReadMaterial, "1");
+    local->setPluginStringData(kReadMaterial, how);
     auto result = reader->readObject(file, local);
     osg::ref_ptr<MaterialObject> material = dynamic_cast<MaterialObject*>(result.getObject());
     if (!material)
@@ -39,6 +42,14 @@ osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
                                               : result.message())
                  << std::endl;
     return material;
+}
+
+}  // namespace
+
+osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
+                                                const osgDB::Options* options)
+{
+    return read(file, options, kShared);
 }
 
 FactorizedBrdf::FactorizedBrdf()
@@ -78,7 +89,7 @@ bool FactorizedBrdf::setMaterialFile(const std::string& file, const osgDB::Optio
 
 bool FactorizedBrdf::reloadMaterial(const osgDB::Options* options)
 {
-    return !materialFile_.empty() && replaceMaterial(readMaterialObject(materialFile_, options));
+    return !materialFile_.empty() && replaceMaterial(read(materialFile_, options, kAnew));
 }
 
 /// Null changes nothing.
@@ -102,14 +113,14 @@ void FactorizedBrdf::reloadWhenChanged(const osg::NodeVisitor& visitor)
 {
     const osg::FrameStamp* stamp = visitor.getFrameStamp();
     if (stamp && watch_->changed(stamp->getReferenceTime()))
-        replaceMaterial(readMaterialObject(watch_->path()));
+        replaceMaterial(read(watch_->path(), nullptr, kAnew));
 }
 
-void FactorizedBrdf::setMaterial(MaterialObject* material)
+void FactorizedBrdf::setMaterial(MaterialObject* material, const osgDB::Options* options)
 {
     material_ = material;
     materialFile_ = material ? material->fileName() : "";
-    watch_->follow(materialFile_.empty() ? "" : osgDB::findDataFile(materialFile_));
+    watch_->follow(materialFile_.empty() ? "" : osgDB::findDataFile(materialFile_, options));
     changed();
 }
 

@@ -79,8 +79,9 @@ public:
     void setReloading(bool reloading);
     bool getReloading() const { return reloading_; }
     /// A material from memory or shared with other effects; null: the fallback. Where it has no
-    /// file name, scene files contain the material itself.
-    void setMaterial(MaterialObject* material);
+    /// file name, scene files contain the material itself. options: where to look for the file that
+    /// setReloading() watches.
+    void setMaterial(MaterialObject* material, const osgDB::Options* options = nullptr);
     MaterialObject* getMaterial() const { return material_.get(); }
 
     /// Radiance is multiplied by it; >= 0.
@@ -145,9 +146,13 @@ private:
 /// material is read as a node, also where an object is asked for: osgconv 3.6 asks for objects, and
 /// crashes when it gets anything but nodes and images.
 constexpr const char* kReadMaterial = "osgFbrdf::MaterialObject";
+/// Values of that data. kShared: the object that was made of the same file where one is still in
+/// use; kAnew: another object.
+constexpr const char *kShared = "shared", *kAnew = "anew";
 
 /// Reads a material file through the osgdb_fbrdf plugin; null, with a warning through osg::notify
-/// that names file and reason, where that fails.
+/// that names file and reason, where that fails. As long as one is in use, the same file gives the
+/// same object.
 osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
                                                 const osgDB::Options* options = nullptr);
 
