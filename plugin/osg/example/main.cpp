@@ -1,9 +1,8 @@
-// fbrdf-osg-knot: a torus knot of a measured material under many lights, as OpenSceneGraph draws
-// it.
+// fbrdf-osg-knot draws a torus knot of a measured material under many lights with OpenSceneGraph.
 //   fbrdf-osg-knot [--lights N] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
 //   fbrdf-osg-knot --model MODEL.osgt
-// With a second name the scene is not shown but saved, as a scene or as its first picture. The
-// model alone is for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
+// With a second name the scene is saved instead of shown, as a scene file or as a picture. --model
+// saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
@@ -21,7 +20,7 @@ namespace {
 constexpr int kSegments = 400, kSides = 32, kLights = 200, kMostLights = 100000;
 constexpr float kTube = 0.3f;
 
-/// The (2, 5) torus knot, about the y axis, along which OSG's viewers look at first.
+/// The centre line of the (2, 5) torus knot about the y axis, along which OSG's viewers look first.
 osg::Vec3f centreLine(double u)
 {
     const double r = 1.0 + 0.4 * std::cos(5.0 * u);
@@ -69,8 +68,8 @@ osg::ref_ptr<osg::Geometry> knotOf()
     return knot;
 }
 
-/// Lights evenly over a sphere (golden angle), in many hues, every eighth a strong one; together as
-/// bright whatever their number.
+/// Lights spread evenly over a sphere (golden angle), in many hues, of which every eighth is
+/// strong. Together they are as bright whatever their number.
 osg::ref_ptr<osgFbrdf::PointLights> lightsAround(int count)
 {
     osg::ref_ptr<osgFbrdf::PointLights> lights = new osgFbrdf::PointLights;
@@ -89,7 +88,7 @@ osg::ref_ptr<osgFbrdf::PointLights> lightsAround(int count)
     return lights;
 }
 
-/// Keeps what a camera has drawn.
+/// Keeps the picture that a camera has drawn.
 class Keep : public osg::Camera::DrawCallback {
 public:
     void operator()(osg::RenderInfo& info) const override
@@ -145,7 +144,7 @@ int main(int argc, char** argv)
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(effect);
     scene->addChild(lightsAround(lightCount));
-    // 3. Saved, or shown.
+    // 3. The scene is saved or shown.
     if (argc == 3 && osgDB::getLowerCaseFileExtension(argv[2]) == "png")
         return savePicture(*scene, argv[2]) ? 0 : 5;
     if (argc == 3) return osgDB::writeNodeFile(*scene, argv[2]) ? 0 : 5;

@@ -84,8 +84,8 @@ PseudoName pseudoName(const std::string& file)
         if (open == std::string::npos || open == 0) return {};
         return {rest.substr(0, open), rest.substr(open + 2, rest.size() - open - 3)};
     }
-    // MODEL.EXT.NAME: only where MODEL has an extension itself, or a material called "a.b.fbrdf"
-    // would never be found.
+    // A name is MODEL.EXT.NAME only where MODEL has an extension itself, or a material called
+    // "a.b.fbrdf" would never be found.
     const std::string model = osgDB::getNameLessExtension(rest);
     if (model == rest || osgDB::getFileExtension(model).empty()) return {};
     return {model, osgDB::getFileExtension(rest) + ".fbrdf"};
@@ -99,16 +99,17 @@ std::string plainName(const std::string& file)
 
 std::vector<OptionText> optionTexts()
 {
-    return {
-        {"exposure=<number>", "Times radiance; default 1"},
-        {"technique=auto|single|batched|two-lookup|diffuse", "Default auto"},
-        {"lightsPerPass=<n>", "Of the technique batched; default 8"},
-        {"lookupsPerPass=<n>", "Texture look-ups in any pass; default 0: as the technique says"},
-        {"firstTextureUnit=<n>", "The maps take it and those after it; default 0"},
-        {"floatTarget=0|1", "The colour buffer is RGBA32F; default 0"},
-        {"derivedTangents=0|1", "Tangents along texture coordinate s; default 0"},
-        {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
-        {"reload=0|1", "Read the material again when its file changes; default 0"}};
+    return {{"exposure=<number>", "Multiplies radiance; default 1"},
+            {"technique=auto|single|batched|two-lookup|diffuse",
+             "How lights are spread over passes; default auto"},
+            {"lightsPerPass=<n>", "Lights in a pass of the technique batched; default 8"},
+            {"lookupsPerPass=<n>",
+             "The most texture look-ups in any pass; default 0: the limit of the technique"},
+            {"firstTextureUnit=<n>", "The maps take this unit and those after it; default 0"},
+            {"floatTarget=0|1", "1 where the colour buffer is RGBA32F; default 0"},
+            {"derivedTangents=0|1", "1 derives tangents along texture coordinate s; default 0"},
+            {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
+            {"reload=0|1", "1 reads the material again when its file changes; default 0"}};
 }
 
 std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options)

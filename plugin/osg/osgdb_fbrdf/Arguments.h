@@ -1,4 +1,4 @@
-// Arguments.h - what the name of a pseudo file and an option string say. No files, no GL.
+// Arguments.h - reads names of pseudo files and option strings. It needs neither files nor GL.
 #pragma once
 #include <string>
 #include <vector>
@@ -20,11 +20,11 @@ std::string plainName(const std::string& file);
 struct OptionText {
     std::string name, text;
 };
-/// What `osgconv --plugin` shows.
+/// The options that `osgconv --plugin` shows.
 std::vector<OptionText> optionTexts();
 
-/// Sets what "exposure=2 technique=batched ..." says; returns what is wrong, one sentence each.
-/// Words without '=' are for others.
+/// Sets the properties of a string such as "exposure=2 technique=batched"; returns what is wrong
+/// with it, one sentence each. Words without '=' are left to others.
 std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options);
 
 }  // namespace osgFbrdf

@@ -1,4 +1,4 @@
-// Sphere.h - what a material is shown on.
+// Sphere.h - the model on which a material is shown.
 #pragma once
 #include <osg/Geometry>
 

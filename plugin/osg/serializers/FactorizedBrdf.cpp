@@ -35,12 +35,12 @@ void readEmbedded(osgDB::InputStream& stream, FactorizedBrdf& effect)
     if (material && material->valid()) effect.setMaterial(material);
 }
 
-/// No name: format 2, and the material itself follows.
+/// In format 2 the name may be empty, and the material itself follows.
 bool readMaterialFile(osgDB::InputStream& stream, FactorizedBrdf& effect)
 {
     std::string file;
     stream.readWrappedString(file);
-    // A missing material has been warned of; the model is worth having without it.
+    // A missing material has given its warning; the model is worth having without it.
     if (file.empty())
         readEmbedded(stream, effect);
     else
@@ -60,8 +60,8 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
     return true;
 }
 
-// Binary files hold all properties in order, so what is added later must ask for a later format.
-// 2: materials in the scene itself.
+// Binary files have all properties in a fixed order, so a property that is added later must belong
+// to a later format. Format 2 has materials in the scene itself.
 constexpr int kFormat = 2;
 
 bool checkFormat(const FactorizedBrdf&)
@@ -79,7 +79,8 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
     return true;
 }
 
-/// The lowest that holds the effect, so that older readers are warned of what they lose only.
+/// The lowest format that can describe the effect, so that older readers give a warning only where
+/// they lose something.
 bool writeFormat(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
 {
     stream << (isEmbedded(effect) ? kFormat : 1) << std::endl;

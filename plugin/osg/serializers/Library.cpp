@@ -1,4 +1,4 @@
-// Wrapper classes are named here for programs that link the library statically.
+// Names the wrapper classes, for programs that link the library statically.
 #include <osgDB/Registry>
 
 USE_SERIALIZER_WRAPPER(osgFbrdf_FactorizedBrdf)

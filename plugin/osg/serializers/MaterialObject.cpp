@@ -1,7 +1,7 @@
-// A material without a file: the bytes of a .fbrdf as numbers of 32 bits, which the text, binary
-// and XML streams of osgDB all carry whole. Not as a string in quotes: where a text file ends
-// within one, OSG 3.6.5 reads on for ever. The plugin osgdb_fbrdf makes and reads the bytes, so
-// that this library needs no OpenImageIO.
+// A material without a file is saved as the bytes of a .fbrdf, in numbers of 32 bits, which the
+// text, binary and XML streams of osgDB all carry whole. A string in quotes would not do: where a
+// text file ends within one, OSG 3.6.5 reads on for ever. The plugin osgdb_fbrdf makes and reads
+// the bytes, so that this library need not link fbrdf::io.
 #include <osgFbrdf/MaterialObject.h>
 
 #include <osg/Notify>
@@ -35,7 +35,7 @@ bool checkFile(const MaterialObject& material)
     return material.valid();
 }
 
-// Longer ones are damage: the reader of .fbrdf takes as much.
+// Longer ones can only be damage: the reader of .fbrdf takes no more than this.
 constexpr unsigned int kMostBytes = 256u << 20;
 constexpr unsigned int kWordsInRow = 8;
 

@@ -1,5 +1,6 @@
-// fbrdf-osg-bench: milliseconds of cull and draw in OpenSceneGraph beside the plain runtime's, 64
-// lights, interleaved in one process and context. glFinish ends each.
+// fbrdf-osg-bench prints how many milliseconds OpenSceneGraph takes to cull and draw the effect
+// under 64 lights, beside the plain runtime. Both take turns in one process and context; glFinish
+// ends each frame.
 #include "OsgScene.h"
 
 #include "support/gl/Scenes.h"

@@ -1,5 +1,5 @@
-// The real osgfxbrowser: the effect is one of its list, is chosen by keys and drawn with its demo
-// material, and goes when the program ends.
+// In the real osgfxbrowser the effect is in the list, is chosen by keys and drawn with its demo
+// material, and the program ends cleanly.
 #include "OsgviewerTest.h"
 
 #include "support/gl/Scenes.h"
@@ -36,7 +36,7 @@ TEST_F(Browser, ShowsTheEffectThatIsChosenByKeys)
     options.program = "osgfxbrowser";
     Osgviewer browser(path("ball.osgt") + ' ' + path("lights.osgt"), options);
     EXPECT_TRUE(eventually([&] { return drawnPixels(browser.screen()) > kEnoughPixels; }));
-    // Anisotropic Lighting, Bump Mapping, Cartoon come before.
+    // Anisotropic Lighting, Bump Mapping and Cartoon come before it in the list.
     browser.does("key Right key Right key Right");
     EXPECT_TRUE(eventually([&] { return metalPixels(browser.screen()) > kMetal; }))
         << metalPixels(browser.screen());

@@ -1,5 +1,5 @@
-// osg::State's own uniforms and attributes in place of OpenGL's built-in ones: OSG rewrites vertex
-// shaders then, and numbers attributes by itself.
+// osg::State can replace OpenGL's built-in uniforms and attributes by its own. Then OSG rewrites
+// vertex shaders and numbers attributes by itself.
 #include "EffectTest.h"
 
 #include "support/gl/CompareImages.h"
@@ -8,14 +8,14 @@
 namespace fbrdf::test {
 namespace {
 
-// The same matrices on another way to the shader.
+// The same matrices reach the shader in another way.
 constexpr double kSame = 1e-5;
-// Whose attribute OSG's compact numbering puts where tangents are.
+// OSG's compact numbering puts the attribute of this unit where tangents are.
 constexpr unsigned int kUnitAtTangents = 3;
 
 class BuiltIns : public EffectTest {
 protected:
-    /// With tangents that matter, and texture coordinates of as many units as `units`.
+    /// A mesh with tangents that matter, and with texture coordinates for the first `units` units.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect(unsigned int units)
     {
         const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
@@ -70,7 +70,7 @@ TEST_F(BuiltIns, UnderOtherNumbersGiveTheSamePicture)
     compare(false, true, 0);
 }
 
-// By texture coordinates, which have a number of OSG's too.
+// Texture coordinates, which OSG numbers too, give the tangents here.
 TEST_F(BuiltIns, ServeTangentsThatAreDerived)
 {
     const auto ball = effect(1);

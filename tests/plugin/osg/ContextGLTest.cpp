@@ -1,4 +1,4 @@
-// Whether the contexts that the other tests run in are those that were asked for.
+// Checks that the contexts of the other tests are those that were asked for.
 #include "EffectTest.h"
 
 #include <dlfcn.h>
@@ -19,7 +19,7 @@ TEST_F(Context, IsThatOfTheBackendWhichTheEnvironmentNames)
     const auto current =
         reinterpret_cast<CurrentContext>(dlsym(RTLD_DEFAULT, "OSMesaGetCurrentContext"));
     EXPECT_EQ(current && current(), name && std::string(name) == "osmesa");
-    // By the function that OSG calls: libGL's stub knows nothing of a context of OSMesa's.
+    // This is the function that OSG calls: libGL's stub knows nothing of a context of OSMesa's.
     EXPECT_TRUE(glGetString(GL_RENDERER));
 }
 

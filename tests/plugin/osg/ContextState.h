@@ -1,5 +1,5 @@
-// ContextState.h - what gl/StateList.h reads, for sources that see OSG's GL header: glad's cannot
-// be beside it.
+// ContextState.h - reads the state that gl/StateList.h lists, for sources that include OSG's GL
+// header, beside which glad's cannot be included.
 #pragma once
 #include <fbrdf/headless/Context.h>
 
@@ -9,11 +9,11 @@
 
 namespace fbrdf::test {
 
-/// State by name, of the compatibility context that is current.
+/// The state of the compatibility context that is current, by name.
 using ContextState = std::map<std::string, std::vector<double>>;
 ContextState contextState(HeadlessContext::Load load);
 
-/// Names and values that differ, a line each; empty where nothing does.
+/// The names and values that differ, a line each; empty where nothing differs.
 std::string changes(const ContextState& before, const ContextState& after);
 
 }  // namespace fbrdf::test

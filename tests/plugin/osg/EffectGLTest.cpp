@@ -18,10 +18,10 @@ namespace {
 
 using osgFbrdf::FactorizedBrdf;
 
-// What the plugin must reach: the same programs on the same numbers, but for the order in which a
-// matrix product is rounded.
+// The plugin runs the same programs on the same numbers; only the order differs in which a matrix
+// product is rounded.
 constexpr double kAgainstRuntime = 1e-4;
-// Other matrices for the same view: rounding moves positions by some 1e-7.
+// The same view comes of other matrices here: rounding moves positions by some 1e-7.
 constexpr double kMoved = 1e-3;
 
 class Effect : public EffectTest {
@@ -57,7 +57,7 @@ void Effect::compareWithRuntime(const Material& material, const gl::MeshData& me
     }
     std::printf("%s: max relative difference to the runtime %.2e\n", material.name.c_str(), worst);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-    EXPECT_EQ(notices.text(), "");  // OSG_GL_ERROR_CHECKING speaks here
+    EXPECT_EQ(notices.text(), "");  // OSG_GL_ERROR_CHECKING writes here
 }
 
 TEST_F(Effect, PqpEqualsTheRuntime)
@@ -232,7 +232,7 @@ TEST_F(Effect, WithoutMaterialTheFallbackIsDrawnWithAWarning)
     EXPECT_EQ(effect->lastReport().lightsDropped, 12);
 }
 
-/// The sphere with s running along its tangents.
+/// The sphere with a texture coordinate s that increases along its tangents.
 osg::ref_ptr<FactorizedBrdf> wrappedSphere(const Material& material, bool derived)
 {
     const auto effect = osgEffect(material, sphereMesh(24));
@@ -253,8 +253,8 @@ TEST_F(Effect, TangentsAreDerivedFromTextureCoordinates)
     const Material material = testMaterials()[0];
     const auto expected = runtimeImage(material, sphereMesh(24), testLights(9));
     scene(wrappedSphere(material, true), osgLights(testLights(9)));
-    // The tangent of a triangle instead of one interpolated over it, and another one at the seam
-    // and the poles: close on average only.
+    // A tangent is that of a triangle here and not interpolated over it, and another one at the
+    // seam and the poles, so the pictures are close on average only.
     EXPECT_LT(compareImages(view_->frame(), expected).meanRelative, 0.03);
     const auto without = osgEffect(material, sphereMesh(24));
     without->getChild(0)->asGeometry()->setVertexAttribArray(osgFbrdf::kTangentAttribute, nullptr);

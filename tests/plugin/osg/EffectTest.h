@@ -1,4 +1,4 @@
-// EffectTest.h - a view of the effect beside what the plain runtime draws of the same scene.
+// EffectTest.h - compares a view of the effect with what the plain runtime draws of the same scene.
 #pragma once
 #include "OsgScene.h"
 
@@ -16,7 +16,7 @@ protected:
     std::vector<float> runtimeImage(const Material& material, const gl::MeshData& mesh,
                                     const std::vector<Light>& lights,
                                     const std::vector<glm::mat4>& places = {glm::mat4(1.0f)});
-    /// Lights after the effect in the graph: order must not matter.
+    /// The lights come after the effect in the graph, as their order must not matter.
     osg::ref_ptr<osg::Group> scene(osgFbrdf::FactorizedBrdf* effect, osg::Node* lights);
 
     std::unique_ptr<OsgView> view_;

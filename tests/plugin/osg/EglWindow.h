@@ -17,10 +17,10 @@ namespace fbrdf::test {
 
 class EglWindow : public osgViewer::GraphicsWindow {
 public:
-    /// sharedWith: objects of OpenGL in common, and so OSG's context number.
+    /// sharedWith: the window whose OpenGL objects and OSG context number this one has too.
     explicit EglWindow(int size, EglWindow* sharedWith = nullptr);
 
-    /// RGBA, rows from the bottom, of the frame-th swap, from 0. Waits until it was shown.
+    /// The picture of the frame-th swap, counted from 0: RGBA, rows from the bottom. Waits for it.
     std::vector<float> picture(size_t frame);
 
     bool valid() const override { return _state.valid(); }

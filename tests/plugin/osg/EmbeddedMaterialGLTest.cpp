@@ -74,7 +74,7 @@ protected:
     }
 };
 
-/// Where OpenEXR's first bytes are, as they are in a binary file or as a number.
+/// Finds OpenEXR's first bytes, either as bytes of a binary file or as a number.
 size_t bytesIn(const std::string& scene)
 {
     return std::min(scene.find("v/1\x01"), scene.find("20000630"));
@@ -116,7 +116,7 @@ TEST_P(EmbeddedIn, ThePlainFormKeepsItToo)
     EXPECT_EQ(notices.text(), "");
 }
 
-// Not even where its own bytes are in the scene is a material read that is not whole.
+// A material of which bytes are missing is not read, even where it is in the scene itself.
 TEST_P(EmbeddedIn, DamageIsSaidAndTheModelStays)
 {
     const std::string name = std::string("scene.") + GetParam();
@@ -138,7 +138,7 @@ TEST_P(EmbeddedIn, DamageIsSaidAndTheModelStays)
     EXPECT_EQ(effects[0]->lastReport().technique, "diffuse fallback");
 }
 
-// Where it ends within a string in quotes, OSG's reader of text never does.
+// Where a file ends within a string in quotes, OSG's reader of text never ends.
 TEST_P(EmbeddedIn, ASceneThatEndsWithinItIsReadToItsEnd)
 {
     const std::string name = std::string("scene.") + GetParam();

@@ -88,7 +88,7 @@ TEST_F(Files, AMaterialIsAnObject)
     for (unsigned int c = 0; c < 3; ++c) EXPECT_GT(material->albedo()[c], 0.0f);
 }
 
-// It asks for objects, and crashes when it gets one that is no node.
+// osgconv asks for objects, and crashes when it gets one that is no node.
 TEST_F(Files, OsgconvMakesASceneOfAMaterial)
 {
     const std::string text = run("osgconv " + path("noise.fbrdf") + " " + path("ball.osgt"));
@@ -162,7 +162,7 @@ TEST_F(Files, ReloadingABrokenFileKeepsTheMaterial)
     EXPECT_FALSE(notices.text().empty());
 }
 
-// A viewer looks once a second of its clock, which is the frame stamp's.
+// The file is looked at once a second of the viewer's clock, which is that of the frame stamp.
 TEST_F(Files, AChangedFileIsReadAgainAndABrokenOneIsNot)
 {
     osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
@@ -228,7 +228,7 @@ TEST_F(Files, ASceneOfANewerFormatIsReadWithAWarning)
     EXPECT_NE(notices.text().find("format 7"), std::string::npos) << notices.text();
 }
 
-// The library without its readers: a warning, and the model by the fallback.
+// The library without its readers gives a warning, and the fallback draws the model.
 TEST_F(Files, WithoutThePluginTheReasonIsSaid)
 {
     const std::string text =

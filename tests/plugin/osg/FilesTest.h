@@ -26,7 +26,7 @@ protected:
 
     std::string path(const std::string& name) const { return folder_.file(name); }
 
-    /// What a scene of the files looks like.
+    /// The picture of a scene of the files.
     std::vector<float> imageOf(osg::Node* node)
     {
         OsgView view(context().loader());

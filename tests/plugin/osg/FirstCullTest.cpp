@@ -20,7 +20,7 @@ using osgFbrdf::FactorizedBrdf;
 
 constexpr int kThreads = 8, kRounds = 60;
 
-/// What a cull left to draw.
+/// The state sets that a cull collected for drawing.
 struct Culled {
     int drawables = 0, bins = 0, stateSets = 0;
     std::set<const osg::StateSet*> constant;  ///< state sets with a program
@@ -40,7 +40,7 @@ void collect(const osgUtil::StateGraph& graph, Culled& culled)
     }
 }
 
-/// As osgUtil::SceneView culls, but without a context.
+/// Culls as osgUtil::SceneView does, but without a context.
 Culled cull(osg::Node& scene, osg::FrameStamp& stamp)
 {
     const osg::ref_ptr<osgUtil::CullVisitor> visitor = osgUtil::CullVisitor::create();

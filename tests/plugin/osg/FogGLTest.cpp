@@ -1,4 +1,4 @@
-// Fog over the effect as OpenGL has it over what is drawn beside it.
+// Fog over the effect equals OpenGL's fog over an ordinary object beside it.
 #include "EffectTest.h"
 
 #include "support/gl/CompareImages.h"
@@ -39,8 +39,8 @@ protected:
         return view_->frame();
     }
 
-    /// How much of what is behind it comes through the fog, by OpenGL itself: a white sphere
-    /// without light in black fog.
+    /// The share of the object that comes through the fog, as OpenGL itself computes it: of a white
+    /// sphere without light in black fog.
     std::vector<float> through()
     {
         osg::ref_ptr<osg::Geometry> white = osgMesh(sphereMesh(24));
@@ -105,7 +105,7 @@ TEST_F(Fog, FollowsOverridesAsOpenSceneGraphHasThem)
     const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
     const auto clear = inFog(effect, false), foggy = inFog(effect);
     EXPECT_NE(clear, foggy);
-    // Off at the effect, unless what is above overrides it.
+    // The effect turns fog off, unless a state above overrides it.
     effect->getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::OFF);
     EXPECT_EQ(inFog(effect), clear);
     EXPECT_EQ(inFog(effect, true), clear);

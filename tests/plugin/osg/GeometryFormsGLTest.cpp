@@ -1,4 +1,4 @@
-// The ways in which OSG hands a geometry over to OpenGL, all of which a model of a user may have.
+// OSG hands geometries over to OpenGL in several ways, and a user's model may use any of them.
 #include "EffectTest.h"
 
 #include "support/gl/Scenes.h"
@@ -19,7 +19,7 @@ void setForm(osg::Geometry& geometry, Form form)
 
 class GeometryForms : public EffectTest {
 protected:
-    /// Every technique, before and after OpenGL's objects are made anew.
+    /// Draws by every technique, before and after OpenGL's objects are made anew.
     void expectSame(OsgView& view, const std::vector<std::vector<float>>& expected, Form form)
     {
         const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));

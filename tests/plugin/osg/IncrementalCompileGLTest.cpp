@@ -31,7 +31,7 @@ TEST_F(IncrementalCompile, LeavesAnEffectAsItIs)
     EXPECT_EQ(view_->frame(), first);
     EXPECT_EQ(effect->lastReport().technique, "single pass");
     EXPECT_EQ(notices.text(), "");
-    // As without it.
+    // The pictures are those without the operation.
     const auto twin = osgEffect(testMaterials()[0], sphereMesh(24));
     view_->viewer().setIncrementalCompileOperation(nullptr);
     scene(twin, osgLights(testLights(9)));

@@ -1,4 +1,4 @@
-// Contexts that lack what the techniques need: each falls to what it can draw, and says why.
+// Contexts that lack what the techniques need draw what they can, and the report has the reason.
 #include "EffectTest.h"
 
 #include <fbrdf/base/Error.h>
@@ -12,13 +12,13 @@
 
 namespace {
 
-// GL 3.0's.
+// OpenGL 3.0 defines these, and headers of OpenGL 2 lack them.
 constexpr GLenum kReadBinding = 0x8CAA;
 int readBindingAsked = 0;
 
 }  // namespace
 
-// The executable's functions come before libGL's: what the plugin asks is heard here first.
+// The executable's functions come before libGL's, so the plugin's queries arrive here first.
 extern "C" void glGetIntegerv(GLenum name, GLint* value)
 {
     using Function = void (*)(GLenum, GLint*);
@@ -39,7 +39,7 @@ protected:
         EffectTest::SetUp();
         if (view_) disabled_ = osg::getGLExtensionDisableString();
     }
-    /// OSG keeps what it knows by the number of the context, which the next test's has again.
+    /// OSG keeps what it knows by the number of the context, and the next context has it again.
     void TearDown() override
     {
         if (!view_) return;
@@ -61,7 +61,7 @@ protected:
     {
         return view_->viewer().getCamera()->getGraphicsContext()->getState()->getContextID();
     }
-    /// What OSG knows of the context: a test says here what it lacks.
+    /// What OSG knows of the context; a test takes away here what the context is to lack.
     osg::GLExtensions& known()
     {
         view_->draw();
@@ -90,7 +90,7 @@ GLenum GL_APIENTRY unsupported(GLenum)
     return GL_FRAMEBUFFER_UNSUPPORTED_EXT;
 }
 
-// Only drawing shows it: that frame is lost, the next is the fallback.
+// Only drawing shows it, so that frame is lost and the next one has the fallback.
 TEST_F(LimitedContext, WithoutFloatTargetsHasTheFallbackInTheNextFrame)
 {
     view_->draw();
@@ -138,7 +138,7 @@ TEST_F(LimitedContext, WithoutFloatTexturesHasTheFallback)
     expectFallback(*effect, "no float textures");
 }
 
-// With glvnd every function is there; asking for what it is about is an error where it is not.
+// With glvnd every function exists, but a query is an error where the driver does not know it.
 TEST_F(LimitedContext, WithoutBlitsIsNotAskedWhatReadsApart)
 {
     const auto effect = effectWithSurfaces(osgFbrdf::kTwoLookups);
@@ -155,7 +155,7 @@ TEST_F(LimitedContext, WithoutBlitsIsNotAskedWhatReadsApart)
     EXPECT_EQ(effect->lastReport().reason, "");
 }
 
-// Mesa itself, where neither textures nor framebuffers are RGBA32F.
+// Here Mesa itself has neither textures nor framebuffers of RGBA32F.
 TEST_F(LimitedDriver, WithoutFloatTexturesHasTheFallback)
 {
     const char* missing = std::getenv("MESA_EXTENSION_OVERRIDE");

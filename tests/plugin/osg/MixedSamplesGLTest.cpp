@@ -53,7 +53,7 @@ TEST_P(MixedSamples, DrawWhatTheyCanAndSayWhyOnce)
     viewer.stopThreading();
     EXPECT_EQ(countOf("RGBA8", notices.text()), 1u) << notices.text();
     EXPECT_EQ(countOf("\n", notices.text()), 1u) << notices.text();
-    // The fallback knows colours up to 1 only.
+    // Colours of the fallback end at 1.
     const auto* pixels = reinterpret_cast<const float*>(seen->data());
     const std::vector<float> fallback(pixels, pixels + 4 * kSize * kSize);
     EXPECT_GT(meanOf(fallback, 3), 0.3);

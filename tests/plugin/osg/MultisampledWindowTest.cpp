@@ -1,4 +1,4 @@
-// osgviewer --samples 4: one pass needs nothing, passes that add up off screen cannot be drawn.
+// With osgviewer --samples 4 a single pass is drawn, and passes that add up off screen are refused.
 #include "OsgviewerTest.h"
 
 namespace fbrdf::test {
@@ -23,7 +23,7 @@ TEST_F(MultisampledWindow, ShowsTheMaterialInASinglePass)
     ViewerTwin twin(context().loader(), node, 160, 160);
     Osgviewer viewer(scene, fourSamples());
     expectSame(viewer, twin, "samples", kOutline);
-    // The tester: that it has four samples is seen.
+    // This tests the test: the window is seen to have four samples.
     EXPECT_GT(pixelsApart(viewer.screen(), twin.frame()), kEdges);
     expectGoodEnd(viewer);
 }

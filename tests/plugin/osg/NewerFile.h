@@ -8,7 +8,7 @@
 
 namespace fbrdf::test {
 
-/// `from` with format version 9 in every part, as `to`.
+/// Copies the file `from` to `to`, with format version 9 in every part.
 inline void writeNewerVersion(const std::string& from, const std::string& to)
 {
     std::ostringstream bytes;

@@ -1,6 +1,6 @@
 // osgFX chooses a technique while it draws, so an effect that comes after realize() is left out of
-// the first frame, its children too. Ours is not: every frame of the real osgviewer is looked at
-// while a page with an effect takes the place of a plain model.
+// the first frame, its children too. Ours is drawn: the test looks at every frame of the real
+// osgviewer while a page with an effect replaces a plain model.
 #include "OsgviewerTest.h"
 
 #include "support/gl/Scenes.h"
@@ -39,7 +39,7 @@ struct Frames {
 
 class NoVanishedFrame : public OsgviewerTest {
 protected:
-    /// A red ball; nearer than the first view is, what page.osgb holds.
+    /// A red ball, and from nearer than the first view the contents of page.osgb.
     std::string pagedScene()
     {
         osg::ref_ptr<osg::Geometry> ball = osgMesh(sphereMesh(24));
@@ -100,7 +100,7 @@ TEST_P(Threads, WhenAnEffectComesInLater)
 INSTANTIATE_TEST_SUITE_P(NoVanishedFrame, Threads,
                          ::testing::Values("--SingleThreaded", "--DrawThreadPerContext"));
 
-// The tester: one of osgFX's own effects is left out.
+// This tests the test: one of osgFX's own effects is left out of a frame.
 TEST_F(NoVanishedFrame, IsNotWhatOsgFxDoes)
 {
     const osg::ref_ptr<osgFX::Effect> scribe = new osgFX::Scribe;

@@ -121,8 +121,8 @@ const std::string& Notices::text() const
 std::unique_ptr<HeadlessContext> OsgTest::newContext()
 {
     const char* backend = std::getenv("FBRDF_OSG_BACKEND");
-    // As OSG's own windows ask: for 1.0, which gives the newest that is compatible. A core profile
-    // floods GL errors: Debian's OSG is a build for GL 2.
+    // OSG's own windows ask for 1.0 too, and get the newest compatible version. In a core profile
+    // GL errors would flood the log, as Debian's OSG is built for OpenGL 2.
     return std::make_unique<HeadlessContext>(
         HeadlessOptions{backend ? backendFromName(backend) : Backend::egl,
                         HeadlessOptions::Profile::compatibility, 1, 0, false});
@@ -130,7 +130,7 @@ std::unique_ptr<HeadlessContext> OsgTest::newContext()
 
 void OsgTest::SetUp()
 {
-    // What a user sets; and OSG's own check after every change of state.
+    // A user sets this; it makes OSG check for errors after every change of state.
     setenv("OSG_LIBRARY_PATH", FBRDF_OSG_LIBRARY_PATH, 1);
     setenv("OSG_GL_ERROR_CHECKING", "ONCE_PER_ATTRIBUTE", 1);
     osgDB::Registry::instance()->initLibraryFilePathList();

@@ -1,5 +1,5 @@
-// OsgScene.h - OpenSceneGraph drawing without a display: a context of EGL's or OSMesa's, a float
-// framebuffer, and the same meshes, lights and views as the tests of the plain runtime.
+// OsgScene.h - lets OpenSceneGraph draw without a display: in a context of EGL or OSMesa, into a
+// float framebuffer, with the same meshes, lights and views as the tests of the plain runtime.
 #pragma once
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
@@ -25,10 +25,12 @@ constexpr int kSize = 64;
 osg::ref_ptr<osg::Geometry> osgMesh(const gl::MeshData& mesh);
 osg::Matrixd osgMatrix(const glm::mat4& matrix);
 
-/// Black, no headlight, near and far as they are given, into a framebuffer object.
+/// Makes the view black and without a headlight, with near and far planes as they are given; it
+/// draws into a framebuffer object.
 void setUpView(osgViewer::View& view);
 
-/// A viewer in a context that is current, drawing to a framebuffer of its own. Black, no headlight.
+/// A viewer in a context that is current, which draws to a framebuffer of its own. The background
+/// is black and there is no headlight.
 class OsgView {
 public:
     explicit OsgView(HeadlessContext::Load load, OffscreenFormat format = OffscreenFormat::rgba32f);
@@ -38,7 +40,7 @@ public:
     osgViewer::Viewer& viewer() { return *viewer_; }
     Offscreen& offscreen() { return offscreen_; }
     void draw();
-    /// Draws; RGBA, rows from the bottom.
+    /// Draws, and returns the picture: RGBA, rows from the bottom.
     std::vector<float> frame();
 
 private:
@@ -47,7 +49,7 @@ private:
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window_;
 };
 
-/// What osg::notify says while this lives; at WARN and above.
+/// Collects what is written to osg::notify, at WARN and above, as long as it lives.
 class Notices {
 public:
     Notices();
@@ -58,9 +60,9 @@ private:
     osg::ref_ptr<osg::NotifyHandler> before_, handler_;
 };
 
-/// Draws by EGL, or by what FBRDF_OSG_BACKEND says in the environment; osmesa needs LD_PRELOAD=
-/// libOSMesa.so.8, as OSG takes whichever gl functions come first. Skips where there is no such
-/// context; with CI=true in the environment that fails.
+/// Draws by EGL, or by the backend that FBRDF_OSG_BACKEND names in the environment. osmesa needs
+/// LD_PRELOAD=libOSMesa.so.8, as OSG takes whichever gl functions come first. Where there is no
+/// such context the test is skipped, or fails with CI=true in the environment.
 class OsgTest : public ::testing::Test {
 protected:
     void SetUp() override;
@@ -77,7 +79,7 @@ osg::ref_ptr<osgFbrdf::FactorizedBrdf> osgEffect(const Material& material,
                                                  const gl::MeshData& mesh);
 osg::ref_ptr<osgFbrdf::PointLights> osgLights(const std::vector<Light>& lights);
 
-/// Mean over all pixels of a channel.
+/// The mean of one channel over all pixels.
 double meanOf(const std::vector<float>& image, int channel);
 
 }  // namespace fbrdf::test

@@ -33,7 +33,8 @@ size_t headerOf(const std::string& dump, size_t index)
     return value;
 }
 
-/// One that no other test looks at first: xvfb-run lets two that begin at once take the same.
+/// A display number at which no other test looks first: xvfb-run lets two servers that begin at
+/// once take the same.
 int displayNumber()
 {
     return 200 + getpid() % 20000;
@@ -124,9 +125,9 @@ bool Osgviewer::installed()
                "command -v xdotool; } >/dev/null") == 0;
 }
 
-// A shell beside osgviewer in the X server does what does() and quit() say. A server starts anew
-// when its last client leaves, and osgviewer asks for the screens as a client that leaves at once:
-// the windows that it opens then would be lost with the old server.
+// A shell beside osgviewer in the X server runs the commands of does() and quit(). A server starts
+// anew when its last client leaves, and osgviewer asks for the screens as a client that leaves at
+// once: the windows that it opens then would be lost with the old server.
 Osgviewer::Osgviewer(const std::string& scene, const Options& options)
 {
     std::ostringstream server, viewer;
@@ -200,7 +201,7 @@ ViewerTwin::ViewerTwin(HeadlessContext::Load load, osg::Node* scene, int width, 
     osg::Camera* camera = viewer_->getCamera();
     camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
     camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
-    // As a window of its own is set up: of the size and the distance of a screen.
+    // osgviewer sets its own window up in this way: with the size and the distance of a screen.
     const osg::DisplaySettings& screen = *osg::DisplaySettings::instance();
     const double halfAngle = std::atan2(0.5 * static_cast<double>(screen.getScreenHeight()),
                                         static_cast<double>(screen.getScreenDistance()));

@@ -1,5 +1,5 @@
-// Osgviewer.h - the real osgviewer in an X server of its own (Xvfb), and what it must look like:
-// the same scene in a viewer of this process, drawn without a display.
+// Osgviewer.h - runs the real osgviewer in an X server of its own (Xvfb), and draws the same scene
+// in a viewer of this process without a display, for comparison.
 #pragma once
 #include "OsgScene.h"
 
@@ -17,17 +17,18 @@ struct Screen {
     int width = 0, height = 0;
     std::vector<unsigned char> rgb;
 
-    /// Of a screen that Xvfb keeps in a file (X Window Dump, 32 bits a pixel); empty while it is
-    /// not whole.
+    /// The picture of a screen that Xvfb keeps in a file (X Window Dump, 32 bits a pixel); empty
+    /// while the file is not whole.
     static Screen ofDump(const std::string& dump);
-    /// Of a picture; empty, with a failure, where that cannot be read.
+    /// A picture from a file; empty, with a failure of the test, where it cannot be read.
     static Screen ofFile(const std::string& file);
     void save(const std::string& pngFile) const;
 };
 
 /// Pixels that show neither the root window's black nor the background of osgViewer.
 size_t drawnPixels(const Screen& screen);
-/// Pixels any of whose channels are more than `levels` apart; all, where sizes differ.
+/// The number of pixels any of whose channels are more than `levels` apart; all, where sizes
+/// differ.
 size_t pixelsApart(const Screen& a, const Screen& b, int levels = 3);
 
 /// `left` with `right` at its right side; they are of one height.
@@ -52,17 +53,18 @@ public:
     Osgviewer(const Osgviewer&) = delete;
     Osgviewer& operator=(const Osgviewer&) = delete;
 
-    /// Whether the machine has what this needs.
+    /// True where the machine has the programs that this needs.
     static bool installed();
 
     Screen screen(int number = 0) const;
     /// A file that the program writes to where it runs.
     std::string file(const std::string& name) const { return folder_.file(name); }
-    /// What it printed: errors (OSG's WARN) at once, the rest when it has ended.
+    /// The program's output: errors (OSG's WARN) at once, the rest when it has ended.
     std::string said() const;
-    /// Commands of xdotool ("key f click 1"), the pointer over its window.
+    /// Runs commands of xdotool ("key f click 1") with the pointer over the window.
     void does(const std::string& commands);
-    /// Escape, and 10 s for it to end by itself. Its exit status; -1: it had to be killed.
+    /// Presses Escape and gives the program 10 s to end by itself. Returns its exit status; -1
+    /// where it had to be killed.
     int quit();
 
 private:
@@ -72,7 +74,7 @@ private:
     std::FILE* shell_ = nullptr;
 };
 
-/// Asks until it holds, 60 s at most.
+/// Asks until the condition is true, for 60 s at most.
 template <class Condition>
 bool eventually(const Condition& condition)
 {

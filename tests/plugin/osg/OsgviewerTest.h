@@ -1,4 +1,4 @@
-// OsgviewerTest.h - scenes in files for the real osgviewer, and what it must show of them.
+// OsgviewerTest.h - makes files of scenes for the real osgviewer and checks what it shows of them.
 #pragma once
 #include "Osgviewer.h"
 
@@ -7,9 +7,9 @@
 
 namespace fbrdf::test {
 
-// Of 160 x 160; two spheres cover some 8,000.
+// The screen has 160 x 160 pixels, of which two spheres cover some 8,000.
 constexpr size_t kEnoughPixels = 3000;
-// Depth and edges are rounded elsewhere: by the X server's driver and by the surfaceless one.
+// The driver of the X server and the one without a surface round depths and edges differently.
 constexpr size_t kEdges = 50;
 
 /// A folder with materials noise0.fbrdf (a product) and noise4.fbrdf (a sum). Skips where a program
@@ -19,13 +19,13 @@ protected:
     void SetUp() override;
 
     std::string path(const std::string& name) const { return folder_.file(name); }
-    /// Writes the scene, 64 lights added, and says where.
+    /// Writes the scene with 64 lights added; returns the name of the file.
     std::string written(osg::Group* root);
     osg::ref_ptr<osg::Node> read(const std::string& scene);
-    /// `technique` of a sphere; two look-ups make 65 passes and more.
+    /// A sphere drawn by `technique`; two look-ups a pass make 65 passes and more.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> ball(int kind, int technique = osgFbrdf::kTwoLookups);
-    /// The screen is that of the twin, but for so many pixels. With FBRDF_KEEP_SCREENS both are
-    /// saved to what that begins with and `name`.
+    /// Expects the screen to equal that of the twin but for so many pixels. With FBRDF_KEEP_SCREENS
+    /// in the environment both are saved under that prefix and `name`.
     void expectSame(const Osgviewer& viewer, ViewerTwin& twin, const std::string& name,
                     size_t pixels = kEdges);
 
@@ -35,8 +35,8 @@ private:
 
 osg::ref_ptr<osg::Group> groupOf(const std::vector<osg::ref_ptr<osg::Node>>& nodes);
 
-/// Ends it. Fallbacks and OpenGL's errors would have been said; the latter are only seen then, as
-/// they wait in the buffer of a stream.
+/// Ends the program, and expects no message of a fallback or of OpenGL's errors; the latter are
+/// only seen at the end, as they wait in the buffer of a stream.
 void expectGoodEnd(Osgviewer& viewer);
 
 }  // namespace fbrdf::test

@@ -104,7 +104,7 @@ TEST_F(PlainFormFiles, OsgconvReadsAModelWithAMaterial)
     EXPECT_TRUE(censusOf(*node).effect->getMaterial());
 }
 
-// What the plain form is for.
+// A program without the plugin reads the plain form.
 TEST_F(PlainFormFiles, WithoutItAReaderWithoutThePluginLosesTheModel)
 {
     ASSERT_TRUE(osgDB::writeNodeFile(*scene(), path("scene.osgt")));

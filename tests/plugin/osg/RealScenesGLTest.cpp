@@ -1,5 +1,5 @@
-// The effect beside what real scenes have: shadows, fog, levels of detail, several views, shared
-// state, other techniques in other contexts.
+// The effect works with what real scenes have: shadows, fog, levels of detail, several views,
+// shared state, and contexts that draw by other techniques.
 #include "EffectTest.h"
 
 #include "support/gl/CompareImages.h"
@@ -108,7 +108,7 @@ TEST_F(RealScenes, CastsShadowsInOsgShadow)
     EXPECT_GT(inShadow, 50u);
 }
 
-// GL has one set of lights for all objects: that of the view stays what it is.
+// OpenGL has one set of lights for all objects: the light of the view stays as it is.
 TEST_F(RealScenes, TheFallbackLeavesOthersTheirHeadlight)
 {
     view_->viewer().setLightingMode(osg::View::HEADLIGHT);
@@ -173,13 +173,13 @@ TEST_F(RealScenes, IsPagedInWithTheMaterialBesideIt)
     ASSERT_TRUE(effect);
     effect->setFloatTarget(true);
     view_->frame();
-    // Text files hold few digits of positions and normals.
+    // Text files have few digits of positions and normals.
     EXPECT_LT(compareImages(view_->frame(), alone_).meanRelative, 0.01);
     EXPECT_EQ(effect->lastReport().technique, "single pass");
     EXPECT_EQ(notices.text(), "");
 }
 
-// One scene, two cameras with views of their own in one viewer: each is lit as if it were alone.
+// Two cameras of one viewer see one scene, and each sees it lit as if it were alone.
 TEST_F(RealScenes, TwoViewsInOneViewerEachSeeTheirLights)
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -217,7 +217,7 @@ TEST_F(RealScenes, TwoViewsInOneViewerEachSeeTheirLights)
         right.insert(right.begin(), row + kSize * 4, row + 2 * kSize * 4);
     }
     EXPECT_LT(compareImages(left, alone_).maxRelative, kSame);
-    // Turned by half a turn about the view's axis: rows are reversed above, columns here.
+    // The view is turned half around its axis: rows are reversed above, columns here.
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize / 2; ++x)
             for (int c = 0; c < 4; ++c)
@@ -236,7 +236,7 @@ TEST_F(RealScenes, StateSetsAreSharedByEffectsOfOneMaterial)
     aside->addChild(twin);
     twin->addChild(osgMesh(sphereMesh(8)));
     osg::ref_ptr<osg::Group> both = new osg::Group;
-    // A state set of the host's on two nodes at once.
+    // The host has one state set on two nodes.
     osg::ref_ptr<osg::StateSet> shared = new osg::StateSet;
     shared->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
     effect_->setStateSet(shared);
@@ -307,7 +307,7 @@ TEST_F(RealScenes, ATechniqueThatThereIsNotDrawsTheFallback)
 TEST_F(RealScenes, TooFewTextureUnitsAreRefusedWithTheFallback)
 {
     const Notices notices;
-    // Once known before anything is drawn, once only by asking OpenGL.
+    // The first is known before anything is drawn, the second only by asking OpenGL.
     for (const int unit : {100000, 31}) {
         effect_->setFirstTextureUnit(unit);
         for (int frame = 0; frame < 2; ++frame) {

@@ -1,7 +1,7 @@
-// Under every technique of osgShadow: they cull the scene several times in a frame, by cameras of
-// their own, and put programs and textures above it. The effect looks as it does without, and the
-// floor gets the shadow that an ordinary sphere would cast. All of OSG 3.6.5's but ShadowVolume,
-// which Debian's package does not have.
+// The effect under every technique of osgShadow. They cull the scene several times in a frame, by
+// cameras of their own, and put programs and textures above it. The effect looks as it does without
+// them, and the floor gets the shadow that an ordinary sphere would cast. ShadowVolume is left out,
+// as Debian's package of OSG 3.6.5 does not have it.
 #include "EffectTest.h"
 #include "Pictures.h"
 
@@ -27,7 +27,7 @@ using Picture = std::vector<float>;
 struct Kind {
     const char* name;
     osgShadow::ShadowTechnique* (*make)();
-    bool dividesScene = false;  ///< what casts must not receive
+    bool dividesScene = false;  ///< what casts shadows must not receive them
     float shade = 0.7f;         ///< shadows are darker than that part of the light
 };
 
@@ -136,7 +136,7 @@ TEST_P(Shadows, LeaveTheEffectAsItIsAndDarkenTheFloor)
         effect->setFloatTarget(!way.surfaces);
         effect->selectTechnique(way.technique);
     };
-    // Before: some techniques leave lights behind in the context.
+    // This comes first, as some techniques leave lights behind in the context.
     for (Way& way : ways) {
         choose(way);
         way.without = picture(effect, false);

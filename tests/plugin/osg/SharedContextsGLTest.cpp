@@ -1,7 +1,7 @@
 // Two windows whose contexts share objects: OSG gives both one number, by which it keeps programs,
-// textures and buffers, but framebuffers and array pointers belong to one context. In one thread:
-// with a draw thread for each OSG 3.6.5 loses or crashes on an ordinary sphere too, as it keeps
-// objects by that number without locks.
+// textures and buffers, but framebuffers and array pointers belong to one context. One thread draws
+// both: with a draw thread for each, OSG 3.6.5 loses or crashes on an ordinary sphere too, as it
+// keeps objects by that number without locks.
 #include "EffectTest.h"
 #include "EglWindow.h"
 
@@ -46,7 +46,7 @@ protected:
         EXPECT_EQ(notices_.text(), "");
     }
 
-    /// The next frame; what the window shows of it.
+    /// Draws the next frame; returns what the window shows.
     std::vector<float> draw(size_t window)
     {
         viewer_->frame();
@@ -117,7 +117,8 @@ TEST_F(SharedContexts, AreWholeAfterObjectsWereReleased)
     }
 }
 
-// With its cull visitor, but not with its surfaces: their framebuffers belong to one context.
+// The camera takes its cull visitor along, but not its surfaces: framebuffers belong to one
+// context.
 TEST_F(SharedContexts, ACameraMovesToAnotherWindowAndBack)
 {
     const osg::ref_ptr<EglWindow> third = new EglWindow(kSize, windows_[0]);
@@ -134,7 +135,7 @@ TEST_F(SharedContexts, ACameraMovesToAnotherWindowAndBack)
 }
 
 // Where names of framebuffers belong to a context, as in OpenGL 3, the one that OSG deletes for the
-// other may have been ours. Mesa has them in common: this stands in for such a driver.
+// other may have been ours. In Mesa the names are common, so this imitates such a driver.
 TEST_F(SharedContexts, SurfacesOutliveTheirFramebuffers)
 {
     windows_[1]->makeCurrent();

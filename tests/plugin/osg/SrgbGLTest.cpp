@@ -1,5 +1,5 @@
-// Targets that OpenGL encodes as sRGB: linear output into them is what the sRGB curve puts into
-// plain ones, surfaces stay linear, and what stands beside an effect keeps its codes.
+// In targets that OpenGL encodes as sRGB, linear output equals what the sRGB curve writes to plain
+// ones, surfaces stay linear, and objects beside an effect keep their codes.
 #include "EffectTest.h"
 
 #include "support/gl/Scenes.h"
@@ -10,7 +10,7 @@
 
 #include <cstdlib>
 
-// GL 3.0's, which headers of GL 2 lack.
+// OpenGL 3.0 defines these, and headers of OpenGL 2 lack them.
 #ifndef GL_FRAMEBUFFER_SRGB
 #define GL_FRAMEBUFFER_SRGB 0x8DB9
 #endif
@@ -31,7 +31,7 @@ struct Way {
 
 class Srgb : public EffectTest, public ::testing::WithParamInterface<Way> {
 protected:
-    /// What a camera with a target of that format stores.
+    /// The codes that a camera stores in a target of that format.
     Codes codesOf(osg::Node* scene, GLint format)
     {
         const osg::ref_ptr<osg::Image> image = new osg::Image;
@@ -58,7 +58,7 @@ protected:
     }
 };
 
-/// Of the pixels that an image has and another does not: all, or those alone.
+/// The pixels of an image: all of them, or those alone that another image does not have.
 int furthest(const Codes& a, const Codes& b, const Codes& mask, bool inMask)
 {
     int worst = 0;

@@ -1,5 +1,5 @@
-// What a frame leaves of OpenGL's state to a host that draws in the same context: with the effect
-// the same as with an ordinary geometry in its place.
+// A host that draws in the same context finds OpenGL's state after a frame with the effect as it is
+// after a frame with an ordinary geometry instead.
 #include "ContextState.h"
 #include "EffectTest.h"
 
@@ -12,7 +12,7 @@
 namespace fbrdf::test {
 namespace {
 
-// More than an effect uses here.
+// No effect uses as many here.
 constexpr unsigned int kHostUnits = 6;
 
 class StateLeft : public EffectTest {
@@ -27,8 +27,9 @@ protected:
             host_->setTextureAttributeAndModes(unit, new osg::Texture2D(image));
     }
 
-    /// After two frames: the first makes objects. OSG leaves the highest unit that had a texture
-    /// active, and the alignment of the last image that was loaded: those of the host, above all.
+    /// The state after two frames, of which the first makes objects. OSG leaves the highest unit
+    /// that had a texture active, and the alignment of the last image that was loaded; the host's
+    /// own texture decides both here.
     ContextState stateAfter(osg::Node* node, const osgFbrdf::FactorizedBrdf* effect = nullptr)
     {
         osg::ref_ptr<osg::Group> root = new osg::Group;

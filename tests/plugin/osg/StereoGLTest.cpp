@@ -1,5 +1,5 @@
-// Stereo of OSG's own: two cull visitors for one camera, halves of a viewport, colour masks, and a
-// stencil that OSG's state does not know of. Each eye must see what a camera there sees.
+// OSG's stereo has two cull visitors for one camera, halves of a viewport, colour masks, and a
+// stencil that OSG's state does not know of. Each eye must see what a camera at its place sees.
 #include "EffectTest.h"
 #include "Pictures.h"
 
@@ -58,7 +58,7 @@ protected:
         addStencil();
     }
 
-    /// VERTICAL_INTERLACE draws through one.
+    /// VERTICAL_INTERLACE draws through a stencil.
     void addStencil()
     {
         const auto* state = view_->viewer().getCamera()->getGraphicsContext()->getState();
@@ -141,8 +141,8 @@ TEST_P(Stereo, HalvesOfTheViewportAreTheEyes)
     EXPECT_EQ(found, expected);
 }
 
-// OpenGL draws only red for one eye and the rest for the other, into surfaces as well: whatever
-// stays there in the others is never read.
+// OpenGL draws only red for one eye and the rest for the other, into surfaces as well: the channels
+// that are masked there are never read.
 TEST_P(Stereo, ColoursAreTheEyes)
 {
     const Picture found = drawn(osg::DisplaySettings::ANAGLYPHIC);

@@ -1,4 +1,4 @@
-// Sums that wait for their last factor in surfaces of the plugin's own, whatever the host draws to.
+// Sums add up in surfaces of the plugin before their last factor, whatever the host draws to.
 #include "EffectTest.h"
 
 #include "support/gl/CompareImages.h"
@@ -10,7 +10,7 @@
 namespace fbrdf::test {
 namespace {
 
-// As for what adds up in the target: the same programs on the same numbers.
+// The same programs run on the same numbers as where passes add up in the target.
 constexpr double kAgainstRuntime = 1e-4;
 
 class SurfacesOf : public EffectTest {
@@ -173,7 +173,8 @@ TEST_F(SurfacesOf, WorkWithinACameraThatDrawsToATexture)
     EXPECT_LT(d.maxRelative, kAgainstRuntime) << describe(d);
 }
 
-// One pass takes what it has uniforms for, and a sum cannot wait for its curve there.
+// There a pass has as many lights as it has uniforms for, as a sum could not be followed by a
+// curve.
 TEST_F(SurfacesOf, WhereThereAreNoneTheStrongestLightsAreDrawnInOnePass)
 {
     const Material material = testMaterials()[0];

@@ -1,5 +1,5 @@
-// osgViewer's threading models without a display: one scene in two contexts, changed by the update
-// traversal while the last frame may still be being drawn.
+// osgViewer's threading models without a display draw one scene in two contexts, while the update
+// traversal changes it and the last frame may still be being drawn.
 #include "EffectTest.h"
 #include "EglWindow.h"
 
@@ -43,7 +43,7 @@ osg::ref_ptr<osg::MatrixTransform> at(double x, osg::Node* node)
     return place;
 }
 
-/// An effect with its lights, one that comes and goes, and what happens to them.
+/// An effect with its lights, another effect that comes and goes, and a script that changes them.
 struct Stage {
     osg::ref_ptr<osg::Group> root = new osg::Group;
     osg::ref_ptr<FactorizedBrdf> effect = osgEffect(testMaterials()[0], sphereMesh(12)), guest;
@@ -97,7 +97,7 @@ struct Stage {
         effect->setMaterial(new osgFbrdf::MaterialObject(testMaterials()[i]));
     }
 
-    /// With a law of attenuation that is not the runtime's.
+    /// A light whose attenuation is not the runtime's.
     void addLightSource()
     {
         osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
@@ -106,7 +106,7 @@ struct Stage {
         root->addChild(source);
     }
 
-    /// In a state set of its own: the last one may still be being drawn with.
+    /// The fog is in a new state set, as the last one may still be being drawn with.
     void addFog()
     {
         osg::ref_ptr<osg::Fog> fog = new osg::Fog;
@@ -126,8 +126,8 @@ struct Stage {
 
 constexpr size_t kViews = 2, kRounds = 2;
 
-/// What each window showed in each frame of the script, over and over; with two views in one window
-/// each has half of it.
+/// The picture of each window in each frame of the script, which is repeated. Two views in one
+/// window have half of it each.
 std::vector<std::vector<Picture>> shownBy(Model model, size_t windowCount)
 {
     Stage stage;

@@ -1,5 +1,5 @@
-// What keeps a material from being drawn, in the real osgviewer: the log names the file and the
-// reason, and the model is drawn by the fallback.
+// Where something keeps the real osgviewer from drawing a material, the log names the file and the
+// reason, and the fallback draws the model.
 #include "OsgviewerTest.h"
 
 #include "NewerFile.h"
@@ -89,7 +89,7 @@ TEST_F(ViewerFallback, IsDrawnForAMaterialOfANewerVersion)
     expectFallback(viewer, twin, "noise4.fbrdf", "version 9");
 }
 
-// The node kit and its serializers, but nothing that reads materials.
+// The node kit and its serializers are there, but nothing that reads materials.
 TEST_F(ViewerFallback, IsDrawnWithoutThePluginThatReadsMaterials)
 {
     const auto twin = withoutMaterial();

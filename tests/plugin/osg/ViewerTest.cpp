@@ -1,5 +1,6 @@
-// The real osgviewer in a window (Xvfb), by OSG_LIBRARY_PATH alone: a scene file with 64 lights in
-// every threading model, what real scenes have beside the effect, and what a user does meanwhile.
+// The real osgviewer in a window (Xvfb), set up by OSG_LIBRARY_PATH alone, shows a scene file with
+// 64 lights in every threading model, with what real scenes have beside the effect, while a user
+// acts.
 #include "OsgviewerTest.h"
 
 #include "support/gl/Scenes.h"
@@ -116,7 +117,7 @@ osg::ref_ptr<osg::Node> switchedOn(osg::Node* node)
     return choice;
 }
 
-/// Added to the scene by a thread while frames are drawn.
+/// A thread adds this to the scene while frames are drawn.
 osg::ref_ptr<osg::Node> paged(const std::string& folder)
 {
     osg::ref_ptr<osg::PagedLOD> node = new osg::PagedLOD;
@@ -184,7 +185,7 @@ TEST_F(RealScene, LooksAsItDoesWithoutADisplay)
     expectGoodEnd(viewer);
 }
 
-// The first good file, then half a file, then another good one.
+// The file is good first, then half a file, then another good one.
 TEST_F(RealScene, TakesAChangedMaterialWhileItRuns)
 {
     const auto effect = ball(0, osgFbrdf::kSinglePass);

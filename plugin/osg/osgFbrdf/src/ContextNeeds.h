@@ -1,5 +1,5 @@
-// ContextNeeds.h - what a technique needs of a context, as a value: contexts are asked while they
-// draw, when the effect may already be another one.
+// ContextNeeds.h - what a technique needs of a context. It is a value, as contexts are asked while
+// they draw, when the properties of the effect may already be others.
 #pragma once
 #include <osg/State>
 
@@ -8,8 +8,9 @@
 namespace osgFbrdf {
 
 struct ContextNeeds {
-    std::string refusal;          ///< why no context can; empty: the others decide
-    std::string withoutSurfaces;  ///< why one without framebuffer objects cannot; empty: it can
+    std::string refusal;  ///< why no context can draw; empty: the other members decide
+    /// Why a context without framebuffer objects cannot draw; empty: it can.
+    std::string withoutSurfaces;
     int textureUnits = 0;
     int uniformComponents = 0;
 };
@@ -19,7 +20,7 @@ constexpr const char* kNoGlsl = "found no GLSL, expected 1.20";
 /// "texture units: found 8, expected at least 9".
 std::string tooFew(const std::string& what, int needed, int limit);
 
-/// Why the context, which is current, cannot; empty where it can.
+/// Why the context, which is current, cannot draw; empty where it can.
 std::string refusalBy(osg::State& state, const ContextNeeds& needs);
 
 }  // namespace osgFbrdf

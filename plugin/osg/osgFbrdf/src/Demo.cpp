@@ -1,4 +1,4 @@
-// What osgfxbrowser shows of an effect that nobody gave a material: brushed metal.
+// The brushed metal that osgfxbrowser shows where nobody gave the effect a material.
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <algorithm>
@@ -9,9 +9,10 @@ namespace {
 
 constexpr int kSize = 32;
 constexpr double kAlongX = 0.12, kAlongY = 0.4;  // roughness
-constexpr double kDarkest = -16.0;               // log2
+constexpr double kDarkest = -16.0;  // log2: 8-bit codes over 16 octaves are fine enough
 
-/// log2 of Ward's lobe (1992, Eq. 5, without its denominators) in the half vector; 0 for others.
+/// Table q is log2 of Ward's lobe in the half vector (1992, Eq. 5, without its denominators); the
+/// others are 0.
 fbrdf::Table tableOf(const fbrdf::TableSpec& spec)
 {
     fbrdf::Table table;

@@ -1,10 +1,10 @@
-// EmbeddedShaders.h - the GLSL files of this library, compiled in by EmbedShaders.cmake.
+// EmbeddedShaders.h - the GLSL files of this library, which EmbedShaders.cmake compiles in.
 #pragma once
 #include <string_view>
 
 namespace fbrdf {
 
-/// Text of glsl/<name>; empty where there is no such file.
+/// The text of glsl/<name>; empty where there is no such file.
 std::string_view osgFbrdfShader(std::string_view name);
 
 }  // namespace fbrdf

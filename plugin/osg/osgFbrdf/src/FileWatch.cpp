@@ -6,7 +6,7 @@
 namespace osgFbrdf {
 namespace {
 
-constexpr double kInterval = 1.0;
+constexpr double kInterval = 1.0;  // seconds: soon enough for a person, seldom enough for a disc
 
 }  // namespace
 

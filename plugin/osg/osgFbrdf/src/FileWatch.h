@@ -1,4 +1,4 @@
-// FileWatch.h - whether a file is another one than a second ago.
+// FileWatch.h - finds out whether a file has changed since it was last looked at.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,11 +8,12 @@ namespace osgFbrdf {
 
 class FileWatch {
 public:
-    /// From now on; what the file is now is known. Empty: nothing ever changes.
+    /// Watches the file from now on: the present content is not a change. Empty: nothing changes.
     void follow(const std::string& path);
     const std::string& path() const { return path_; }
-    /// Looks at most once a second of `seconds`; true when time of writing or size differ from
-    /// what was seen last. A file that is not there has not changed: it may be being replaced.
+    /// Looks at most once a second of the clock that `seconds` comes from. True when the time of
+    /// writing or the size differ from those seen last. A file that is not there has not changed:
+    /// it may be about to be replaced.
     bool changed(double seconds);
 
 private:

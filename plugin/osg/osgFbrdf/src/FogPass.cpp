@@ -25,7 +25,7 @@ osg::ref_ptr<osg::StateSet> fogState(osg::Program* program, int bin)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program, kOurs);
-    // Alpha is how much of what is there comes through; that of the target stays.
+    // Alpha is the share of the object that comes through the fog; the alpha of the target stays.
     state->setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE), kOurs);
     setPlace(*state, fbrdf::Depth::match, bin);
     return state;

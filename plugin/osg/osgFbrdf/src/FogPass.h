@@ -1,6 +1,6 @@
 // FogPass.h - OpenGL's fog over an effect: one more pass that blends the fog of the scene over what
-// the passes of the plan left, whatever their number and transfer. So fog comes once, and last, as
-// it does for objects beside the effect.
+// the passes of the plan left, whatever their number and transfer. So fog is applied once, and
+// last, as it is for objects beside the effect.
 #pragma once
 #include <osg/Program>
 #include <osg/StateSet>
@@ -9,13 +9,13 @@ namespace osgFbrdf {
 
 class InheritedState;
 
-/// Blending and depth of the pass with that program; bin: after those of the plan.
+/// State of the pass: the program, blending and depth. bin: after those of the plan.
 osg::ref_ptr<osg::StateSet> fogState(osg::Program* program, int bin);
 
-/// vertex: that of the other passes, so that depths are equal.
+/// vertex: the shader of the other passes, so that depths are equal.
 osg::ref_ptr<osg::Program> fogProgram(osg::Shader* vertex);
 
-/// What depends on the scene; null where it has no fog.
+/// What depends on the fog of the scene; null where there is none.
 osg::ref_ptr<osg::StateSet> fogOfScene(const InheritedState& state);
 
 }  // namespace osgFbrdf

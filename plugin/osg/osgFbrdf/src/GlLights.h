@@ -1,4 +1,4 @@
-// GlLights.h - lights as fixed function knows them: for fallbacks and plain forms.
+// GlLights.h - lights of the runtime as osg::Lights, for the fallback and for plain forms.
 #pragma once
 #include <fbrdf/plan/Light.h>
 
@@ -7,7 +7,7 @@
 
 namespace osgFbrdf {
 
-// What every OpenGL with fixed function has; osg::Light with a higher number raises GL errors.
+// Every OpenGL with fixed function has eight; an osg::Light with a higher number raises GL errors.
 constexpr int kMostGlLights = 8;
 
 float luminance(const fbrdf::Vec3f& rgb);  ///< ITU-R BT.709

@@ -9,8 +9,8 @@ namespace {
 
 using Override = osg::StateAttribute::OverrideValue;
 
-/// As osg::State::pushModeList and pushAttributeList: an overriding value stays unless the next is
-/// protected.
+/// An overriding value stays unless the next is protected, as in osg::State::pushModeList and
+/// pushAttributeList.
 bool replaces(Override next, Override last)
 {
     return !(last & osg::StateAttribute::OVERRIDE) || (next & osg::StateAttribute::PROTECTED);

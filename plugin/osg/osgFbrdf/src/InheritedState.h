@@ -1,5 +1,5 @@
-// InheritedState.h - what OpenSceneGraph will apply below the state sets that a cull traversal is
-// in: the same rules of OVERRIDE and PROTECTED as osg::State, asked before anything is drawn.
+// InheritedState.h - the state that OpenSceneGraph will apply to what is culled now, known before
+// anything is drawn: it follows osg::State's rules of OVERRIDE and PROTECTED.
 #pragma once
 #include <osg/StateSet>
 
@@ -14,16 +14,17 @@ namespace osgFbrdf {
 
 class InheritedState {
 public:
-    /// State sets above where the visitor is, its own among them. They must outlive this.
+    /// The state sets above where the visitor is, those of the visitor among them, must outlive
+    /// this object.
     explicit InheritedState(osgUtil::CullVisitor& visitor);
 
-    /// Empty where no state set says anything of the mode.
+    /// Empty where no state set has the mode.
     std::optional<bool> mode(osg::StateAttribute::GLMode mode) const;
-    /// Null where no state set has one.
+    /// Null where no state set has such an attribute.
     const osg::StateAttribute* attribute(osg::StateAttribute::Type type) const;
 
 private:
-    std::vector<const osg::StateSet*> sets_;  ///< from the root
+    std::vector<const osg::StateSet*> sets_;  ///< those nearer to the root come first
 };
 
 }  // namespace osgFbrdf

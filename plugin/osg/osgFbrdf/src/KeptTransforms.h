@@ -1,6 +1,7 @@
-// KeptTransforms.h - osgUtil::Optimizer flattens static transforms into the vertices and normals
-// below: not into lights, nor into tangents in a vertex attribute. Transforms above those become
-// DYNAMIC, which keeps them, when a visitor of the optimizer comes by.
+// KeptTransforms.h - keeps osgUtil::Optimizer from removing transforms that matter. It flattens
+// static transforms into the vertices and normals below, but neither into lights nor into tangents
+// in a vertex attribute. Transforms above those become DYNAMIC, which keeps them, when a visitor of
+// the optimizer comes by.
 #pragma once
 #include <osg/NodeVisitor>
 
@@ -10,11 +11,11 @@ class Group;
 
 namespace osgFbrdf {
 
-/// Keeps the transforms on the path of a visitor that optimizes; others pass.
+/// Keeps the transforms on the path of a visitor that optimizes; does nothing for other visitors.
 void keepTransformsAbove(osg::NodeVisitor& visitor);
 
-/// Keeps those above geometries with tangents (kTangentAttribute), the path of the visitor
-/// included.
+/// Keeps the transforms above geometries of the group that have tangents (kTangentAttribute), those
+/// on the path of the visitor included.
 void keepTransformsAboveTangents(osg::NodeVisitor& visitor, osg::Group& group);
 
 }  // namespace osgFbrdf

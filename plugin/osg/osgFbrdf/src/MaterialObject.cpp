@@ -14,7 +14,7 @@ constexpr int kGrid = 16;
 
 osg::Vec3f albedoOf(const fbrdf::Material& material)
 {
-    // Viewed at 45 degrees: neither the best nor the worst case.
+    // Seen at 45 degrees, between the brightest and the darkest view.
     const fbrdf::Vec3f wo(std::sqrt(0.5f), 0.0f, std::sqrt(0.5f));
     fbrdf::Vec3f sum(0.0f);
     for (int i = 0; i < kGrid; ++i)

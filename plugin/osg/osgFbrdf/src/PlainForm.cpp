@@ -18,9 +18,12 @@
 namespace osgFbrdf {
 namespace {
 
-constexpr const char* kRecord = "osgFbrdf";  ///< user value of a group that stands for something
-constexpr const char* kLit = "lit";          ///< record of the group that turns the lights on
-constexpr const char* kSources = "osgFbrdf plain lights";  ///< name of the group of LightSources
+/// Key of the user value of a group that replaces a node of ours.
+constexpr const char* kRecord = "osgFbrdf";
+/// Record of the group that turns the lights on.
+constexpr const char* kLit = "lit";
+/// Name of the group of LightSources.
+constexpr const char* kSources = "osgFbrdf plain lights";
 
 osgDB::ReaderWriter* asciiFormat()
 {
@@ -112,7 +115,7 @@ struct Collector : public osg::NodeVisitor {
     std::vector<int> taken;  ///< numbers of the scene's own osg::Lights
 };
 
-/// Which lights of each node get which of GL's numbers: the most intense first.
+/// The lights of each node that get one of OpenGL's numbers: the most intense of all nodes.
 std::vector<Lights> chosenLights(const Collector& found)
 {
     struct Candidate {
@@ -149,8 +152,8 @@ osg::ref_ptr<osg::Group> lit(osg::Node& root, const std::vector<Lights>& chosen)
     return group;
 }
 
-/// What the record of a group says, with the children of the group; null, with a warning, where it
-/// says nothing that this library knows.
+/// The node that the record of a group describes, with the children of the group; null, with a
+/// warning, where this library cannot read the record.
 osg::ref_ptr<osg::Group> nodeFrom(osg::Group& plain, const std::string& record,
                                   const osgDB::Options* given)
 {
@@ -172,7 +175,7 @@ osg::ref_ptr<osg::Group> nodeFrom(osg::Group& plain, const std::string& record,
     return node;
 }
 
-/// Materials without a file that are equal become one: each effect has recorded its own.
+/// Makes equal materials without a file one object: each effect has recorded a copy of its own.
 void shareMaterials(const std::vector<osg::ref_ptr<FactorizedBrdf>>& effects)
 {
     auto* format = osgDB::Registry::instance()->getReaderWriterForExtension("fbrdf");

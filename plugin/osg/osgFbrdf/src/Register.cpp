@@ -1,4 +1,4 @@
-// The one static that OSG needs: by it osgFX::Registry, and so osgfxbrowser, finds the effect.
+// osgFX::Registry, and so osgfxbrowser, finds the effect by this static object.
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <osgFX/Registry>

@@ -1,4 +1,4 @@
-// A program of somebody else: the quick start of plugin/README.md, saved as a scene.
+// A program outside the project runs the quick start of plugin/osg/README.md and saves the scene.
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 

@@ -13,8 +13,8 @@ namespace osgFbrdf {
 
 class MaterialStates;
 
-/// A value: once handed to an effect it does not change; a reloaded file is another object. So any
-/// number of threads may cull and draw with it.
+/// Once handed to an effect the object does not change, so any number of threads may cull and draw
+/// with it; a file that is read again gives another object.
 class MaterialObject : public osg::Object {
 public:
     MaterialObject();  ///< no material: effects draw their fallback
@@ -23,14 +23,15 @@ public:
     MaterialObject(const MaterialObject& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgFbrdf, MaterialObject)
 
-    /// For readers of scenes, which make an object before they know what it holds: takes the
+    /// For readers of scenes, which make an object before they know what is in it: takes the
     /// material of another. Only while nobody else has this one.
     void take(const MaterialObject& other);
 
     bool valid() const { return states_.valid(); }
     const fbrdf::Material& material() const { return material_; }
-    const std::string& fileName() const { return fileName_; }  ///< empty: made from memory
-    /// Linear RGB in [0, 1]: what a diffuse surface that reflects as much would be painted.
+    /// Empty for a material that was made from memory.
+    const std::string& fileName() const { return fileName_; }
+    /// Linear RGB in [0, 1]: the colour of a diffuse surface that reflects as much.
     const osg::Vec3f& albedo() const { return albedo_; }
 
     /// State sets of the passes; null unless valid.

@@ -1,5 +1,5 @@
-// PlainForm.h - scenes for programs without this library: they leave out nodes of its classes and
-// all that is below ("Unsupported wrapper class").
+// PlainForm.h - scenes for programs without this library, which leave out nodes of its classes and
+// everything below them ("Unsupported wrapper class").
 //
 // The plain form has an osg::Group where an effect was, with an osg::Material as bright as it, and
 // osg::LightSources for the eight most intense of all PointLights. What stood there is kept as text
@@ -11,11 +11,13 @@
 
 namespace osgFbrdf {
 
-/// A copy; drawables and state sets that need no change are shared with the scene.
+/// A copy of the scene in the plain form. Drawables and state sets that need no change are shared
+/// with the scene.
 osg::ref_ptr<osg::Node> plainForm(const osg::Node& scene);
 
-/// The scene that plainForm() was made of, made of the same nodes; other scenes stay as they are. A
-/// record that cannot be read gives a warning and stays plain. options: where to find materials.
+/// The scene that a plain form was made of; other scenes stay as they are. The nodes are those of
+/// the plain form. A group whose record cannot be read gives a warning and stays plain. options:
+/// where to find materials.
 osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options = nullptr);
 
 }  // namespace osgFbrdf
