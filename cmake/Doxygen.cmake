@@ -8,13 +8,16 @@ endif()
 
 set(FBRDF_DOXYGEN_OUTPUT ${PROJECT_BINARY_DIR}/docs)
 file(GLOB includes LIST_DIRECTORIES TRUE runtime/*/include fitter/*/include sample_app/*/include plugin/osg/*/include)
-file(GLOB pages README.md CONTRIBUTING.md CHANGELOG.md docs/*.md */README.md */*/README.md)
+file(GLOB pages README.md CONTRIBUTING.md CHANGELOG.md docs/*.md)
+file(GLOB_RECURSE readmes runtime/README.md fitter/README.md plugin/README.md sample_app/README.md tests/README.md
+  cmake/README.md)
 list(JOIN includes "\" \"" FBRDF_DOXYGEN_INCLUDES)
+list(APPEND pages ${readmes})
 list(JOIN pages "\" \"" quoted)
 set(FBRDF_DOXYGEN_INCLUDES "\"${FBRDF_DOXYGEN_INCLUDES}\"")
 set(FBRDF_DOXYGEN_INPUT "\"${quoted}\" ${FBRDF_DOXYGEN_INCLUDES}")
 configure_file(docs/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
+file(MAKE_DIRECTORY ${FBRDF_DOXYGEN_OUTPUT})
 add_custom_target(docs
-  COMMAND ${CMAKE_COMMAND} -E make_directory ${FBRDF_DOXYGEN_OUTPUT}
   COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/Doxyfile
   COMMENT "Writing ${FBRDF_DOXYGEN_OUTPUT}/html/index.html" VERBATIM)
