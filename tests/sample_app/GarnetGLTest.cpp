@@ -85,7 +85,7 @@ std::vector<Light> twoLights()
     return {key, rim};
 }
 
-/// The picture by seed Eq. 2 and 6, written out.
+/// The picture by docs/method.md, Eq. 2 and 6, written out.
 Image direct(const Mesh& mesh, const gl::View& view, const Vec3d& eye)
 {
     const std::string base = test::dataPath("waterloo_hf/garnetred/garnetred64");
