@@ -10,7 +10,7 @@
 namespace fbrdf::test {
 namespace {
 
-// Values pass through float (interfaces of the metrics), so equality ends at 1e-6.
+// The metrics take values as float, so that equality ends at 1e-6.
 constexpr double kFloat = 1e-6;
 
 TEST(CompareCommand, AFunctionAgainstItselfHasNoError)

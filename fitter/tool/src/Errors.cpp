@@ -16,7 +16,7 @@ struct Metric {
     const char* meaning;
 };
 
-// f reference, g its approximation, c = cos theta_i (interfaces of the metrics: Metrics.h).
+// f is the reference, g its approximation, c = cos theta_i (docs/method.md, section Errors).
 constexpr Metric kMetrics[] = {
     {"log_rms", "rms of ln g/f"},
     {"log_median", "median of |ln g/f|"},

@@ -18,8 +18,7 @@ namespace {
 // True for names that neither leave the output folder nor are hidden in it.
 bool isFileName(const std::string& name)
 {
-    constexpr size_t kLongest =
-        200;  // file systems allow 255 bytes, and temporary names are longer
+    constexpr size_t kLongest = 200;  // file systems allow 255 bytes, the ending included
     return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
            name.find('/') == std::string::npos;
 }
