@@ -98,8 +98,7 @@ public:
         radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
         for (const Format& format : kFormats) {
             if (!floatTargets_ && format.format != OffscreenFormat::rgba8) continue;
-            for (const Technique technique :
-                 {Technique::single, Technique::batched, Technique::twoLookup}) {
+            for (const Technique technique : allTechniques()) {
                 AccuracyRow row = drawn(*gpu, lights, format, technique, radiance);
                 row.form = form;
                 rows.push_back(std::move(row));

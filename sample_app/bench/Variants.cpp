@@ -37,11 +37,8 @@ Variant runtimeVariant(const std::string& form, Technique technique, LookUp look
     const bool isNative = lookUp == LookUp::native;
     const std::string name = form + (isNative ? "" : std::string(" ") + lookUpName(lookUp)) + " " +
                              techniqueName(technique);
-    const std::string how = technique == Technique::batched
-                                ? std::to_string(options.lightsPerPass) + " lights a pass"
-                            : technique == Technique::single ? "all lights in one pass"
-                                                             : "at most two look-ups a pass";
-    return {name, how, [form, lookUp, options](const Scene& scene) {
+    return {name, techniqueInfo(technique).description,
+            [form, lookUp, options](const Scene& scene) {
                 return drawWithRuntime(ggxMaterial(form), lookUp, options, scene);
             }};
 }
@@ -63,8 +60,7 @@ std::vector<Variant> allVariants()
     std::vector<Variant> variants;
     for (Peer& peer : peers()) variants.push_back(peerVariant(std::move(peer)));
     for (const char* form : {"hdio", "pqp", "pqpr", "io+hdio"})
-        for (const Technique technique :
-             {Technique::single, Technique::batched, Technique::twoLookup})
+        for (const Technique technique : allTechniques())
             variants.push_back(runtimeVariant(form, technique));
     for (const LookUp lookUp : {LookUp::parabolic, LookUp::cube})
         variants.push_back(runtimeVariant("pqp", Technique::single, lookUp));

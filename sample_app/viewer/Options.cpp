@@ -45,10 +45,7 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--backend", texts.backend,
                    "How to get GL without a display: egl (default) or osmesa")
         ->needs(headless);
-    app.add_option(
-        "--technique", texts.technique,
-        "single, batched or two-lookup; on the CPU: vertex (true BRDF at the vertices) or "
-        "reference (true BRDF at every pixel, in double)");
+    app.add_option("--technique", texts.technique, scene::viewTechniqueHelp());
     app.add_option(
         "--look-up", texts.lookUp,
         "How maps over one direction are looked up: native (default), or recombined into "

@@ -21,7 +21,7 @@ struct Options {
     std::string lights;  ///< path; empty: lightCount made ones
     int lightCount = 5;
     uint32_t seed = 0;
-    scene::ViewTechnique technique = scene::ViewTechnique::single;
+    scene::ViewTechnique technique = scene::viewTechnique(Technique::single);
     LookUp lookUp = LookUp::native;
     std::optional<scene::Camera> camera;
     int width = 512, height = 512;

@@ -75,7 +75,7 @@ protected:
         const auto gpu = renderer.createMaterial(material, materialOptions);
         const auto gpuMesh = renderer.createMesh(mesh);
         double worst = 0.0;
-        for (const auto technique : {Technique::single, Technique::batched, Technique::twoLookup}) {
+        for (const auto technique : allTechniques()) {
             Offscreen offscreen(es_->loader(), {kSize, kSize, format});
             offscreen.clear();
             const auto stats =

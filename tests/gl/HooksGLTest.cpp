@@ -46,7 +46,7 @@ TEST_P(HostHooks, AVertexHookSkinsInEveryTechnique)
         baked.normals[i] = skinned.normals[i];
         baked.tangents[i] = skinned.tangents[i];
     }
-    for (const auto technique : {Technique::single, Technique::batched, Technique::twoLookup}) {
+    for (const auto technique : allTechniques()) {
         const gl::DrawOptions options{technique, 2};
         expectSame(
             draw(brushed(), {skinned, glm::mat4(1.0f), skin.get()}, perspectiveView(), options)

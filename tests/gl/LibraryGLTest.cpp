@@ -116,8 +116,7 @@ TEST_P(Library, EveryFormAndTechniqueDrawsWhatSeparateMaterialsDraw)
         const auto library = renderer.createLibrary(materials);
         const auto instances = rows(40, 4);
         const Drawn apart = drawApart(renderer, materials, *mesh, instances, 9);
-        for (const Technique technique :
-             {Technique::single, Technique::batched, Technique::twoLookup}) {
+        for (const Technique technique : allTechniques()) {
             gl::DrawOptions options;
             options.technique = technique;
             options.lightsPerPass = 4;

@@ -64,8 +64,8 @@ protected:
     /// The largest share of the bound, over techniques.
     double worstShare(gl::Renderer& renderer, const Material& material,
                       const gl::MaterialOptions& options, const gl::GpuMesh& mesh,
-                      const std::vector<Technique>& techniques = {
-                          Technique::single, Technique::batched, Technique::twoLookup})
+                      const std::vector<Technique>& techniques = {allTechniques().begin(),
+                                                                  allTechniques().end()})
     {
         const auto lights = testLights(3);
         const auto exact = referenceImage(material, geometry_, lights, perspectiveView());

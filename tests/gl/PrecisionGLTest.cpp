@@ -36,8 +36,7 @@ TEST_P(Precision, HoldsInEveryFormTechniqueTargetAndTransfer)
                  {OffscreenFormat::rgba32f, OffscreenFormat::rgba16f, OffscreenFormat::rgba8})
                 for (const Transfer transfer :
                      {Transfer::linear, Transfer::srgb, Transfer::toneMap})
-                    for (const Technique technique :
-                         {Technique::single, Technique::batched, Technique::twoLookup}) {
+                    for (const Technique technique : allTechniques()) {
                         Offscreen offscreen = makeOffscreen(kSize, format);
                         const auto stats =
                             renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view,

@@ -45,11 +45,15 @@ std::vector<TableEncoding> cubeEncodings(const Material& material)
 void addSources(const Material& material, const std::vector<TableEncoding>& encodings, int glsl,
                 std::map<std::string, std::string>& sources)
 {
-    for (const Technique technique : {Technique::single, Technique::batched, Technique::twoLookup})
+    for (const Technique technique : allTechniques())
         for (const int lights : {0, 1, 20})
             for (const int lookups : {0, 1, 3})
                 for (const ColourFormat target : {ColourFormat::rgba32f, ColourFormat::rgba8}) {
-                    const PlanRequest request{technique, lights, 8, lookups, target, true};
+                    PlanRequest request;
+                    request.technique = technique;
+                    request.lights = lights;
+                    request.maxLookups = lookups;
+                    request.target = target;
                     const Plan plan = planPasses(material.form, request, capable());
                     for (const Pass& pass : plan.passes) {
                         const auto text =

@@ -132,13 +132,5 @@ TEST(LightVectors, AreInEyeSpaceAndNormalised)
     EXPECT_EQ(directional[2], glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
 }
 
-TEST(TechniqueNames, RoundTrip)
-{
-    for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
-        EXPECT_EQ(techniqueFromName(techniqueName(t)), t);
-    EXPECT_THROW(techniqueFromName("deferred"), Error);
-    EXPECT_THROW(techniqueFromName(""), Error);
-}
-
 }  // namespace
 }  // namespace fbrdf

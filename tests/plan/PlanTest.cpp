@@ -111,22 +111,29 @@ template <class Check>
 void forEachCase(Check check)
 {
     for (const Form& form : allForms())
-        for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
+        for (const Technique t : allTechniques())
             for (const int lights : {0, 1, 2, 3, 8, 9, 64})
                 for (const int lightsPerPass : {1, 3, 8})
                     for (const int lookups : {0, 1, 2, 3, 4, 5, 20})
                         for (const ColourFormat target :
                              {ColourFormat::rgba32f, ColourFormat::rgba8, ColourFormat::rgba16f})
-                            for (const bool offscreen : {true, false})
-                                check(Case{form,
-                                           {t, lights, lightsPerPass, lookups, target, offscreen}});
+                            for (const bool offscreen : {true, false}) {
+                                PlanRequest request;
+                                request.technique = t;
+                                request.lights = lights;
+                                request.lightsPerPass = lightsPerPass;
+                                request.maxLookups = lookups;
+                                request.target = target;
+                                request.offscreen = offscreen;
+                                check(Case{form, request});
+                            }
 }
 
 int limitOf(const PlanRequest& request)
 {
-    if (request.technique == Technique::twoLookup)
-        return request.maxLookups > 0 ? std::min(2, request.maxLookups) : 2;
-    return request.maxLookups > 0 ? request.maxLookups : 1 << 30;
+    constexpr int kNone = 1 << 30;
+    const int own = request.technique == Technique::twoLookup ? 2 : kNone;
+    return std::min(own, request.maxLookups > 0 ? request.maxLookups : kNone);
 }
 
 int lightLimitOf(const PlanRequest& request)
@@ -183,11 +190,16 @@ TEST(Plan, ShowsTheNearestFragmentWhateverTheOrder)
 TEST(Plan, ACurveComesOnceAndLast)
 {
     for (const Form& form : allForms())
-        for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
+        for (const Technique t : allTechniques())
             for (const int lights : {0, 1, 3, 9})
                 for (const bool offscreen : {true, false}) {
-                    const Case c{
-                        form, {t, lights, 2, 0, ColourFormat::rgba8, offscreen, Transfer::toneMap}};
+                    Case c{form, {}};
+                    c.request.technique = t;
+                    c.request.lights = lights;
+                    c.request.lightsPerPass = 2;
+                    c.request.target = ColourFormat::rgba8;
+                    c.request.offscreen = offscreen;
+                    c.request.transfer = Transfer::toneMap;
                     const Plan plan = planPasses(form, c.request, modern());
                     ASSERT_TRUE(plan.feasible() || !offscreen) << describeCase(c) << plan.reason;
                     if (!plan.feasible()) continue;
@@ -463,7 +475,9 @@ TEST(Precision, GrowsByOneRoundingAPass)
 {
     const double ulp = 0x1p-23;
     const auto bound = [](int lights, ColourFormat target, Transfer transfer = Transfer::linear) {
-        const PlanRequest request{Technique::twoLookup, lights, 8, 0, target, true, transfer};
+        PlanRequest request = twoLookup(lights);
+        request.target = target;
+        request.transfer = transfer;
         return planPasses(formHdio(4, 4, 4), request, modern()).error;
     };
     const ErrorBound one = bound(1, ColourFormat::rgba32f);
@@ -500,9 +514,13 @@ TEST(Precision, CountsRecombinedMapsOnce)
 TEST(Precision, NothingMultipliesInPlaceWhereFactorsAreClamped)
 {
     for (const bool offscreen : {true, false})
-        for (const Technique technique :
-             {Technique::single, Technique::batched, Technique::twoLookup}) {
-            const PlanRequest request{technique, 9, 2, 0, ColourFormat::rgba8, offscreen};
+        for (const Technique technique : allTechniques()) {
+            PlanRequest request;
+            request.technique = technique;
+            request.lights = 9;
+            request.lightsPerPass = 2;
+            request.target = ColourFormat::rgba8;
+            request.offscreen = offscreen;
             for (const Pass& pass : planPasses(formPqp(4, 1.0), request, modern()).passes)
                 EXPECT_FALSE(pass.blend == Blend::multiply && pass.writes == Surface::target)
                     << techniqueName(technique) << " " << offscreen;

@@ -37,9 +37,9 @@ TEST(Keys, CycleThroughMaterialsMeshesAndTechniques)
     EXPECT_TRUE(applyKey(state, 'o') && applyKey(state, 'o'));
     EXPECT_EQ(state.mesh, 0);
     for (int i = 0; i < kViewTechniqueCount; ++i) applyKey(state, 't');
-    EXPECT_EQ(state.technique, ViewTechnique::single);
+    EXPECT_EQ(state.technique, viewTechnique(Technique::single));
     applyKey(state, 't');
-    EXPECT_EQ(state.technique, ViewTechnique::batched);
+    EXPECT_EQ(state.technique, viewTechnique(Technique::batched));
 }
 
 TEST(Keys, DoubleAndHalveLightsWithinLimits)

@@ -155,8 +155,7 @@ TEST_P(GarnetGL, KnotUnderTwoLightsIsTheProductOfThePublishedMaps)
     const Material material = readMaterial(test::dataPath("waterloo_hf/garnetred/garnetred64.txt"));
     const Image expected = direct(mesh, scene.view, camera.eye);
     GlPictures pictures(GetParam());
-    for (const Technique technique :
-         {Technique::single, Technique::batched, Technique::twoLookup}) {
+    for (const Technique technique : allTechniques()) {
         const GlPicture drawn = pictures.draw(scene, material, technique, kSize, kSize);
         EXPECT_EQ(compare(drawn.image, expected).coverageDiffers, 0);
         const Difference difference = differenceOf(drawn.image, expected);

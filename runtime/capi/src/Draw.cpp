@@ -58,7 +58,7 @@ int countOf(uint32_t value, int otherwise, const char* name)
 fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
 {
     fbrdf::gl::DrawOptions options;
-    options.technique = enumerator(desc.technique, fbrdf::Technique::twoLookup, "technique");
+    options.technique = enumerator(desc.technique, fbrdf::allTechniques().back(), "technique");
     options.lightsPerPass = countOf(desc.lights_per_pass, 8, "lights_per_pass");
     options.maxLookups = countOf(desc.max_lookups, 0, "max_lookups");
     options.maxLights = countOf(desc.max_lights, 0, "max_lights");

@@ -32,9 +32,15 @@ void checkModel(const glm::mat4& model)
 PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
                                      const TargetInfo& target) const
 {
-    return {options.technique,  lights,        options.lightsPerPass,
-            options.maxLookups, target.format, !target.multisampled,
-            target.transfer};
+    PlanRequest request;
+    request.technique = options.technique;
+    request.lights = lights;
+    request.lightsPerPass = options.lightsPerPass;
+    request.maxLookups = options.maxLookups;
+    request.target = target.format;
+    request.offscreen = !target.multisampled;
+    request.transfer = target.transfer;
+    return request;
 }
 
 std::vector<const Program*> Renderer::State::programsOf(const GpuMaterial& material,

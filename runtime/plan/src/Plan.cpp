@@ -23,13 +23,12 @@ Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities
     limits.offscreen = request.offscreen && capabilities.framebufferObjects &&
                        (capabilities.floatTargets || capabilities.halfTargets);
     limits.lights = maxLightsInUniforms(form, capabilities);
-    if (request.maxLookups > 0) limits.lookups = request.maxLookups;
-    if (request.technique == Technique::batched)
+    const TechniqueInfo& technique = techniqueInfo(request.technique);
+    if (technique.lightsPerPass == LightsPerPass::asRequested)
         limits.lights = std::min(limits.lights, request.lightsPerPass);
-    if (request.technique == Technique::twoLookup) {
-        limits.lights = 1;
-        limits.lookups = std::min(limits.lookups, 2);
-    }
+    if (technique.lightsPerPass == LightsPerPass::one) limits.lights = 1;
+    for (const int lookups : {request.maxLookups, technique.maxLookups})
+        if (lookups > 0) limits.lookups = std::min(limits.lookups, lookups);
     return limits;
 }
 

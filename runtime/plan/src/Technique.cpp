@@ -2,23 +2,32 @@
 #include <fbrdf/plan/Plan.h>
 
 namespace fbrdf {
+namespace {
 
-const char* techniqueName(Technique technique)
+constexpr bool isInOrder()
 {
-    switch (technique) {
-        case Technique::single: return "single";
-        case Technique::batched: return "batched";
-        case Technique::twoLookup: return "two-lookup";
-    }
-    return "?";
+    for (size_t i = 0; i < kTechniques.size(); ++i)
+        if (kTechniques[i].technique != static_cast<Technique>(i)) return false;
+    return true;
 }
+static_assert(isInOrder(), "techniqueInfo indexes the rows by enumerator");
+
+}  // namespace
 
 Technique techniqueFromName(const std::string& name)
 {
-    for (const Technique t : {Technique::single, Technique::batched, Technique::twoLookup})
-        if (name == techniqueName(t)) return t;
+    for (const TechniqueInfo& row : kTechniques)
+        if (name == row.name) return row.technique;
     throw Error(ErrorKind::usage, "technique",
-                "found '" + name + "', expected single, batched or two-lookup");
+                "found '" + name + "', expected one of " + techniqueNames());
+}
+
+std::string techniqueNames()
+{
+    std::string names;
+    for (const TechniqueInfo& row : kTechniques)
+        names += std::string(names.empty() ? "" : ", ") + row.name;
+    return names;
 }
 
 const char* colourFormatName(ColourFormat format)

@@ -8,8 +8,20 @@
 namespace fbrdf::scene {
 namespace {
 
-constexpr std::array<const char*, kViewTechniqueCount> kNames{"single", "batched", "two-lookup",
-                                                              "vertex", "reference"};
+struct CpuTechnique {
+    const char *name, *description;
+};
+/// Those of ViewTechnique from kTechniqueCount on, in its order.
+constexpr std::array<CpuTechnique, kViewTechniqueCount - kTechniqueCount> kCpuTechniques{{
+    {"vertex", "true BRDF at the vertices"},
+    {"reference", "true BRDF at every pixel, in double"},
+}};
+
+const CpuTechnique& cpuTechnique(ViewTechnique technique)
+{
+    return kCpuTechniques[static_cast<size_t>(technique) - kTechniques.size()];
+}
+
 constexpr char kEscape = 27;
 constexpr float kExposureStep = 1.122462f;  // 2^(1/6): six presses a stop
 constexpr double kWheelZoom = 0.9;          // of the distance, a step
@@ -49,27 +61,37 @@ bool applyLightKey(ViewState& state, char key)
 
 const char* viewTechniqueName(ViewTechnique technique)
 {
-    return kNames[static_cast<size_t>(technique)];
+    return isOnCpu(technique) ? cpuTechnique(technique).name
+                              : techniqueName(runtimeTechnique(technique));
 }
 
 ViewTechnique viewTechniqueFromName(const std::string& name)
 {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found != kNames.end()) return static_cast<ViewTechnique>(found - kNames.begin());
     std::string all;
-    for (const char* known : kNames) all += (all.empty() ? "" : ", ") + std::string(known);
+    for (int i = 0; i < kViewTechniqueCount; ++i) {
+        const auto technique = static_cast<ViewTechnique>(i);
+        if (name == viewTechniqueName(technique)) return technique;
+        all += (i == 0 ? "" : ", ") + std::string(viewTechniqueName(technique));
+    }
     throw Error(ErrorKind::usage, "--technique", "found '" + name + "', expected one of " + all);
+}
+
+std::string viewTechniqueHelp()
+{
+    std::string onCpu;
+    for (const CpuTechnique& t : kCpuTechniques)
+        onCpu += std::string(onCpu.empty() ? "" : ", ") + t.name + " (" + t.description + ")";
+    return techniqueNames() + "; on the CPU: " + onCpu;
 }
 
 bool isOnCpu(ViewTechnique technique)
 {
-    return technique == ViewTechnique::vertex || technique == ViewTechnique::reference;
+    return static_cast<int>(technique) >= kTechniqueCount;
 }
 
 Technique runtimeTechnique(ViewTechnique technique)
 {
-    if (technique == ViewTechnique::batched) return Technique::batched;
-    return technique == ViewTechnique::twoLookup ? Technique::twoLookup : Technique::single;
+    return isOnCpu(technique) ? Technique::single : static_cast<Technique>(technique);
 }
 
 bool applyKey(ViewState& state, char key)

@@ -15,6 +15,7 @@
 #pragma once
 #include <fbrdf/brdf/Form.h>
 #include <fbrdf/plan/Capabilities.h>
+#include <fbrdf/plan/Technique.h>
 #include <fbrdf/plan/Transfer.h>
 
 #include <optional>
@@ -22,13 +23,6 @@
 #include <vector>
 
 namespace fbrdf {
-
-/// How lights are spread over passes. single: all in one; batched: lightsPerPass at a time;
-/// twoLookup: one at a time, at most two look-ups in any pass.
-enum class Technique { single, batched, twoLookup };
-
-const char* techniqueName(Technique technique);        ///< "single", "batched", "two-lookup"
-Technique techniqueFromName(const std::string& name);  ///< throws Error(usage)
 
 /// Colour formats as far as adding up passes depends on them.
 enum class ColourFormat { rgba8, rgba16, rgba16f, rgba32f, other };
@@ -76,7 +70,7 @@ struct Peaks {
 struct PlanRequest {
     Technique technique = Technique::single;
     int lights = 0;         ///< >= 0
-    int lightsPerPass = 8;  ///< batched only, >= 1
+    int lightsPerPass = 8;  ///< where the technique asks for it, >= 1
     int maxLookups = 0;     ///< in any pass; 0: what the technique says
     ColourFormat target = ColourFormat::rgba32f;
     bool offscreen = true;  ///< accumulation and scratch surfaces may be used (a multisampled

@@ -7,21 +7,26 @@
 
 namespace fbrdf::scene {
 
-/// How a picture is made. The first three are the runtime's (fbrdf/plan/Plan.h), the others are
-/// drawn on the CPU (CpuRenderer.h).
-enum class ViewTechnique { single, batched, twoLookup, vertex, reference };
-constexpr int kViewTechniqueCount = 5;
+/// How a picture is made: by a technique of the runtime (fbrdf/plan/Technique.h), which keeps its
+/// number, or by one that the CPU draws (CpuRenderer.h).
+enum class ViewTechnique { vertex = kTechniqueCount, reference };
+constexpr int kViewTechniqueCount = kTechniqueCount + 2;
+constexpr ViewTechnique viewTechnique(Technique technique)
+{
+    return static_cast<ViewTechnique>(technique);
+}
 constexpr int kMostLights = 1024;  ///< that keys and panel ask for
 
 const char* viewTechniqueName(ViewTechnique technique);        ///< "two-lookup", ...
 ViewTechnique viewTechniqueFromName(const std::string& name);  ///< throws Error(usage)
+std::string viewTechniqueHelp();  ///< names, with what those on the CPU draw
 bool isOnCpu(ViewTechnique technique);
 Technique runtimeTechnique(ViewTechnique technique);  ///< expects !isOnCpu(technique)
 
 /// What the window shows.
 struct ViewState {
     Camera camera, home;  ///< home: what `r` goes back to
-    ViewTechnique technique = ViewTechnique::single;
+    ViewTechnique technique = viewTechnique(Technique::single);
     int material = 0, materialCount = 1;
     int mesh = 0, meshCount = 1;
     int lightCount = 1;
