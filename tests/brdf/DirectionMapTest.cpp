@@ -11,10 +11,10 @@
 namespace fbrdf {
 namespace {
 
-// Texels are floats of magnitude 8 or less.
+// The rounding of floats of magnitude 8 or less.
 constexpr double kFloat = 1e-6;
 
-/// log2 F of a direction, one number a channel.
+/// log2 F of a direction, one number for each channel.
 using Logs = Vec3d (*)(const Vec3d&);
 
 Vec3d smooth(const Vec3d& d)
@@ -61,7 +61,7 @@ DirectionMapRequest requestOf(LookUp lookUp, int size, bool seamless)
     return request;
 }
 
-/// Of the hemisphere, uniform.
+/// A direction of the hemisphere, uniformly distributed.
 Vec3d randomDirection(std::mt19937& random)
 {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -69,7 +69,7 @@ Vec3d randomDirection(std::mt19937& random)
     return {radius * std::cos(phi), radius * std::sin(phi), z};
 }
 
-/// What a map says, at a corner of the cube with the mean of the texels that there are.
+/// The value of a map; a corner of the cube takes the mean of the texels that exist.
 Vec3d mapAt(const DirectionMap& map, const Vec3d& direction, bool seamless)
 {
     if (map.lookUp == LookUp::parabolic) return valueAt(map.table, direction);
@@ -197,7 +197,7 @@ TEST(DirectionMap, SaysWhatItCannotHold)
     EXPECT_NE(whyNotRecombined(pqpr, 2, Storage::half).find("angles"), std::string::npos);
     EXPECT_NE(whyNotRecombined(hdio, 1, Storage::half).find("'T2'"), std::string::npos);
     Form below = pqpr;
-    below.terms[0].factors[1].argument = Direction::combination(1.0, -1.0, 0.5);
+    below.terms[0].factors[1].argument = Direction::combination(-1.0, 1.0, 0.5);
     EXPECT_NE(whyNotRecombined(below, 1, Storage::half).find("below"), std::string::npos);
     for (const Direction& direction : {Direction::mirror, Direction::d}) {
         below.terms[0].factors[1].argument = direction;

@@ -1,4 +1,4 @@
-// FormTest.cpp - forms as data: the named ones, what they say, and every way to be invalid.
+// FormTest.cpp - forms as data: the named ones, their descriptions, and every way to be invalid.
 #include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Form.h>
 #include <gtest/gtest.h>
@@ -41,8 +41,8 @@ TEST(Form, KnowsWhatIsIsotropicAndWhatDependsOnTheLight)
     EXPECT_TRUE(dependsOnLight({0, Direction::wi}));
     EXPECT_TRUE(dependsOnLight({0, Direction::d}));
     EXPECT_FALSE(dependsOnLight({0, Direction::mirror}));
-    EXPECT_TRUE(dependsOnLight({0, Direction::combination(0.1, 1.0, 0.0)}));
-    EXPECT_FALSE(dependsOnLight({0, Direction::combination(0.0, 1.0, 3.0)}));
+    EXPECT_TRUE(dependsOnLight({0, Direction::combination(1.0, 0.1, 0.0)}));
+    EXPECT_FALSE(dependsOnLight({0, Direction::combination(1.0, 0.0, 3.0)}));
     EXPECT_FALSE(dependsOnLight({0, std::vector<Angle>{Angle::theta_o}}));
     EXPECT_TRUE(dependsOnLight({0, std::vector<Angle>{Angle::theta_o, Angle::theta_i}}));
     EXPECT_TRUE(dependsOnLight({0, std::vector<Angle>{Angle::theta_d}}));
@@ -56,7 +56,7 @@ TEST(Form, NamesOfDirectionsAndAnglesDiffer)
     EXPECT_EQ(directionName(Direction::d), "d");
     EXPECT_EQ(directionName(Direction::mirror), "mirror");
     EXPECT_EQ(directionName(Direction::combination(1.0, 1.0, 0.0)), "h");
-    EXPECT_EQ(directionName(Direction::combination(0.5, 1.0, -2.0)), "norm(0.5 wi + 1 wo + -2 n)");
+    EXPECT_EQ(directionName(Direction::combination(1.0, 0.5, -2.0)), "norm(0.5 wi + 1 wo + -2 n)");
     EXPECT_STREQ(angleName(Angle::theta_h), "theta_h");
     EXPECT_STREQ(angleName(Angle::theta_d), "theta_d");
     EXPECT_STREQ(angleName(Angle::theta_i), "theta_i");
@@ -147,11 +147,11 @@ TEST(Form, RefusesInvalidTerms)
          {"table index 3", [](Form& f) { f.terms[0].factors[0].table = 3; }},
          {"direction weight nan",
           [](Form& f) {
-              f.terms[0].factors[0].argument = Direction::combination(std::nan(""), 1.0, 0.0);
+              f.terms[0].factors[0].argument = Direction::combination(1.0, std::nan(""), 0.0);
           }},
          {"direction weight 2000",
           [](Form& f) {
-              f.terms[0].factors[0].argument = Direction::combination(0.0, 1.0, 2000.0);
+              f.terms[0].factors[0].argument = Direction::combination(1.0, 0.0, 2000.0);
           }},
          {"table index -1", [](Form& f) { f.terms[0].factors[0].table = -1; }},
          {"looked up with (wi)", [](Form& f) { f.terms[0].factors[3].argument = Direction::wi; }},

@@ -11,7 +11,7 @@ using namespace fbrdf;
 namespace {
 
 constexpr double kGammas[] = {0.25, 1.0 / 3.0, 0.5, 1.0, 2.0};
-// A handful of operations in double.
+// The rounding of a handful of operations in double.
 constexpr double kTight = 1e-13;
 
 DiscDomain disc(int size, double gamma)
@@ -130,7 +130,7 @@ TEST(Disc, PositionsComeBackAndCornersAreOnTheHorizon)
     }
 }
 
-// Not only unit directions: those of a shader are unit to 1e-7, and may dip below the horizon.
+// The directions of a shader are unit only to 1e-7 and may dip below the horizon.
 template <class T>
 void expectInside(const DiscDomain& domain, const Vec3<T>& w)
 {
@@ -156,8 +156,8 @@ TEST(Disc, NeverLeavesTheMap)
         }
 }
 
-// Directions carry 6e-8, which the warp r^gamma amplifies by r^(gamma - 1) towards the centre; a
-// distance of 0.05 from the normal keeps that below 20 for gamma = 1/4 over 16 texels.
+// Directions have an error of 6e-8, which the warp r^gamma amplifies by r^(gamma - 1) towards the
+// centre; a distance of 0.05 from the normal keeps that below 20 for gamma = 1/4 over 16 texels.
 TEST(Disc, FloatAgreesWithDouble)
 {
     constexpr double kFloat = 20.0 * 16.0 * 2e-7;
@@ -222,7 +222,7 @@ TEST(PairGeometry, CosinesAreThoseOfTheAngles)
     }
 }
 
-// 1 - cos of a float cosine has no digit left below theta = 3e-4; the complement keeps all.
+// 1 - cos of a float cosine has no digit left below theta = 3e-4; the complement keeps all digits.
 TEST(PairGeometry, ComplementsOfSmallAnglesKeepTheirDigits)
 {
     for (const double theta : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
@@ -271,7 +271,7 @@ TEST(DirectionVector, MirrorAndCombinationsAreWhatTheySay)
     };
     near(directionVector(Direction::mirror, g), 2.0 * pair.wo.z * n - pair.wo);
     near(directionVector(Direction::combination(2.0, 2.0, 0.0), g), g.h);
-    near(directionVector(Direction::combination(0.5, -1.0, 3.0), g),
+    near(directionVector(Direction::combination(-1.0, 0.5, 3.0), g),
          glm::normalize(0.5 * pair.wi - pair.wo + 3.0 * n));
     near(directionVector(Direction::combination(0.0, 0.0, 0.0), g), n);
 }

@@ -41,7 +41,7 @@ Form otherDirections()
     return {"other",
             {{"a", disc}, {"b", disc}, {"c", disc}},
             {{{{0, Direction::d}, {1, Direction::mirror}}},
-             {{{2, Direction::combination(0.5, 1.0, 0.25)}}}}};
+             {{{2, Direction::combination(1.0, 0.5, 0.25)}}}}};
 }
 
 class LookUpMaps : public RendererTest {

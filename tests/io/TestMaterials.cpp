@@ -42,7 +42,7 @@ Form directionsForm()
         "directions",
         {{"u", disc}, {"a", GridDomain{{Axis{4, {}}}}}},
         {{{{0, Direction::d}, {0, Direction::mirror}}},
-         {{{0, Direction::combination(0.25, 1.0, -0.5)}, {1, std::vector<Angle>{Angle::phi_d}}}}}};
+         {{{0, Direction::combination(1.0, 0.25, -0.5)}, {1, std::vector<Angle>{Angle::phi_d}}}}}};
 }
 
 bool sameFloats(const std::vector<float>& a, const std::vector<float>& b)

@@ -18,6 +18,14 @@ constexpr double kMaxWeight = 1e3;
     throw Error(ErrorKind::input, where, what);
 }
 
+constexpr bool isInOrder()
+{
+    for (size_t i = 0; i < kAngles.size(); ++i)
+        if (kAngles[i].angle != static_cast<Angle>(i)) return false;
+    return true;
+}
+static_assert(isInOrder(), "angleInfo indexes the rows by enumerator");
+
 bool directionDependsOnLight(const Direction& direction)
 {
     switch (direction.kind) {
@@ -79,7 +87,7 @@ void validateDomain(const TableSpec& spec, const std::string& where)
 
 void validateDirection(const Direction& direction, const std::string& where)
 {
-    for (const double weight : {direction.weight_wi, direction.weight_wo, direction.weight_n})
+    for (const double weight : {direction.weight_wo, direction.weight_wi, direction.weight_n})
         if (!(std::abs(weight) <= kMaxWeight))
             fail(where, "direction weight " + number(weight) + ", expected at most " +
                             number(kMaxWeight) + " in magnitude");
@@ -125,14 +133,7 @@ std::string directionName(const Direction& direction)
 
 const char* angleName(Angle angle)
 {
-    switch (angle) {
-        case Angle::theta_h: return "theta_h";
-        case Angle::theta_d: return "theta_d";
-        case Angle::theta_i: return "theta_i";
-        case Angle::theta_o: return "theta_o";
-        case Angle::phi_d: return "phi_d";
-    }
-    return "?";
+    return angleInfo(angle).name;
 }
 
 bool dependsOnLight(const Factor& factor)
@@ -140,7 +141,8 @@ bool dependsOnLight(const Factor& factor)
     if (const auto* direction = std::get_if<Direction>(&factor.argument))
         return directionDependsOnLight(*direction);
     const auto& angles = std::get<std::vector<Angle>>(factor.argument);
-    return std::any_of(angles.begin(), angles.end(), [](Angle a) { return a != Angle::theta_o; });
+    return std::any_of(angles.begin(), angles.end(),
+                       [](Angle a) { return angleInfo(a).dependsOnLight; });
 }
 
 bool isIsotropic(const Form& form)
@@ -182,14 +184,14 @@ void validate(const Form& form, const std::string& where)
 std::string describe(const Form& form)
 {
     std::string text;
-    std::vector<bool> told(form.tables.size(), false);
+    std::vector<bool> described(form.tables.size(), false);
     for (const Term& term : form.terms) {
         if (!text.empty()) text += "+ ";
         for (const Factor& factor : term.factors) {
             const auto index = static_cast<size_t>(factor.table);
             text += form.tables[index].name;
-            if (!told[index]) text += describe(form.tables[index].domain);
-            told[index] = true;
+            if (!described[index]) text += describe(form.tables[index].domain);
+            described[index] = true;
             text += describe(factor.argument) + " ";
         }
     }

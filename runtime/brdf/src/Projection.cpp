@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/Projection.h>
 
 #include <algorithm>
@@ -32,6 +33,8 @@ int texelCount(const Domain& domain)
 
 bool isReachable(const Domain& domain, int texel)
 {
+    FBRDF_ASSERT(texel, >=, 0);
+    FBRDF_ASSERT(texel, <, texelCount(domain));
     const auto* disc = std::get_if<DiscDomain>(&domain);
     if (!disc) return true;
     // Filtering reads a texel within less than one texel along x and y.
@@ -101,27 +104,37 @@ PairGeometry<T>::PairGeometry(const DirectionPair<T>& pair) : wo(pair.wo), wi(pa
 }
 
 template <class T>
+Vec3<T> combination(const Vec3<T>& weights, const Vec3<T>& wo, const Vec3<T>& wi)
+{
+    Vec3<T> sum = weights.x * wo + weights.y * wi;
+    sum.z += weights.z;
+    const T length = glm::length(sum);
+    return length > T(0) ? sum / length : Vec3<T>(T(0), T(0), T(1));
+}
+
+template <class T>
+Vec3<T> differenceVector(const Vec3<T>& h, const Vec3<T>& wi)
+{
+    const T radius = std::sqrt(h.x * h.x + h.y * h.y);
+    const Vec2<T> toH = radius > T(0) ? Vec2<T>(h.x, h.y) / radius : Vec2<T>(T(1), T(0));
+    return {glm::dot(wi, Vec3<T>(h.z * toH.x, h.z * toH.y, -radius)), toH.x * wi.y - toH.y * wi.x,
+            glm::dot(wi, h)};
+}
+
+template <class T>
 Vec3<T> directionVector(const Direction& direction, const PairGeometry<T>& g)
 {
     switch (direction.kind) {
         case Direction::Kind::mirror: return {-g.wo.x, -g.wo.y, g.wo.z};
-        case Direction::Kind::difference: {
-            const T radius = std::sqrt(g.h.x * g.h.x + g.h.y * g.h.y);
-            const Vec2<T> toH =
-                radius > T(0) ? Vec2<T>(g.h.x, g.h.y) / radius : Vec2<T>(T(1), T(0));
-            return {glm::dot(g.wi, Vec3<T>(g.h.z * toH.x, g.h.z * toH.y, -radius)),
-                    toH.x * g.wi.y - toH.y * g.wi.x, glm::dot(g.wi, g.h)};
-        }
+        case Direction::Kind::difference: return differenceVector(g.h, g.wi);
         case Direction::Kind::combination: break;
     }
     if (direction == Direction::wi) return g.wi;
     if (direction == Direction::wo) return g.wo;
     if (direction == Direction::h) return g.h;
-    Vec3<T> sum =
-        static_cast<T>(direction.weight_wi) * g.wi + static_cast<T>(direction.weight_wo) * g.wo;
-    sum.z += static_cast<T>(direction.weight_n);
-    const T length = glm::length(sum);
-    return length > T(0) ? sum / length : Vec3<T>(T(0), T(0), T(1));
+    const Vec3<T> weights(static_cast<T>(direction.weight_wo), static_cast<T>(direction.weight_wi),
+                          static_cast<T>(direction.weight_n));
+    return combination(weights, g.wo, g.wi);
 }
 
 template <class T>
@@ -168,6 +181,7 @@ Vec3d directionFromDiscPosition(const DiscDomain& domain, const Vec2<double>& po
 template <class T>
 Vec3<T> texelPosition(const Domain& domain, const Argument& argument, const PairGeometry<T>& g)
 {
+    FBRDF_ASSERT(argumentFits(domain, argument), ==, true);
     if (const auto* disc = std::get_if<DiscDomain>(&domain)) {
         const Vec2<T> p = discPosition(*disc, directionVector(std::get<Direction>(argument), g));
         return {p.x, p.y, T(0)};
@@ -200,6 +214,7 @@ Stencil<T> stencilAt(const std::array<int, 3>& size, const Vec3<T>& position)
     int stride = 1;
     for (int d = 0; d < 3; ++d) {
         const int n = size[static_cast<size_t>(d)];
+        FBRDF_ASSERT(n, >=, 1);
         if (n == 1) continue;
         const T p = clampTo(position[d], T(0), static_cast<T>(n - 1));
         const int low = std::min(static_cast<int>(p), n - 2);
@@ -220,6 +235,8 @@ Stencil<T> stencilAt(const std::array<int, 3>& size, const Vec3<T>& position)
 #define FBRDF_INSTANTIATE(T)                                                                \
     template struct PairGeometry<T>;                                                        \
     template T axisCoordinate(const AxisMap&, T, T);                                        \
+    template Vec3<T> combination(const Vec3<T>&, const Vec3<T>&, const Vec3<T>&);           \
+    template Vec3<T> differenceVector(const Vec3<T>&, const Vec3<T>&);                      \
     template Vec3<T> directionVector(const Direction&, const PairGeometry<T>&);             \
     template Vec2<T> discPosition(const DiscDomain&, const Vec3<T>&);                       \
     template Vec3<T> texelPosition(const Domain&, const Argument&, const PairGeometry<T>&); \

@@ -87,8 +87,8 @@ Direction directionFromJson(const JsonField& json)
     if (json.has("norm")) {
         const JsonField weights = json.at("norm");
         if (weights.size() != 3) weights.fail("three weights, of wi, wo and n");
-        return Direction::combination(weights.at(size_t{0}).number(), weights.at(1).number(),
-                                      weights.at(2).number());
+        const double weight_wi = weights.at(size_t{0}).number(), weight_wo = weights.at(1).number();
+        return Direction::combination(weight_wo, weight_wi, weights.at(2).number());
     }
     for (const Direction& direction : kNamedDirections)
         if (json.text() == directionName(direction)) return direction;

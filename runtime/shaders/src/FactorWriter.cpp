@@ -17,7 +17,7 @@ std::string number(double value)
     return result;
 }
 
-/// The vector that a direction names, as an expression.
+/// The GLSL expression of the vector that a direction names.
 std::string directionExpression(const Direction& direction)
 {
     switch (direction.kind) {
@@ -27,29 +27,32 @@ std::string directionExpression(const Direction& direction)
     }
     const std::string name = directionName(direction);
     if (name == "wi" || name == "wo" || name == "h") return name;
-    return "fbrdfCombination(vec3(" + number(direction.weight_wi) + ", " +
-           number(direction.weight_wo) + ", " + number(direction.weight_n) + "), " +
-           (direction.weight_wi != 0.0 ? "wi" : "vec3(0.0)") + ", wo)";
+    return "fbrdfCombination(vec3(" + number(direction.weight_wo) + ", " +
+           number(direction.weight_wi) + ", " + number(direction.weight_n) + "), wo, " +
+           (direction.weight_wi != 0.0 ? "wi" : "vec3(0.0)") + ")";
 }
 
 std::string axisCall(const AxisMap& map, Angle angle)
 {
     const std::string name = angleName(angle);
-    return std::string("fbrdfAxis(") + (map.from == AxisMap::From::cosine ? "true, " : "false, ") +
-           number(map.exponent) + ", " + name + ".x, " + name + ".y)";
+    return std::string("fbrdfAxisCoordinate(") +
+           (map.from == AxisMap::From::cosine ? "true, " : "false, ") + number(map.exponent) +
+           ", " + name + ".x, " + name + ".y)";
 }
 
-/// (position + 1/2) / size along one axis.
+/// The texture coordinate along one axis: (position + 1/2) / size.
 std::string axisCoordinate(const Axis& axis, Angle angle)
 {
     return axisCall(axis.map, angle) + " * " + number((axis.size - 1.0) / axis.size) + " + " +
            number(0.5 / axis.size);
 }
 
-/// The variable that holds an axis over theta_o: the same for all lights, so it is computed once.
+/// The variable for an axis over an angle of the view, which is the same for all lights and so
+/// computed once.
 std::string viewAxisName(const Factor& factor, size_t axis)
 {
-    return "theta_o" + std::to_string(factor.table) + "_" + std::to_string(axis);
+    const Angle angle = std::get<std::vector<Angle>>(factor.argument)[axis];
+    return angleName(angle) + std::to_string(factor.table) + "_" + std::to_string(axis);
 }
 
 /// Texture coordinate of a factor over one direction.
@@ -60,8 +63,9 @@ std::string directionCoordinate(const DiscDomain& native, const TableEncoding& e
     const DiscDomain disc =
         encoding.lookUp == LookUp::parabolic ? DiscDomain::fitting(encoding.mapSize, 1.0) : native;
     const double size = disc.size;
-    return "(fbrdfDisc(" + number(size) + ", " + number(disc.gamma) + ", " + number(disc.radius) +
-           ", " + directionExpression(direction) + ") + 0.5) * " + number(1.0 / size);
+    return "(fbrdfDiscPosition(" + number(size) + ", " + number(disc.gamma) + ", " +
+           number(disc.radius) + ", " + directionExpression(direction) + ") + 0.5) * " +
+           number(1.0 / size);
 }
 
 /// Texture coordinate of a factor: (position + 1/2) / size.
@@ -75,7 +79,7 @@ std::string coordinate(const FragmentContext& c, const Factor& factor)
     const auto& angles = std::get<std::vector<Angle>>(factor.argument);
     std::string text = axes.size() == 3 ? "vec3(" : "vec2(";
     for (size_t i = 0; i < axes.size(); ++i) {
-        const bool ofView = angles[i] == Angle::theta_o && fbrdf::dependsOnLight(factor);
+        const bool ofView = !angleInfo(angles[i]).dependsOnLight && fbrdf::dependsOnLight(factor);
         text += (i ? ", " : "") +
                 (ofView ? viewAxisName(factor, i) : axisCoordinate(axes[i], angles[i]));
     }
@@ -97,7 +101,7 @@ std::string parameter(int index)
     return "texelFetch(fbrdfParameters, fbrdfFirst + " + std::to_string(index) + ").rgb";
 }
 
-/// Knot `index`, an expression, of a uniform table.
+/// The expression of a knot of a uniform table; index is an expression, too.
 std::string knot(const FragmentContext& c, int table, const std::string& index)
 {
     if (!c.packed) return "fbrdfKnots" + std::to_string(table) + "[" + index + "]";
@@ -106,7 +110,7 @@ std::string knot(const FragmentContext& c, int table, const std::string& index)
            ").rgb";
 }
 
-/// Linear interpolation between knots of a uniform array.
+/// Interpolates linearly between the knots of a uniform array.
 std::string knotsLines(const FragmentContext& c, const Factor& factor, const std::string& target,
                        const std::string& operation)
 {
@@ -119,7 +123,7 @@ std::string knotsLines(const FragmentContext& c, const Factor& factor, const std
            ", x - float(k)); }\n";
 }
 
-/// One statement: the factor's value into `exponent` or `product`, both with the suffix.
+/// The statement that brings the value of a factor into exponent<suffix> or product<suffix>.
 std::string factorLines(const FragmentContext& c, const Factor& factor, const std::string& suffix,
                         const std::string& indent)
 {
@@ -130,7 +134,7 @@ std::string factorLines(const FragmentContext& c, const Factor& factor, const st
     if (tableOf(c, factor).uniform) return indent + knotsLines(c, factor, target, operation);
     std::string value = textureFetch(c, factor);
     if (encoding.ranged && encoding.logarithmic)
-        value = "fbrdfExtent" + k + " * " + value;  // the lower end is in `lowers`
+        value = "fbrdfExtent" + k + " * " + value;  // `lowers` adds the lower end
     else if (encoding.ranged)
         value = "fbrdfLower" + k + " + fbrdfExtent" + k + " * " + value;
     return indent + target + operation + value + ";\n";
@@ -179,7 +183,7 @@ std::string viewAxisLines(const FragmentContext& c)
         if (!grid || tableOf(c, factor).uniform || !fbrdf::dependsOnLight(factor)) return;
         const auto& angles = std::get<std::vector<Angle>>(factor.argument);
         for (size_t i = 0; i < angles.size(); ++i)
-            if (angles[i] == Angle::theta_o)
+            if (!angleInfo(angles[i]).dependsOnLight)
                 lines.insert("    float " + viewAxisName(factor, i) + " = " +
                              axisCoordinate(grid->axes[i], angles[i]) + ";\n");
     });

@@ -1,4 +1,4 @@
-// FactorWriter.h - factors of a form as GLSL statements: what they need, and what they add.
+// FactorWriter.h - writes the factors of a form as GLSL statements.
 #pragma once
 #include "FragmentWriter.h"
 
@@ -35,15 +35,16 @@ bool dependsOnLight(const FragmentContext& c);
 /// Names of the variables that arguments use: "theta_h", "h", ...
 std::set<std::string> variablesUsed(const FragmentContext& c);
 
-/// Declares the axes over theta_o of the factors that also depend on the light.
+/// Declares the axes over angles of the view that belong to factors which also depend on the light.
 std::string viewAxisLines(const FragmentContext& c);
-/// Declares what uniforms hold in a program of one material; "" there.
+/// Declares, in an instanced program, the values that a program of one material has in uniforms; ""
+/// in the latter.
 std::string parameterLines(const FragmentContext& c);
-/// Lower ends of all ranged logs of a part, summed: they do not depend on the light even where the
-/// texel does.
+/// The sum of the lower ends of all ranged logs of a part. It does not depend on the light even
+/// where the texels do.
 std::string lowers(const FragmentContext& c, const Part& part);
-/// Statements that bring the factors of a part, those that depend on the light or the others, into
-/// exponent<suffix> and product<suffix>.
+/// Statements that bring the factors of a part into exponent<suffix> and product<suffix>: those
+/// factors that depend on the light (ofLight), or the others.
 std::string factorsOf(const FragmentContext& c, const Part& part, bool ofLight,
                       const std::string& suffix, const std::string& indent);
 

@@ -2,7 +2,7 @@
 //     exponent<p>, product<p>     from the factors that do not depend on the light
 //     sum<p> += weight product exp2(exponent<p> + ...)     for each light
 //     colour = sum over p of product<p> sum<p>
-// Logs are added, so a term costs one exp2 a light however many factors it has.
+// Logs are added, so a term costs one exp2 per light however many factors it has.
 #include "FactorWriter.h"
 
 #include <fbrdf/base/Error.h>
@@ -23,7 +23,7 @@ std::string surfaceLines(const FragmentContext& c)
     const bool local = needsLocalFrame(c);
     std::string text;
     if (local || c.normalMap)
-        text += "    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);\n";
+        text += "    FbrdfShadingFrame frame = fbrdfShadingFrame(fbrdfNormal, fbrdfTangent);\n";
     if (c.normalMap)
         text +=
             "    frame = fbrdfPerturbed(frame, 2.0 * FBRDF_TEXTURE_MIPMAPPED(fbrdfNormalMap, "
@@ -33,13 +33,47 @@ std::string surfaceLines(const FragmentContext& c)
            ";\n    vec3 wo = viewer;\n    float NoV = dot(n, wo);\n";
 }
 
-/// What does not depend on the light, from wo.
+/// How a program computes an angle or a vector of the pair.
+struct Variable {
+    const char *type, *name;
+    const char* local;    ///< from wo, wi, h in the tangent frame
+    const char* general;  ///< from wo, wi, h and the normal n in any frame
+};
+
+/// Those that depend on wo alone, and those that the light changes; later ones may use earlier
+/// ones.
+constexpr Variable kViewVariables[] = {
+    {"vec2", "theta_o", "fbrdfZenith(wo)", "fbrdfZenithAbout(n, wo)"},
+};
+constexpr Variable kPairVariables[] = {
+    {"vec3", "h", "fbrdfHalfVector(wo, wi)", "fbrdfHalfVector(wo, wi)"},
+    {"vec2", "theta_h", "fbrdfZenith(h)",
+     "fbrdfHalfZenith(NoV, NoL, acrossView + cross(n, wi), fbrdfInverseLength(wi + wo))"},
+    {"vec2", "theta_i", "fbrdfZenith(wi)", "fbrdfZenithAbout(n, wi)"},
+    {"vec2", "theta_d", "fbrdfDifferenceAngle(wo, wi)", "fbrdfDifferenceAngle(wo, wi)"},
+    {"vec2", "phi_d", "fbrdfDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
+     "fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
+    {"vec3", "d", "fbrdfDifferenceVector(h, wi)", "fbrdfDifferenceVector(h, wi)"},
+};
+
+/// Declares those of the variables that the factors use.
+template <size_t Count>
+std::string variableLines(const FragmentContext& c, const Variable (&variables)[Count],
+                          const std::string& indent)
+{
+    const bool local = needsLocalFrame(c);
+    const auto used = variablesUsed(c);
+    std::string text;
+    for (const Variable& v : variables)
+        if (used.count(v.name))
+            text += indent + v.type + " " + v.name + " = " + (local ? v.local : v.general) + ";\n";
+    return text;
+}
+
+/// Declares what does not depend on the light, from wo.
 std::string viewLines(const FragmentContext& c)
 {
-    std::string text;
-    if (variablesUsed(c).count("theta_o"))
-        text += needsLocalFrame(c) ? "    vec2 theta_o = fbrdfZenith(wo);\n"
-                                   : "    vec2 theta_o = fbrdfZenithAbout(n, wo);\n";
+    std::string text = variableLines(c, kViewVariables, "    ");
     if (variablesUsed(c).count("theta_h") && !needsLocalFrame(c))
         text += "    vec3 acrossView = cross(n, wo);\n";
     text += viewAxisLines(c);
@@ -53,30 +87,13 @@ std::string viewLines(const FragmentContext& c)
     return text;
 }
 
-/// Directions and angles of the pair, from wo and wi.
+/// Declares directions and angles of the pair, from wo and wi.
 std::string pairLines(const FragmentContext& c, const std::string& indent)
 {
-    const bool local = needsLocalFrame(c);
-    const auto used = variablesUsed(c);
-    std::string text;
-    if (used.count("h")) text += indent + "vec3 h = fbrdfHalf(wo, wi);\n";
-    if (used.count("theta_h"))
-        text += indent + "vec2 theta_h = " +
-                (local ? "fbrdfZenith(h);\n"
-                       : "fbrdfHalfZenith(NoV, NoL, acrossView + cross(n, wi), "
-                         "fbrdfPerLength(wi + wo));\n");
-    if (used.count("theta_i"))
-        text += indent +
-                "vec2 theta_i = " + (local ? "fbrdfZenith(wi);\n" : "fbrdfZenithAbout(n, wi);\n");
-    if (used.count("theta_d")) text += indent + "vec2 theta_d = fbrdfDifference(wo, wi);\n";
-    if (used.count("phi_d"))
-        text += indent + "vec2 phi_d = fbrdfDifferenceAzimuth(" +
-                (local ? "vec3(0.0, 0.0, 1.0)" : "n") + ", h, wi, NoV, NoL);\n";
-    if (used.count("d")) text += indent + "vec3 d = fbrdfDifferenceVector(wi, h);\n";
-    return text;
+    return variableLines(c, kPairVariables, indent);
 }
 
-/// Direction and angles of a light, given as an expression of its place.
+/// Declares the direction, irradiance and angles of a light. light: the expression for its index.
 std::string lightLines(const FragmentContext& c, const std::string& light,
                        const std::string& indent)
 {
@@ -94,7 +111,7 @@ std::string lightLines(const FragmentContext& c, const std::string& light,
            pairLines(c, indent);
 }
 
-/// What the host's shadow hook lets through of a light.
+/// The factor by which the host's shadow hook dims a light.
 std::string shadowFactor(const FragmentContext& c, const std::string& light)
 {
     if (!c.shadow) return "";
@@ -103,7 +120,7 @@ std::string shadowFactor(const FragmentContext& c, const std::string& light)
     return " * fbrdfShadow(" + number + ", fbrdfPosition, toLight)";
 }
 
-/// sum<p> of one light, above the horizon only.
+/// Adds one light to sum<p>, if it is above the horizon.
 std::string litLines(const FragmentContext& c, const std::string& light, const std::string& indent)
 {
     const std::string inner = indent + "    ";
@@ -119,8 +136,9 @@ std::string litLines(const FragmentContext& c, const std::string& light, const s
     return text + indent + "}\n";
 }
 
-/// Lights that reach everywhere, then those of the fragment's list. Each fragment goes on to its
-/// own next light that reaches it, so that neighbours that run in step shade at the same time.
+/// A loop over the lights that reach everywhere and those of the fragment's list. Each fragment
+/// skips to its own next light that reaches it, so that neighbours that run in step shade at the
+/// same time.
 std::string clusteredLoop(const FragmentContext& c)
 {
     return "    ivec2 list = fbrdfLightList(gl_FragCoord.xy, -fbrdfPosition.z);\n"
@@ -132,7 +150,8 @@ std::string clusteredLoop(const FragmentContext& c)
            lightLines(c, "light", "        ") + litLines(c, "light", "        ") + "    }\n";
 }
 
-/// GLSL ES 1.00 wants to know how often a loop runs (Appendix A).
+/// The head of the loop over lights. GLSL ES 1.00 needs a constant number of iterations
+/// (Appendix A of its specification).
 std::string lightLoop(const FragmentContext& c)
 {
     if (c.glsl != kGlslEs100) return "    for (int i = 0; i < fbrdfLightCount; ++i) {\n";
@@ -158,7 +177,7 @@ std::string litBody(const FragmentContext& c)
     return text + "    vec3 total = NoV > 0.0 ? " + total + " : vec3(0.0);\n";
 }
 
-/// total: the product without light, from the angles of the pair.
+/// Declares total: the product without light, from the angles of the pair.
 std::string productLines(const FragmentContext& c)
 {
     std::string text, total;
@@ -178,10 +197,13 @@ std::string unlitBody(const FragmentContext& c)
 void check(const FragmentContext& c)
 {
     if (c.encodings.size() != c.form.tables.size())
-        fail(std::to_string(c.encodings.size()) + " encodings, expected one for each of " +
-             std::to_string(c.form.tables.size()) + " tables");
+        fail("found " + std::to_string(c.encodings.size()) +
+             " encodings, expected one for each of " + std::to_string(c.form.tables.size()) +
+             " tables");
     if (dependsOnLight(c) && c.spec.lightSlots < 1)
-        fail("factors that depend on the light in a program without lights");
+        fail(
+            "found factors that depend on the light in a program without lights, expected light "
+            "slots");
 }
 
 void checkEs100(const FragmentContext& c)

@@ -13,16 +13,16 @@ struct FragmentContext {
     const std::vector<TableEncoding>& encodings;
     const ProgramSpec& spec;
     int glsl;
-    bool packed = false;  ///< maps in arrays, the rest in a buffer (PackedParameters.h)
-    bool local = false;   ///< directions are given in the tangent frame, whatever the form needs
+    bool packed = false;  ///< maps are in arrays, the rest in a buffer (PackedParameters.h)
+    bool local = false;   ///< directions are given in the tangent frame even if the form needs none
     bool normalMap = false, shadow = false;  ///< see SurfaceInputs
 };
 
 std::string uniformDeclarations(const FragmentContext& context);
 std::string mainFunction(const FragmentContext& context);
-/// vec3 fbrdfEvaluate(vec3 wo, vec3 wi); context.local is set.
+/// vec3 fbrdfEvaluate(vec3 wo, vec3 wi). Expects context.local.
 std::string evaluateFunction(const FragmentContext& context);
-/// vec3 fbrdfRadiance(vec3 position, vec3 normal, vec4 tangent, vec3 viewer), of a lit pass.
+/// vec3 fbrdfRadiance(vec3 position, vec3 normal, vec4 tangent, vec3 viewer). Expects a lit pass.
 std::string radianceFunction(const FragmentContext& context);
 
 }  // namespace fbrdf

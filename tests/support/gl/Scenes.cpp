@@ -139,7 +139,7 @@ Material directionsMaterial()
                    {"a", GridDomain{{axis(6, 0.5), axis(5, 0.5)}}}};
     form.terms = {
         {{{0, Direction::d}, {1, Direction::mirror}}},
-        {{{1, Direction::combination(1.0, 0.5, 0.5)}, {0, Direction::combination(0.0, 1.0, 1.0)}}},
+        {{{1, Direction::combination(0.5, 1.0, 0.5)}, {0, Direction::combination(1.0, 0.0, 1.0)}}},
         {{{2, std::vector<Angle>{Angle::theta_h, Angle::phi_d}}}}};
     Material material = noiseMaterial(form, Storage::half);
     // Signed factors, as those of a singular value decomposition: the first term may be negative.
