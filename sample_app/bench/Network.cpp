@@ -66,7 +66,7 @@ std::string brdfText(const std::vector<std::string>& weights)
 
 std::string viewText(const std::string& more)
 {
-    return "void peerView(FbrdfFrame frame, vec3 wo, float NoV)\n{\n"
+    return "void peerView(FbrdfShadingFrame frame, vec3 wo, float NoV)\n{\n"
            "    peerRemember(frame.n, wo, NoV);\n" +
            more + "}\n\n";
 }

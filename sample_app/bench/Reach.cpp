@@ -65,7 +65,7 @@ Averages averagesOf(const Scene& scene, const LightClusters& clusters, double as
             for (const Light& light : scene.lights)
                 sums.reaching +=
                     glm::distance(Vec3d(light.position), point) < double(light.radius) ? 1 : 0;
-            sums.listed += listAt(clusters, ndc, -(toEye * glm::dvec4(point, 1.0)).z).count;
+            sums.listed += lightList(clusters, ndc, -(toEye * glm::dvec4(point, 1.0)).z).count;
             ++count;
         }
     return {sums.reaching / count, sums.listed / count};

@@ -116,8 +116,8 @@ TEST(CApiVersion, TextsAreThere)
 
 TEST(CApiVersion, SnippetsAreThere)
 {
-    const char* const names[] = {"fbrdfZenith", "fbrdfDisc", "fbrdfFrame", "fbrdfIrradiance",
-                                 "fbrdfSrgbFromLinear"};
+    const char* const names[] = {"fbrdfZenith", "fbrdfDiscPosition", "fbrdfShadingFrame",
+                                 "fbrdfIrradiance", "fbrdfSrgbFromLinear"};
     for (uint32_t i = 0; i < 5; ++i)
         EXPECT_NE(std::string(fbrdf_glsl_snippet(i)).find(names[i]), std::string::npos) << i;
     EXPECT_EQ(fbrdf_glsl_snippet(5), nullptr);

@@ -1,4 +1,4 @@
-// The tester tested: what must fail fails.
+// Tests the comparison of images itself: pictures that differ must be noticed.
 #include "support/gl/CompareImages.h"
 
 #include <gtest/gtest.h>

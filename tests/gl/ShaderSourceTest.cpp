@@ -53,13 +53,15 @@ TEST(ShaderSource, RefusesOtherVersions)
 TEST(ShaderSource, TakesBuiltInInputs)
 {
     const std::string plain = vertexSource(120), builtIn = vertexSource(120, {true, false});
-    EXPECT_EQ(plain.find("#define FBRDF_BUILT_INS\n"), std::string::npos);
-    EXPECT_NE(builtIn.find("#define FBRDF_BUILT_INS\n"), std::string::npos);
+    EXPECT_EQ(plain.find("gl_ModelViewMatrix"), std::string::npos);
+    EXPECT_NE(plain.find("uniform mat4 fbrdfModelView;"), std::string::npos);
+    EXPECT_NE(builtIn.find("gl_ModelViewMatrix"), std::string::npos);
+    EXPECT_EQ(builtIn.find("uniform mat4"), std::string::npos);
     EXPECT_NE(vertexSource(120, {true, true}).find("#define FBRDF_DERIVED_TANGENT\n"),
               std::string::npos);
 }
 
-// Engines put declarations of their own after the last such line.
+// OpenSceneGraph puts declarations of its own after the last line of that kind.
 TEST(ShaderSource, AsksForExtensionsOnlyWhereTheyAreNeeded)
 {
     const std::string line = "#extension GL_OES_standard_derivatives";
@@ -110,7 +112,7 @@ TEST(ShaderSource, ComputesAnAxisOverTheViewOnce)
     const std::string text = sourceOf(form, specOf(form, Technique::single, 9));
     const size_t loop = text.find("for (int i");
     ASSERT_NE(loop, std::string::npos);
-    EXPECT_LT(text.find("float theta_o1_1 = fbrdfAxis("), loop);
+    EXPECT_LT(text.find("float theta_o1_1 = fbrdfAxisCoordinate("), loop);
     EXPECT_EQ(text.find("theta_o.x", loop), std::string::npos);
 }
 

@@ -32,7 +32,7 @@ std::vector<TableEncoding> encodingsOf(const Material& material)
     return encodings;
 }
 
-/// With every disc a cube map.
+/// Encodings in which every disc is a cube map.
 std::vector<TableEncoding> cubeEncodings(const Material& material)
 {
     std::vector<TableEncoding> encodings = encodingsOf(material);

@@ -85,8 +85,8 @@ TEST(TextureImage, FallsBackToWordsWithoutFloatTextures)
         ASSERT_NEAR(decoded(image, i), table.texels[i], kWordStep);
 }
 
-// A constant is the lower end of its range, at word 0: nothing but the rounding of that end may
-// show, which is a few ulps (FLOAT_EQ allows four) and far less than a word of a wider range.
+// A constant is the lower end of its range, at word 0, so its only error is the rounding of that
+// end: a few ulps (FLOAT_EQ allows four) and far less than a word of a wider range.
 TEST(TextureImage, HoldsAConstantTable)
 {
     Table table = tableOf(Storage::float32);

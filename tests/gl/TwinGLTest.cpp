@@ -20,12 +20,12 @@ namespace {
 constexpr float kRounding = 2e-6f;  // a dozen operations in float, values of order 1
 constexpr float kTexels = 1e-4f;    // positions are up to 32 texels, and sqrt near 0 doubles errors
 
-// Azimuths about h: theta_h of 1e-4 leaves three digits of h.xy.
+// Azimuths about h are good to three digits at theta_h = 1e-4, as h.xy is.
 constexpr float kAcrossThePole = 2e-3f;
 
 using Vec4 = glm::vec4;
 
-/// What one evaluation takes and gives.
+/// The input of one evaluation.
 struct Inputs {
     Vec4 a{0.0f}, b{0.0f};
 };
@@ -131,7 +131,7 @@ Vec4 angles(const PairGeometry<float>& g, Angle first, Angle second)
 TEST_P(Twin, HalfVector)
 {
     compare(
-        "result = vec4(fbrdfHalf(a.xyz, b.xyz), 1.0);", pairs(),
+        "result = vec4(fbrdfHalfVector(a.xyz, b.xyz), 1.0);", pairs(),
         [](const Inputs& i) { return Vec4(geometryOf(i).h, 1.0f); }, kRounding);
 }
 
@@ -146,7 +146,8 @@ TEST_P(Twin, ZenithAngles)
 TEST_P(Twin, HalfAndDifferenceAngles)
 {
     compare(
-        "result = vec4(fbrdfZenith(fbrdfHalf(a.xyz, b.xyz)), fbrdfDifference(a.xyz, b.xyz));",
+        "result = vec4(fbrdfZenith(fbrdfHalfVector(a.xyz, b.xyz)), fbrdfDifferenceAngle(a.xyz, "
+        "b.xyz));",
         pairs(),
         [](const Inputs& i) { return angles(geometryOf(i), Angle::theta_h, Angle::theta_d); },
         kRounding);
@@ -164,7 +165,7 @@ TEST_P(Twin, AnglesAboutANormal)
     for (Inputs& i : inputs) i = {turned(i.a), turned(i.b)};
     compare(
         "vec3 n = normalize(vec3(0.3, -0.5, 0.8)); result = vec4(fbrdfZenithAbout(n, "
-        "fbrdfHalf(a.xyz, b.xyz)), fbrdfZenithAbout(n, b.xyz));",
+        "fbrdfHalfVector(a.xyz, b.xyz)), fbrdfZenithAbout(n, b.xyz));",
         inputs,
         [&frame](const Inputs& i) {
             const Inputs local{Vec4(frame.local(Vec3f(i.a)), 0.0f),
@@ -177,14 +178,17 @@ TEST_P(Twin, AnglesAboutANormal)
 TEST_P(Twin, DifferenceVectorsAndCombinations)
 {
     compare(
-        "result = vec4(fbrdfDifferenceVector(b.xyz, fbrdfHalf(a.xyz, b.xyz)), 0.0);", pairs(),
-        [](const Inputs& i) { return Vec4(directionVector(Direction::d, geometryOf(i)), 0.0f); },
+        "result = vec4(fbrdfDifferenceVector(fbrdfHalfVector(a.xyz, b.xyz), b.xyz), 0.0);", pairs(),
+        [](const Inputs& i) {
+            const auto g = geometryOf(i);
+            return Vec4(differenceVector(g.h, g.wi), 0.0f);
+        },
         kAcrossThePole);
-    const Direction direction = Direction::combination(0.5, 1.0, -0.25);
+    const Vec3f weights(1.0f, 0.5f, -0.25f);
     compare(
-        "result = vec4(fbrdfCombination(vec3(0.5, 1.0, -0.25), b.xyz, a.xyz), 0.0);", pairs(),
-        [&direction](const Inputs& i) {
-            return Vec4(directionVector(direction, geometryOf(i)), 0.0f);
+        "result = vec4(fbrdfCombination(vec3(1.0, 0.5, -0.25), a.xyz, b.xyz), 0.0);", pairs(),
+        [&weights](const Inputs& i) {
+            return Vec4(combination(weights, Vec3f(i.a), Vec3f(i.b)), 0.0f);
         },
         kRounding);
 }
@@ -193,8 +197,9 @@ TEST_P(Twin, DifferenceAzimuth)
 {
     // Up to a common factor these are the sides of the triangle that phi_d is an angle of.
     compare(
-        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalf(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) * "
-        "fbrdfDifference(a.xyz, b.xyz); result = vec4(sqrt(s.y) * "
+        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalfVector(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) "
+        "* "
+        "fbrdfDifferenceAngle(a.xyz, b.xyz); result = vec4(sqrt(s.y) * "
         "fbrdfDifferenceAzimuth(n, h, b.xyz, a.z, b.z), 0.0, 0.0);",
         pairs(),
         [](const Inputs& i) {
@@ -228,9 +233,10 @@ TEST_P(Twin, Axes)
         for (const bool cosine : {false, true}) {
             const AxisMap map{cosine ? AxisMap::From::cosine : AxisMap::From::oneMinusCosine,
                               exponent};
-            // Below 0 by rounding, cosine^exponent is not a number in either language.
-            const std::string call = std::string("fbrdfAxis(") + (cosine ? "true" : "false") +
-                                     ", " + std::to_string(exponent) + ", max(a.x, 0.0), a.y)";
+            // A cosine below 0 by rounding would give NaN in either language.
+            const std::string call = std::string("fbrdfAxisCoordinate(") +
+                                     (cosine ? "true" : "false") + ", " + std::to_string(exponent) +
+                                     ", max(a.x, 0.0), a.y)";
             compare(
                 "result = vec4(" + call + ");", inputs,
                 [&map](const Inputs& i) {
@@ -249,7 +255,7 @@ TEST_P(Twin, Discs)
     for (const DiscDomain& disc :
          {DiscDomain{32, 1.0, 14.0}, DiscDomain{32, 0.5, 15.5}, DiscDomain{9, 0.8, 4.0}})
         compare(
-            "result = vec4(fbrdfDisc(" + std::to_string(disc.size) + ".0, " +
+            "result = vec4(fbrdfDiscPosition(" + std::to_string(disc.size) + ".0, " +
                 std::to_string(disc.gamma) + ", " + std::to_string(disc.radius) +
                 ", a.xyz), 0.0, 0.0);",
             inputs,
@@ -280,7 +286,7 @@ TEST_P(Twin, Frames)
     // A tangent parallel to its normal, up to rounding, may go either way; keep to exact ones.
     for (int row = 0; row < 3; ++row)
         compare(
-            "FbrdfFrame f = fbrdfFrame(a.xyz, b.xyz); result = vec4(" +
+            "FbrdfShadingFrame f = fbrdfShadingFrame(a.xyz, b.xyz); result = vec4(" +
                 std::string(row == 0   ? "f.t"
                             : row == 1 ? "f.s"
                                        : "f.n") +
@@ -293,11 +299,33 @@ TEST_P(Twin, Frames)
             kRounding);
 }
 
+// A normal map does this, in a frame of either handedness; 0 leaves the frame unchanged.
+TEST_P(Twin, PerturbedFrames)
+{
+    std::vector<Inputs> inputs;
+    for (const Vec3f normal : {Vec3f(0.0f), Vec3f(0.0f, 0.0f, 1.0f), Vec3f(0.3f, -0.2f, 0.9f)})
+        for (const float handedness : {-1.0f, 1.0f})
+            inputs.push_back({Vec4(normal, 0.0f), Vec4(1.0f, 0.2f, 0.0f, handedness)});
+    for (const char axis : {'t', 's', 'n'})
+        compare(
+            std::string("FbrdfShadingFrame f = fbrdfPerturbed(fbrdfShadingFrame(vec3(0.3, -0.5, "
+                        "0.8), b), a.xyz); result = vec4(f.") +
+                axis + ", 0.0);",
+            inputs,
+            [axis](const Inputs& i) {
+                const auto frame = shadingFrame(Vec3f(0.3f, -0.5f, 0.8f), Vec3f(i.b), i.b.w);
+                const auto f = perturbed(frame, Vec3f(i.a));
+                return Vec4(axis == 't' ? f.t : axis == 's' ? f.s : f.n, 0.0f);
+            },
+            kRounding);
+}
+
 TEST_P(Twin, LocalDirections)
 {
     const auto frame = shadingFrame(Vec3f(0.3f, -0.5f, 0.8f), Vec3f(1.0f, 0.2f, 0.0f));
     compare(
-        "FbrdfFrame f = fbrdfFrame(vec3(0.3, -0.5, 0.8), vec3(1.0, 0.2, 0.0)); result = "
+        "FbrdfShadingFrame f = fbrdfShadingFrame(vec3(0.3, -0.5, 0.8), vec3(1.0, 0.2, 0.0)); "
+        "result = "
         "vec4(fbrdfLocal(f, a.xyz), 0.0);",
         pairs(), [&frame](const Inputs& i) { return Vec4(frame.local(Vec3f(i.a)), 0.0f); },
         kRounding);
@@ -333,7 +361,7 @@ TEST_P(Twin, IrradianceOfADirectionalLight)
 
 TEST_P(Twin, Transfers)
 {
-    constexpr float kPow = 1e-4f;  // of a driver
+    constexpr float kPow = 1e-4f;  // accuracy of a driver's pow
     std::vector<Inputs> inputs{{Vec4(0.0f), {}}, {Vec4(1.0f), {}}, {Vec4(0.0031308f), {}}};
     for (float x = 1e-4f; x < 1.0f; x *= 1.1f) inputs.push_back({Vec4(x), {}});
     compare(
@@ -356,7 +384,7 @@ TEST_P(Twin, Cones)
     std::vector<Inputs> inputs;
     for (const Inputs& pair : pairs()) inputs.push_back({pair.a, cone});
     compare(
-        "result = vec4(fbrdfCone(b, a.xyz));", inputs,
+        "result = vec4(fbrdfConeFactor(b, a.xyz));", inputs,
         [&light](const Inputs& i) {
             return Vec4(static_cast<float>(coneFactor(light, Vec3d(Vec3f(i.a)))));
         },
@@ -370,7 +398,7 @@ class WrongTwin : public Twin {};
 
 TEST_P(WrongTwin, IsNoticed)
 {
-    const auto found = run("result = vec4(fbrdfAxis(false, 0.5, a.x, a.y));",
+    const auto found = run("result = vec4(fbrdfAxisCoordinate(false, 0.5, a.x, a.y));",
                            {{Vec4(0.5f, 0.5f, 0.0f, 0.0f), {}}});
     EXPECT_GT(std::abs(found[0].x -
                        axisCoordinate(AxisMap{AxisMap::From::oneMinusCosine, 0.25}, 0.5f, 0.5f)),

@@ -99,10 +99,10 @@ bool reaches(const LightVectors& light, const Vec3d& point)
     return glm::dot(d, d) * double(light[0].w) < 1.0;
 }
 
-/// As the loop of a clustered program does. unit: place in the picture.
+/// The lights that the loop of a clustered program visits. unit: place in the picture.
 std::vector<int> lightsAt(const LightClusters& clusters, const glm::dvec2& unit, double distance)
 {
-    const LightList list = listAt(clusters, 2.0 * unit - 1.0, distance);
+    const LightList list = lightList(clusters, 2.0 * unit - 1.0, distance);
     std::vector<int> lights(static_cast<size_t>(clusters.everywhere));
     std::iota(lights.begin(), lights.end(), 0);
     const auto first = clusters.indices.begin() + list.first;
@@ -110,7 +110,7 @@ std::vector<int> lightsAt(const LightClusters& clusters, const glm::dvec2& unit,
     return lights;
 }
 
-/// The point that is seen at a place in the picture, so far from the eye.
+/// The point that is seen at a place in the picture, at a distance from the eye.
 Vec3d pointAt(const glm::dmat4& projection, const glm::dvec2& unit, double distance)
 {
     const glm::dvec4 clip = projection * glm::dvec4(0.0, 0.0, -distance, 1.0);
@@ -150,7 +150,7 @@ TEST(LightClusters, HoldEveryLightThatReachesAPoint)
                 ASSERT_NE(std::find(list.begin(), list.end(), k), list.end()) << "light " << k;
             }
         }
-        // The lists are worth it: not much longer than they must be.
+        // The lists are useful: not much longer than they must be.
         EXPECT_LT(double(held), 1.6 * double(reaching));
     }
 }

@@ -11,7 +11,7 @@
 namespace fbrdf {
 namespace {
 
-// Where the last slice ends: far beyond any scene, and squares of it stay finite.
+// The end of the last slice: far beyond any scene, and its square is finite.
 constexpr double kFarthest = 1e30;
 
 struct Interval {
@@ -19,7 +19,7 @@ struct Interval {
     double distanceTo(double x) const { return std::max({low - x, x - high, 0.0}); }
 };
 
-/// From the eye.
+/// The distances from the eye that a sphere spans.
 Interval distanceOf(const Reach& reach)
 {
     return {-reach.centre.z - reach.radius, -reach.centre.z + reach.radius};
@@ -33,7 +33,7 @@ int sliceOf(const LightClusters& clusters, double distance)
     return static_cast<int>(std::clamp(std::floor(slice), 0.0, clusters.grid.slices - 1.0));
 }
 
-/// What a slice spans; the first and the last reach to the eye and without end.
+/// The distances that a slice spans; the first slice reaches to the eye and the last has no end.
 Interval spanOf(const LightClusters& clusters, int slice)
 {
     const double scale = static_cast<double>(clusters.sliceScale),
@@ -43,15 +43,15 @@ Interval spanOf(const LightClusters& clusters, int slice)
             isLast ? kFarthest : std::exp2((slice + 1 - bias) / scale)};
 }
 
-/// Eye coordinate (axis 0: x, 1: y) that a normalised device coordinate means at z.
+/// The eye coordinate (axis 0: x, 1: y) of a normalised device coordinate at z.
 double eyeCoordinate(const glm::dmat4& p, int axis, double ndc, double z)
 {
     const double w = p[2][3] * z + p[3][3];
     return (ndc * w - p[2][axis] * z - p[3][axis]) / p[axis][axis];
 }
 
-/// Of tile `index` of `count` along an axis, over distances [near, far]. Float rounding of the
-/// shader's pixel coordinates is far below the margin.
+/// The extent of tile `index` of `count` along an axis, over a range of distances. The margin is
+/// far above the float rounding of the shader's pixel coordinates.
 Interval extentOf(const glm::dmat4& projection, int axis, int index, int count,
                   const Interval& distance)
 {
@@ -71,7 +71,7 @@ double squared(double x)
     return x * x;
 }
 
-/// Tiles of a slice in eye space, ascending along each axis.
+/// The tiles of a slice in eye space, ascending along each axis.
 struct Tiles {
     Interval distance;
     std::vector<Interval> columns, rows;
@@ -86,11 +86,11 @@ std::vector<Interval> extentsOf(const glm::dmat4& projection, int axis, int coun
     return extents;
 }
 
-/// reach: what lights with a radius span; the outer slices end there.
+/// reach: the distances that lights with a radius reach; the outer slices end there.
 Tiles tilesOf(const LightClusters& clusters, const glm::dmat4& projection, const Interval& reach,
               int slice)
 {
-    constexpr double kMargin = 1.0 + 1e-5;  // of the float that the shader's distance is
+    constexpr double kMargin = 1.0 + 1e-5;  // far above the rounding of the shader's float distance
     Tiles tiles;
     tiles.distance = spanOf(clusters, slice);
     tiles.distance.low = std::max(tiles.distance.low / kMargin, std::max(reach.low, 0.0));
@@ -100,7 +100,7 @@ Tiles tilesOf(const LightClusters& clusters, const glm::dmat4& projection, const
     return tiles;
 }
 
-/// First and past the last of ascending extents that [centre - radius, centre + radius] meets.
+/// The range [first, last) of ascending extents that [centre - radius, centre + radius] meets.
 std::pair<int, int> metBy(const std::vector<Interval>& extents, double centre, double radius)
 {
     const auto first =
@@ -133,8 +133,8 @@ struct Member {
     int32_t cluster, light;
 };
 
-/// Lights of each cluster, ascending in each. Those without a radius, where they are in lists, are
-/// in all.
+/// The lights of each cluster, ascending in each. Lights without a radius that are not already
+/// everywhere are in every cluster.
 std::vector<Member> membersOf(const LightClusters& clusters, const glm::dmat4& projection,
                               const Interval& reach)
 {
@@ -161,7 +161,7 @@ std::vector<Member> membersOf(const LightClusters& clusters, const glm::dmat4& p
     return members;
 }
 
-/// Members by cluster, in their order.
+/// Sorts the members into the lists of their clusters, keeping their order.
 void setLists(LightClusters& clusters, const std::vector<Member>& members)
 {
     auto& lists = clusters.lists;
@@ -180,7 +180,8 @@ void setLists(LightClusters& clusters, const std::vector<Member>& members)
     }
 }
 
-/// An upper bound of what a light brings to a box: as strongestIrradiance, its cone left out.
+/// An upper bound of the irradiance that a light causes in a box, as strongestIrradiance but
+/// without the cone.
 double strongestIn(const LightVectors& light, const Interval (&box)[3])
 {
     const double mean = glm::dot(Vec3d(light[1]), Vec3d(1.0)) / 3.0;
@@ -191,7 +192,7 @@ double strongestIn(const LightVectors& light, const Interval (&box)[3])
     return mean * falloff(d2, isUnlimited(light) ? 0.0 : influenceRadius(light));
 }
 
-/// Shortens every list to the strongest; what is left stays ascending.
+/// Shortens every list to its strongest lights, which stay ascending.
 void keepStrongest(LightClusters& clusters, const glm::dmat4& projection, const Interval& reach,
                    int most)
 {
@@ -221,7 +222,7 @@ void keepStrongest(LightClusters& clusters, const glm::dmat4& projection, const 
     }
 }
 
-/// Distances from the eye that lights with a radius reach, from kNearest on.
+/// The distances from the eye that lights with a radius reach, from kNearest on.
 Interval reachedBy(const LightClusters& clusters)
 {
     Interval range{std::numeric_limits<double>::max(), 0.0};
@@ -232,12 +233,12 @@ Interval reachedBy(const LightClusters& clusters)
         range.high = std::max(range.high, distance.high);
     }
     range.high = std::max(range.high, kNearest);
-    // Slices finer than 1 % of the depth serve nobody.
+    // Slices finer than 1 % of the depth would separate no lights.
     range.low = std::clamp(range.low, 0.01 * range.high, 0.99 * range.high);
     return range;
 }
 
-/// Of the lights with a radius: the mean radius, and that in normalised device coordinates.
+/// The mean radius of the lights that have one, in eye space and in normalised device coordinates.
 struct Means {
     double radius = 0.0;
     glm::dvec2 projected{0.0};
@@ -259,7 +260,7 @@ Means meansOf(const LightClusters& clusters, const glm::dmat4& projection)
     return count == 0 ? sum : Means{sum.radius / count, sum.projected / double(count)};
 }
 
-/// Fills in what the caller leaves to the lights.
+/// Chooses the numbers of tiles and slices that the caller left at 0.
 void setGrid(LightClusters& clusters, const glm::dmat4& projection, const Interval& range)
 {
     constexpr double kMostTiles = 32.0, kMostSlices = 24.0, kTilesPerRadius = 4.0,
@@ -284,7 +285,7 @@ void setGrid(LightClusters& clusters, const glm::dmat4& projection, const Interv
     clusters.sliceBias = static_cast<float>(-scale * std::log2(range.low));
 }
 
-/// Lights without a radius first, unless they are to stand in lists.
+/// Sets the lights, those without a radius first unless they stand in lists.
 void setLights(LightClusters& clusters, const std::vector<LightVectors>& lights, bool inLists)
 {
     const auto at = [&lights](int32_t place) -> const LightVectors& {
@@ -318,7 +319,7 @@ LightClusters lightClusters(const std::vector<LightVectors>& lights, const glm::
     return clusters;
 }
 
-LightList listAt(const LightClusters& clusters, const glm::dvec2& ndc, double distance)
+LightList lightList(const LightClusters& clusters, const glm::dvec2& ndc, double distance)
 {
     const ClusterGrid& grid = clusters.grid;
     const auto tile = [](double x, int count) {

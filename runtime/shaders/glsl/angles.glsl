@@ -1,7 +1,7 @@
 // Angles of a pair as (cosine, 1 - cosine), both in [0, 1] but for rounding. Twin: PairGeometry, Projection.h.
 
 // 1 - cos = sin^2 / (1 + cos): the sine comes from where nothing cancels. Samplers clamp what rounding leaves beyond 1.
-vec2 fbrdfAngle(float cosine, float sineSquared)
+vec2 fbrdfAngleFromCosine(float cosine, float sineSquared)
 {
     float c = max(cosine, 0.0);
     return vec2(c, sineSquared / (1.0 + c));
@@ -10,42 +10,44 @@ vec2 fbrdfAngle(float cosine, float sineSquared)
 // Zenith angle of a unit direction in the local frame: theta_i, theta_o, theta_h.
 vec2 fbrdfZenith(vec3 w)
 {
-    return fbrdfAngle(w.z, dot(w.xy, w.xy));
+    return fbrdfAngleFromCosine(w.z, dot(w.xy, w.xy));
 }
 
 // The same about a unit normal in any frame: isotropic forms need no tangent.
 vec2 fbrdfZenithAbout(vec3 n, vec3 w)
 {
     vec3 sine = cross(n, w);
-    return fbrdfAngle(dot(n, w), dot(sine, sine));
+    return fbrdfAngleFromCosine(dot(n, w), dot(sine, sine));
 }
 
-// 1 / |both| of both = wi + wo: with it theta_h and theta_d need no half vector.
-float fbrdfPerLength(vec3 both)
+// 1 / |both|, where both = wi + wo: with it theta_h and theta_d need no half vector. 1e-30 is above the smallest normal
+// float (1.2e-38), so that opposite directions give a finite number.
+float fbrdfInverseLength(vec3 both)
 {
     return inversesqrt(max(dot(both, both), 1e-30));
 }
 
-// theta_d of a pair of unit directions, in any frame.
-vec2 fbrdfDifference(vec3 wo, vec3 wi)
+// h = norm(wi + wo), or the normal where they are opposite.
+vec3 fbrdfHalfVector(vec3 wo, vec3 wi)
 {
-    vec3 both = wi + wo, apart = wi - wo;
-    return fbrdfAngle(0.5 * dot(both, both) * fbrdfPerLength(both), 0.25 * dot(apart, apart));
+    vec3 both = wi + wo;
+    return dot(both, both) > 0.0 ? both * fbrdfInverseLength(both) : vec3(0.0, 0.0, 1.0);
 }
 
 // theta_h about a normal in any frame; across = n x (wi + wo).
-vec2 fbrdfHalfZenith(float NoV, float NoL, vec3 across, float perLength)
+vec2 fbrdfHalfZenith(float NoV, float NoL, vec3 across, float inverseLength)
 {
-    return fbrdfAngle((NoV + NoL) * perLength, dot(across, across) * perLength * perLength);
+    return fbrdfAngleFromCosine((NoV + NoL) * inverseLength, dot(across, across) * inverseLength * inverseLength);
 }
 
-vec3 fbrdfHalf(vec3 wo, vec3 wi)
+// theta_d of a pair of unit directions, in any frame.
+vec2 fbrdfDifferenceAngle(vec3 wo, vec3 wi)
 {
-    vec3 both = wi + wo;
-    return dot(both, both) > 0.0 ? both * fbrdfPerLength(both) : vec3(0.0, 0.0, 1.0);
+    vec3 both = wi + wo, apart = wi - wo;
+    return fbrdfAngleFromCosine(0.5 * dot(both, both) * fbrdfInverseLength(both), 0.25 * dot(apart, apart));
 }
 
-// phi_d, folded to [0, pi/2]; n, h and wi in any frame. Twin: PairGeometry.
+// phi_d, folded to [0, pi/2], from the sides of the triangle whose angle it is; n, h and wi in any frame.
 vec2 fbrdfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
 {
     float along = 0.5 * abs(NoV - NoL), across = abs(dot(n, cross(h, wi)));
@@ -53,18 +55,18 @@ vec2 fbrdfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
     return sines > 0.0 ? vec2(along / sines, across * across / (sines * (sines + along))) : vec2(0.0, 1.0);
 }
 
-// d: wi in the frame whose pole is h, in the local frame. Twin: directionVector, Projection.h.
-vec3 fbrdfDifferenceVector(vec3 wi, vec3 h)
+// d: wi in the frame whose pole is h, in the local frame. Twin: differenceVector, Projection.h.
+vec3 fbrdfDifferenceVector(vec3 h, vec3 wi)
 {
     float radius = length(h.xy);
     vec2 toH = radius > 0.0 ? h.xy / radius : vec2(1.0, 0.0);
     return vec3(dot(wi, vec3(h.z * toH, -radius)), toH.x * wi.y - toH.y * wi.x, dot(wi, h));
 }
 
-// norm(weights.x wi + weights.y wo + weights.z n), in the local frame. Twin: directionVector.
-vec3 fbrdfCombination(vec3 weights, vec3 wi, vec3 wo)
+// norm(weights.x wo + weights.y wi + weights.z n), in the local frame. Twin: combination, Projection.h.
+vec3 fbrdfCombination(vec3 weights, vec3 wo, vec3 wi)
 {
-    vec3 sum = weights.x * wi + weights.y * wo + vec3(0.0, 0.0, weights.z);
+    vec3 sum = weights.x * wo + weights.y * wi + vec3(0.0, 0.0, weights.z);
     float size = length(sum);
     return size > 0.0 ? sum / size : vec3(0.0, 0.0, 1.0);
 }

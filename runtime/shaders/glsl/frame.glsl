@@ -1,10 +1,11 @@
 // The local frame of a shaded point. Twin: ShadingFrame.h.
-struct FbrdfFrame {
+struct FbrdfShadingFrame {
     vec3 t, s, n;
 };
 
-// tangent: and its handedness, negative where s = -n x t.
-FbrdfFrame fbrdfFrame(vec3 normal, vec4 tangent)
+// tangent.w: handedness, negative where s = -n x t. 1e-10 is the square of what rounding leaves of a tangent that is
+// parallel to the normal, relative to its length.
+FbrdfShadingFrame fbrdfShadingFrame(vec3 normal, vec4 tangent)
 {
     vec3 n = normalize(normal);
     vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
@@ -13,23 +14,24 @@ FbrdfFrame fbrdfFrame(vec3 normal, vec4 tangent)
         t = axis - n * dot(n, axis);
     }
     t = normalize(t);
-    return FbrdfFrame(t, tangent.w < 0.0 ? cross(t, n) : cross(n, t), n);
+    return FbrdfShadingFrame(t, tangent.w < 0.0 ? cross(t, n) : cross(n, t), n);
 }
 
-FbrdfFrame fbrdfFrame(vec3 normal, vec3 tangent)
+FbrdfShadingFrame fbrdfShadingFrame(vec3 normal, vec3 tangent)
 {
-    return fbrdfFrame(normal, vec4(tangent, 1.0));
+    return fbrdfShadingFrame(normal, vec4(tangent, 1.0));
 }
 
-// The frame about a normal that is given in another, as a normal map holds it; 0 changes nothing. Twin: perturbed.
-FbrdfFrame fbrdfPerturbed(FbrdfFrame frame, vec3 normal)
+// The frame about a normal that is given in the coordinates of another frame, as a normal map stores it; 0 changes
+// nothing.
+FbrdfShadingFrame fbrdfPerturbed(FbrdfShadingFrame frame, vec3 normal)
 {
     if (!(dot(normal, normal) > 0.0)) return frame;
     float handedness = dot(cross(frame.n, frame.t), frame.s);
-    return fbrdfFrame(frame.t * normal.x + frame.s * normal.y + frame.n * normal.z, vec4(frame.t, handedness));
+    return fbrdfShadingFrame(frame.t * normal.x + frame.s * normal.y + frame.n * normal.z, vec4(frame.t, handedness));
 }
 
-vec3 fbrdfLocal(FbrdfFrame frame, vec3 w)
+vec3 fbrdfLocal(FbrdfShadingFrame frame, vec3 w)
 {
     return vec3(dot(frame.t, w), dot(frame.s, w), dot(frame.n, w));
 }

@@ -4,7 +4,8 @@
 //   cone      axis x scale, offset; (0, 0, 0, 1) where there is none
 // Directions are unit, so that one expression serves all kinds: branches cost more than the few products.
 
-// Twin: falloff, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9.
+// Twin: falloff, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9. As there, 1e-12 keeps a light on the
+// surface finite.
 float fbrdfFalloff(float distanceSquared, float inverseRadiusSquared)
 {
     float clamped = max(distanceSquared, 1e-12);
@@ -14,17 +15,18 @@ float fbrdfFalloff(float distanceSquared, float inverseRadiusSquared)
 }
 
 // Twin: coneFactor, Light.h. wi: unit, towards the light.
-float fbrdfCone(vec4 cone, vec3 wi)
+float fbrdfConeFactor(vec4 cone, vec3 wi)
 {
     float edge = clamp(cone.w - dot(cone.xyz, wi), 0.0, 1.0);
     return edge * edge;
 }
 
-// Irradiance on a surface that faces the light (seed Eq. 2), and the unit direction to the light.
+// Irradiance on a surface that faces the light (docs/method.md, Eq. 2), and the unit direction to the light. 1e-30 is
+// above the smallest normal float, so that wi is finite at the light itself.
 vec3 fbrdfIrradiance(vec4 position, vec4 intensity, vec4 cone, vec3 point, out vec3 wi)
 {
     vec3 toLight = position.xyz - intensity.w * point;
     float distanceSquared = dot(toLight, toLight);
     wi = toLight * inversesqrt(max(distanceSquared, 1e-30));
-    return intensity.rgb * (fbrdfFalloff(distanceSquared, position.w) * fbrdfCone(cone, wi));
+    return intensity.rgb * (fbrdfFalloff(distanceSquared, position.w) * fbrdfConeFactor(cone, wi));
 }

@@ -2,7 +2,7 @@
 // called, so a compiler keeps one branch.
 
 // u in [0, 1] of an angle given as cosine and 1 - cosine.
-float fbrdfAxis(bool fromCosine, float exponent, float cosine, float complement)
+float fbrdfAxisCoordinate(bool fromCosine, float exponent, float cosine, float complement)
 {
     float base = fromCosine ? cosine : complement;
     if (exponent == 1.0) return base;
@@ -11,8 +11,9 @@ float fbrdfAxis(bool fromCosine, float exponent, float cosine, float complement)
     return pow(base, exponent);
 }
 
-// Texel position of a direction of the upper hemisphere.
-vec2 fbrdfDisc(float size, float gamma, float radius, vec3 direction)
+// Texel position of a direction of the upper hemisphere. 1e-30 is above the smallest normal float, so that the centre
+// of the map is finite.
+vec2 fbrdfDiscPosition(float size, float gamma, float radius, vec3 direction)
 {
     vec2 p = direction.xy / (1.0 + max(direction.z, 0.0));
     float radiusSquared = max(dot(p, p), 1e-30);

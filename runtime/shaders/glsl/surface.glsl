@@ -1,4 +1,4 @@
-// The shaded point, in eye space, as surface.vert left it.
+// The shaded point, in eye space, interpolated from what surface.vert wrote.
 FBRDF_FROM_VERTEX vec3 fbrdfPosition;
 FBRDF_FROM_VERTEX vec3 fbrdfNormal;
 #ifdef FBRDF_INSTANCED
@@ -7,7 +7,7 @@ flat FBRDF_FROM_VERTEX int fbrdfMaterial;
 #ifndef FBRDF_DERIVED_TANGENT
 FBRDF_FROM_VERTEX vec4 fbrdfTangent;
 #endif
-#if defined(FBRDF_DERIVED_TANGENT) || defined(FBRDF_NORMAL_MAP)
+#ifdef FBRDF_TEXTURE_COORDINATE
 FBRDF_FROM_VERTEX vec2 fbrdfTextureCoordinate;
 #endif
 #ifdef FBRDF_NORMAL_MAP
@@ -24,8 +24,8 @@ vec3 fbrdfToViewer()
 }
 
 #ifdef FBRDF_DERIVED_TANGENT
-// Towards increasing s, by Cramer's rule from the differences to the neighbouring pixels; 0 where (s, t) is constant.
-// Its handedness is that of (s, t).
+// The tangent towards increasing s, by Cramer's rule from the differences to the neighbouring pixels, with the
+// handedness of (s, t); 0 where (s, t) is constant.
 vec4 fbrdfDerivedTangent()
 {
     vec2 dx = dFdx(fbrdfTextureCoordinate), dy = dFdy(fbrdfTextureCoordinate);

@@ -1,16 +1,16 @@
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit one of textureLod changes
-// nothing but spares the derivatives.
-#ifdef GL_ES
-#ifndef GL_FRAGMENT_PRECISION_HIGH
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
+// textureLod changes nothing but spares the derivatives.
+#if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
+#ifdef GL_ES
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp samplerCube;
-#if __VERSION__ >= 300
-precision highp sampler3D;
 #endif
+#if defined(GL_ES) && __VERSION__ >= 300
+precision highp sampler3D;
 #endif
 #if __VERSION__ >= 130
 #define FBRDF_ATTRIBUTE in

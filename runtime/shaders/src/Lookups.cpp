@@ -1,6 +1,5 @@
-// Reads the text of main() as a compiler would see it after preprocessing: every fetch is written
-// out there by the macros FBRDF_TEXTURE2, FBRDF_TEXTURE3 and FBRDF_TEXTURE_CUBE, and no other
-// function fetches.
+// Reads the text of main(), in which every fetch of a program stands as one of the macros
+// FBRDF_TEXTURE2, FBRDF_TEXTURE3 and FBRDF_TEXTURE_CUBE, and no other function fetches.
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "EmbeddedShaders.h"
 #include "FragmentWriter.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 
 #include <glm/matrix.hpp>
@@ -12,14 +13,14 @@ namespace {
 
 void checkVersion(int glsl)
 {
-    for (const int known : {120, 140, 150, 330, 450, kGlslEs100, kGlslEs300})
+    for (const int known : kGlslVersions)
         if (glsl == known) return;
     throw Error(ErrorKind::gl, "shader",
                 "found GLSL " + std::to_string(glsl) +
                     ", expected 120, 140, 150, 330 or 450, or of ES 100 or 300");
 }
 
-/// Buffer textures: GLSL 1.40; not those of ES.
+/// Throws where there are no buffer textures: before GLSL 1.40 and in ES.
 void checkBuffers(int glsl, const std::string& what)
 {
     if (glsl == 120 || glsl == kGlslEs100 || glsl == kGlslEs300)
@@ -43,11 +44,11 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
                     "found GLSL " + std::to_string(glsl) + ", expected 120 for built-in inputs");
     if (inputs.instanced) checkBuffers(glsl, "instances");
     std::string text = "#version " + std::to_string(glsl) + (glsl == kGlslEs300 ? " es\n" : "\n");
-    // Not in a file under #ifdef: OpenSceneGraph puts declarations after the last line that begins
-    // so, wherever it is.
+    // This line is not in a file under #ifdef, because OpenSceneGraph puts declarations after the
+    // last line that begins with #extension, wherever that is.
     if (glsl == kGlslEs100 && inputs.derivedTangent)
         text += "#extension GL_OES_standard_derivatives : require\n";
-    if (inputs.builtIns) text += "#define FBRDF_BUILT_INS\n";
+    if (inputs.derivedTangent || inputs.normalMap) text += "#define FBRDF_TEXTURE_COORDINATE\n";
     if (inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
     if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";
     if (inputs.normalMap) text += "#define FBRDF_NORMAL_MAP\n";
@@ -55,7 +56,13 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     return text + joined(files);
 }
 
-/// All terms, all factors, lights in a loop.
+const char* vertexInputs(const SurfaceInputs& inputs)
+{
+    if (inputs.builtIns) return "inputs_built_in.glsl";
+    return inputs.instanced ? "inputs_instanced.glsl" : "inputs_uniform.glsl";
+}
+
+/// All terms with all factors, and the lights in a loop.
 ProgramSpec wholeSpec(const Form& form, int lights)
 {
     ProgramSpec spec;
@@ -74,6 +81,7 @@ ProgramSpec wholeSpec(const Form& form, int lights)
 
 ProgramSpec programSpec(const Pass& pass, int maxLights)
 {
+    FBRDF_ASSERT(maxLights, >=, 1);
     ProgramSpec spec{pass.parts,      0, pass.lit, pass.reads.has_value(), pass.transfer,
                      pass.gain != 1.0};
     if (pass.lightCount > 0) {
@@ -87,7 +95,7 @@ ProgramSpec programSpec(const Pass& pass, int maxLights)
 std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 {
     return assembled(glsl, inputs, {"version.glsl"}) + inputs.vertexHook + "\n" +
-           joined({"surface.vert"});
+           joined({vertexInputs(inputs), "surface.vert"});
 }
 
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
@@ -102,7 +110,7 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
                                   false,
                                   inputs.normalMap,
                                   !inputs.shadowHook.empty()};
-    // Declared first: that is where what does not agree is refused.
+    // Uniforms are written first because uniformDeclarations refuses what does not agree.
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
@@ -114,6 +122,7 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights)
 {
+    FBRDF_ASSERT(maxLights, >=, 1);
     checkVersion(glsl);
     const ProgramSpec spec = wholeSpec(form, maxLights);
     const FragmentContext context{form, encodings, spec, glsl},

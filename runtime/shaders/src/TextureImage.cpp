@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/shaders/TextureImage.h>
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr float kWords = 65535.0f;
 
-/// RGB of every texel, one-channel tables repeated.
+/// RGB of every texel; a table of one channel gives it three times.
 template <class Convert>
 auto converted(const Table& table, Convert convert)
 {
@@ -115,6 +116,7 @@ TextureImage textureImage(const DirectionMap& map, const Capabilities& capabilit
 
 std::vector<Vec3f> uniformKnots(const Table& table)
 {
+    FBRDF_ASSERT(dimensionCount(table.domain), ==, 1);
     std::vector<Vec3f> knots;
     for (int i = 0; i < texelCount(table.domain); ++i)
         knots.emplace_back(table.texel(i, 0), table.texel(i, 1), table.texel(i, 2));

@@ -3,16 +3,16 @@
 uniform vec4 peerParameters[5];
 uniform sampler2D peerMapP, peerMapQ;
 
-FbrdfFrame peerFrame;
+FbrdfShadingFrame peerFrame;
 vec3 peerWo;
 
 vec2 peerPosition(int map, vec3 w)
 {
     float size = peerParameters[2 * map].w;
-    return (fbrdfDisc(size, 0.5, peerParameters[2 * map + 1].w, w) + 0.5) / size;
+    return (fbrdfDiscPosition(size, 0.5, peerParameters[2 * map + 1].w, w) + 0.5) / size;
 }
 
-void peerView(FbrdfFrame frame, vec3 wo, float NoV)
+void peerView(FbrdfShadingFrame frame, vec3 wo, float NoV)
 {
     peerFrame = frame;
     peerWo = fbrdfLocal(frame, wo);
@@ -22,7 +22,7 @@ vec3 peerBrdf(vec3 toLight, float NoL)
 {
     vec3 wi = fbrdfLocal(peerFrame, toLight);
     vec3 p = textureLod(peerMapP, peerPosition(0, wi), 0.0).rgb + textureLod(peerMapP, peerPosition(0, peerWo), 0.0).rgb;
-    vec3 q = textureLod(peerMapQ, peerPosition(1, fbrdfHalf(peerWo, wi)), 0.0).rgb;
+    vec3 q = textureLod(peerMapQ, peerPosition(1, fbrdfHalfVector(peerWo, wi)), 0.0).rgb;
     return peerParameters[4].rgb * exp2(2.0 * peerParameters[0].rgb + peerParameters[1].rgb * p +
                                         peerParameters[2].rgb + peerParameters[3].rgb * q);
 }

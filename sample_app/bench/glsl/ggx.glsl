@@ -14,7 +14,7 @@ float peerLength(float t, float s, float n)
     return sqrt(dot(st, st) + n * n);
 }
 
-void peerView(FbrdfFrame frame, vec3 wo, float NoV)
+void peerView(FbrdfShadingFrame frame, vec3 wo, float NoV)
 {
     peerTangent = frame.t;
     peerBitangent = frame.s;

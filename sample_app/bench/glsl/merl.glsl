@@ -2,7 +2,7 @@
 // centres at sqrt(theta_h / 90 degrees), theta_d / 90 degrees, phi_d / 180 degrees; phi_d repeats.
 uniform sampler3D peerTable;
 
-void peerView(FbrdfFrame frame, vec3 wo, float NoV)
+void peerView(FbrdfShadingFrame frame, vec3 wo, float NoV)
 {
     peerRemember(frame.n, wo, NoV);
 }

@@ -5,7 +5,7 @@ uniform int fbrdfLightCount;
 
 void main()
 {
-    FbrdfFrame frame = fbrdfFrame(fbrdfNormal, fbrdfTangent);
+    FbrdfShadingFrame frame = fbrdfShadingFrame(fbrdfNormal, fbrdfTangent);
     vec3 wo = fbrdfToViewer();
     float NoV = dot(frame.n, wo);
     peerView(frame, wo, NoV);

@@ -31,7 +31,7 @@ void peerVisible(float gamma, out vec2 arc, out vec2 floor_)
     floor_ = peerFlipped(floor_, gamma < 0.0);
 }
 
-void peerView(FbrdfFrame frame, vec3 wo, float NoV)
+void peerView(FbrdfShadingFrame frame, vec3 wo, float NoV)
 {
     peerT = frame.t;
     peerS = frame.s;

@@ -1,5 +1,5 @@
 // ShadingFrame.h - the local frame of a shaded point from an interpolated normal and tangent.
-// Conventions: Conventions.h. Twin: fbrdfFrame in frame.glsl, step by step.
+// Conventions: Conventions.h. Twin: fbrdfShadingFrame in frame.glsl, step by step.
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
@@ -7,12 +7,13 @@
 
 namespace fbrdf {
 
-/// Orthonormal and right-handed, s = n x t, but for mirrored tangents: s = -n x t. Local
-/// coordinates of w are (t.w, s.w, n.w).
+/// Three orthonormal vectors, right-handed with s = n x t, or left-handed with s = -n x t where the
+/// tangents of a mesh are mirrored. Local coordinates of w are (t.w, s.w, n.w).
 template <class T>
 struct ShadingFrame {
     Vec3<T> t, s, n;
 
+    /// Local coordinates of w. Twin: fbrdfLocal in frame.glsl.
     Vec3<T> local(const Vec3<T>& w) const
     {
         return {glm::dot(t, w), glm::dot(s, w), glm::dot(n, w)};
@@ -40,8 +41,9 @@ ShadingFrame<T> shadingFrame(const Vec3<T>& normal, const Vec3<T>& tangent, T ha
     return frame;
 }
 
-/// The frame about `normal`, given in `frame` and not unit, as normal maps hold them: its tangent
-/// stays as near as it can, its hand as it is. 0 changes nothing. Twin: fbrdfPerturbed.
+/// The frame about `normal`, which is given in the coordinates of `frame` and need not be unit, as
+/// a normal map stores it. The tangent changes as little as possible and the handedness stays; a
+/// normal of 0 changes nothing. Twin: fbrdfPerturbed in frame.glsl.
 template <class T>
 ShadingFrame<T> perturbed(const ShadingFrame<T>& frame, const Vec3<T>& normal)
 {

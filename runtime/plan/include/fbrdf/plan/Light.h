@@ -1,5 +1,6 @@
-// Light.h - what lights a scene. Seed Eq. 2: a point light gives I / r^2, a directional one an
-// irradiance; a spot is a point light inside a cone.
+// Light.h - what lights a scene (docs/method.md, Eq. 2): a point light causes an irradiance of
+// I / r^2, a directional light one that is the same everywhere; a spot is a point light inside a
+// cone.
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
@@ -10,18 +11,21 @@ namespace fbrdf {
 
 struct Light {
     enum class Type { point, directional, spot } type = Type::point;
-    Vec3f position{0.0f};   ///< world; a directional light: vector towards the light
-    Vec3f intensity{1.0f};  ///< point and spot (on its axis): W/sr, falls off as 1 / r^2;
-                            ///< directional: irradiance on a surface that faces it
-    float radius = 0.0f;    ///< influence of a point or spot, windowed to 0 there; 0: unlimited
-    Vec3f axis{0.0f, 0.0f, -1.0f};  ///< spot: world, where it shines; need not be unit, not 0
-    /// Spot: radians from the axis, 0 <= inner <= outer <= pi; full inside the inner cone, nothing
-    /// outside the outer one.
+    /// World space. For a directional light this is the vector towards the light.
+    Vec3f position{0.0f};
+    /// Point lights, and spots on their axis: W/sr, falls off as 1 / r^2. Directional lights: the
+    /// irradiance on a surface that faces the light.
+    Vec3f intensity{1.0f};
+    /// A point light or spot reaches no farther: its light is windowed to 0 there. 0: unlimited.
+    float radius = 0.0f;
+    Vec3f axis{0.0f, 0.0f, -1.0f};  ///< spots shine along it; world space, not 0, need not be unit
+    /// Radians from a spot's axis, 0 <= inner <= outer <= pi. Light is full inside the inner cone
+    /// and 0 outside the outer one.
     float innerAngle = 0.0f, outerAngle = 0.785398f;
 };
 
 /// True when every number is finite, the radius is not negative, directions are not 0 and cones are
-/// in range; others light nothing and are reported as dropped.
+/// in range. Other lights light nothing and are reported as dropped.
 inline bool isValid(const Light& light)
 {
     const auto finite = [](const Vec3f& v) {
@@ -39,7 +43,7 @@ inline bool isValid(const Light& light)
 /// Irradiance factor at squared distance d2: 1 / d2, times the window (1 - (d2 / radius^2)^2)^2
 /// when radius > 0 (Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9). Deviation: d2 below
 /// 1e-12 counts as 1e-12, so that a light on the surface stays finite. Twin: fbrdfFalloff in
-/// lights.glsl, which takes 1 / radius^2, or 0 for an unlimited light.
+/// lights.glsl, whose second argument is 1 / radius^2, or 0 for an unlimited light.
 template <class T>
 T falloff(T distanceSquared, T radius)
 {
@@ -60,7 +64,7 @@ struct Cone {
     double scale = 0.0, offset = 1.0;
 };
 
-/// Of a spot; of other lights the cone that is 1 everywhere.
+/// The cone of a spot; for other lights the cone whose factor is 1 everywhere.
 inline Cone coneOf(const Light& light)
 {
     if (light.type != Light::Type::spot) return {};
@@ -70,7 +74,8 @@ inline Cone coneOf(const Light& light)
     return {scale, -outer * scale};
 }
 
-/// What a spot sends towards the unit direction `toLight` reversed, 1 on its axis; 1 for others.
+/// Share of a spot's intensity that leaves it along -toLight, 1 on its axis; 1 for other lights.
+/// toLight is unit. Twin: fbrdfConeFactor in lights.glsl, which takes the cone of LightVectors.h.
 inline double coneFactor(const Light& light, const Vec3d& toLight)
 {
     const Cone cone = coneOf(light);

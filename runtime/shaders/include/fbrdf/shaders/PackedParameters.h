@@ -1,10 +1,11 @@
-// PackedParameters.h - many materials of one layout in one program: the maps of table k are the
-// layers of an array fbrdfTable<k> (sampler2DArray), layer m of material m, and what are uniforms
-// in a program of one material lies in fbrdfParameters (samplerBuffer, RGB of RGBA32F):
+// PackedParameters.h - many materials of one layout in one program. The maps of table k are the
+// layers of an array fbrdfTable<k> (sampler2DArray), where layer m belongs to material m. The
+// values that a program of one material reads from uniforms lie in fbrdfParameters (samplerBuffer,
+// RGB of RGBA32F):
 //   texture table   lower, extent (TextureImage)
 //   uniform table   its knots, decoded
 //   term            its scale
-// Instances: fbrdfInstances (samplerBuffer), four texels each, see surface.vert.
+// Instances: fbrdfInstances (samplerBuffer), four texels each, see inputs_instanced.glsl.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/plan/Capabilities.h>
@@ -22,10 +23,11 @@ struct ParameterLayout {
 };
 ParameterLayout parameterLayout(const Form& form);
 
-/// True where both can be layers of the same arrays: equal but for texels, ranges, scales, names.
+/// True where both materials can be layers of the same arrays: they differ in texels, ranges,
+/// scales and names alone.
 bool sameLayout(const Material& a, const Material& b);
 
-/// Why materials of the form cannot be packed here; empty where they can.
+/// Why materials of the form cannot be packed in such a context, or "" where they can.
 std::string whyNotPacked(const Form& form, const Capabilities& capabilities);
 
 }  // namespace fbrdf

@@ -21,6 +21,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,7 @@ namespace fbrdf {
 struct TableEncoding {
     bool logarithmic = true;  ///< log2 F, added; otherwise F, multiplied
     bool ranged = false;      ///< lower + extent x texel
-    /// Of a table over one direction: the map that stands for it, a samplerCube where it is cube.
+    /// The map that stands for a table over one direction; a samplerCube where it is cube.
     LookUp lookUp = LookUp::native;
     int mapSize = 0;  ///< texels on a side of a parabolic map
 };
@@ -39,23 +40,24 @@ struct TableEncoding {
 /// What one program computes: a pass without its place in the plan.
 struct ProgramSpec {
     std::vector<Part> parts;
-    int lightSlots = 0;  ///< lights that fbrdfLights has room for; 0: nothing depends on the light
+    int lightSlots = 0;  ///< lights that fit into fbrdfLights; 0: nothing depends on the light
     bool lit = false, reads = false;
     Transfer transfer = Transfer::linear;
     bool gained = false;  ///< times fbrdfGain
-    bool clustered =
-        false;  ///< lights come from the list of the fragment's cluster (clusters.glsl),
-                ///< the first fbrdfLightCount of them in every list; GLSL 1.40
+    /// Lights come from the list of the fragment's cluster (clusters.glsl); the first
+    /// fbrdfLightCount lights are in every list. Needs GLSL 1.40.
+    bool clustered = false;
 };
 
-/// The program of a pass; lightSlots becomes a power of 8 or so, so that a changed number of lights
-/// seldom needs another program. maxLights: maxLightsInUniforms.
+/// The program of a pass. lightSlots is the number of lights rounded up to 1, 8, 64, ..., at most
+/// maxLights (maxLightsInUniforms), so that a changed number of lights seldom needs another
+/// program.
 ProgramSpec programSpec(const Pass& pass, int maxLights);
 
 /// Where vertices and tangents come from; the same for both shaders of a program.
 struct SurfaceInputs {
-    /// Matrices, positions and normals are the built-in gl_* of GLSL 1.20; only the tangent has a
-    /// name of ours.
+    /// Matrices, positions and normals are the built-in gl_* of GLSL 1.20; only the tangent is an
+    /// attribute of its own.
     bool builtIns = false;
     /// The tangent is derived per pixel, towards increasing s of the texture coordinates; GLSL ES
     /// 1.00 then needs OES_standard_derivatives. With builtIns they are gl_MultiTexCoord0.
@@ -66,24 +68,32 @@ struct SurfaceInputs {
     /// Normals come from fbrdfNormalMap (sampler2D) at the texture coordinates: 2 texel - 1, in the
     /// tangent frame.
     bool normalMap = false;
-    /// GLSL of the host (Hooks, Renderer.h), after version.glsl; "": none.
+    /// GLSL of the host, put after version.glsl; "": none. The vertex hook defines
+    ///     void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 tangent)
+    /// and the shadow hook, which gives the share of a light that arrives,
+    ///     float fbrdfShadow(int light, vec3 position, vec3 toLight)   (or a vec3)
+    /// in eye space, toLight being unit.
     std::string vertexHook = {}, shadowHook = {};
 };
 
-/// glsl: 120, 140, 150, 330 or 450; of ES 300, or 100, which has neither volumes nor an index that
-/// varies: a form with 3D tables or with knots in uniforms is refused there.
+/// Versions of GLSL that programs are written in; 100 and 300 are those of OpenGL ES.
+inline constexpr std::array<int, 7> kGlslVersions{120, 140, 150, 330, 450, 100, 300};
+
+/// glsl: a version of kGlslVersions. ES 1.00 has neither volumes nor an index that varies, so it
+/// refuses a form with 3D tables or with knots in uniforms.
 std::string vertexSource(int glsl, const SurfaceInputs& inputs = {});
 /// encodings: one for each table of the form. Throws Error(gl) for a form that GLSL cannot express.
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs = {});
 
-/// What somebody else's fragment shader needs to shade with a material, to be put after its
-/// #version line; it declares the uniforms above of lights, tables and terms, and
-///   vec3 fbrdfEvaluate(vec3 wo, vec3 wi)   f in 1/sr; unit, tangent frame; 0 below the horizon
+/// What a host's own fragment shader needs to shade with a material, to be put after its #version
+/// line. It declares the uniforms above of lights, tables and terms, and
+///   vec3 fbrdfEvaluate(vec3 wo, vec3 wi)   f in 1/sr; unit, tangent frame; 0 when either direction
+///       is at or below the horizon
 ///   vec3 fbrdfRadiance(vec3 position, vec3 normal, vec4 tangent, vec3 viewer)
 ///       sum over the first fbrdfLightCount lights of f cos E, in the space of the lights; viewer
 ///       is unit, towards the eye; tangent.w: handedness, 1 where tangent is a vec3
-/// maxLights >= 1: room of fbrdfLights. Throws as fragmentSource.
+/// maxLights >= 1: lights that fit into fbrdfLights. Throws as fragmentSource.
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
 
@@ -93,8 +103,8 @@ std::string_view shaderSnippet(std::string_view name);
 struct LookupCount {
     int once = 0, perLight = 0;
 };
-/// Fetches in the main function of a fragment shader that sample one of `activeSamplers` (what
-/// glGetActiveUniform lists): outside the loop over lights, and inside it.
+/// Counts the fetches in the main function of a fragment shader, outside the loop over lights and
+/// inside it, that read one of `activeSamplers` (those that glGetActiveUniform lists).
 LookupCount countLookups(const std::string& fragmentSource,
                          const std::vector<std::string>& activeSamplers);
 

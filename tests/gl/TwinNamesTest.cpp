@@ -1,0 +1,115 @@
+// A GLSL function fbrdfX and the C++ function x compute the same, step by step. TwinGLTest.cpp
+// compares their values; this file checks that both exist under these names and that no function of
+// the shader snippets was forgotten.
+#include <fbrdf/brdf/Projection.h>
+#include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/plan/LightClusters.h>
+#include <fbrdf/plan/Transfer.h>
+#include <fbrdf/shaders/ShaderSource.h>
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace fbrdf {
+namespace {
+
+using Names = std::set<std::string>;
+
+/// "fbrdfDiscPosition" from "&discPosition<float>".
+std::string glslName(std::string cpp)
+{
+    cpp = std::regex_replace(cpp, std::regex("<[a-z]*>"), "");
+    cpp = std::regex_replace(cpp, std::regex(".*[:&]"), "");
+    return "fbrdf" + std::string(1, static_cast<char>(std::toupper(cpp[0]))) + cpp.substr(1);
+}
+
+// The address compiles only if the C++ function exists.
+#define FBRDF_TWIN(function) (static_cast<void>(function), glslName(#function))
+
+Names twins()
+{
+    return {FBRDF_TWIN(&axisCoordinate<float>),
+            FBRDF_TWIN(&discPosition<float>),
+            FBRDF_TWIN(&combination<float>),
+            FBRDF_TWIN(&differenceVector<float>),
+            FBRDF_TWIN(&shadingFrame<float>),
+            FBRDF_TWIN(&perturbed<float>),
+            FBRDF_TWIN(&ShadingFrame<float>::local),
+            FBRDF_TWIN(&falloff<float>),
+            FBRDF_TWIN(&coneFactor),
+            FBRDF_TWIN(&lightList),
+            FBRDF_TWIN(&srgbFromLinear<float>),
+            FBRDF_TWIN(&toneMapped<float>)};
+}
+
+/// Members of PairGeometry.
+const Names kAngles{"fbrdfHalfVector", "fbrdfZenith", "fbrdfDifferenceAngle",
+                    "fbrdfDifferenceAzimuth"};
+
+/// Functions that exist in GLSL alone, and why.
+const std::map<std::string, std::string> kAlone{
+    {"fbrdfAngleFromCosine", "a step of every angle"},
+    {"fbrdfZenithAbout", "fbrdfZenith without a tangent frame"},
+    {"fbrdfHalfZenith", "fbrdfZenith of h without h"},
+    {"fbrdfInverseLength", "a step of h and theta_d"},
+    {"fbrdfIrradiance", "falloff and coneFactor of one light"},
+    {"fbrdfListed", "reads what fbrdfLightList found"},
+    {"fbrdfReaches", "skips lights of a list"},
+};
+
+Names definedFunctions()
+{
+    const std::regex definition("\n[A-Za-z0-9]+ (fbrdf[A-Za-z]+)\\(");
+    Names names;
+    for (const char* file : {"angles.glsl", "clusters.glsl", "frame.glsl", "lights.glsl",
+                             "projection.glsl", "transfer.glsl"}) {
+        const std::string text(shaderSnippet(file));
+        EXPECT_FALSE(text.empty()) << file;
+        for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)
+            names.insert((*i)[1]);
+    }
+    return names;
+}
+
+TEST(TwinNames, EveryTwinExistsInGlsl)
+{
+    const Names defined = definedFunctions();
+    for (const Names& names : {twins(), kAngles})
+        for (const std::string& name : names) EXPECT_EQ(defined.count(name), 1u) << name;
+    for (const auto& [name, reason] : kAlone) EXPECT_EQ(defined.count(name), 1u) << name;
+}
+
+TEST(TwinNames, EveryGlslFunctionHasATwinOrAReason)
+{
+    for (const std::string& name : definedFunctions())
+        EXPECT_EQ(twins().count(name) + kAngles.count(name) + kAlone.count(name), 1u)
+            << name << " needs a C++ twin of that name, or an entry in kAlone";
+}
+
+// fbrdfLightList reads buffers; ManyLightsGLTest.cpp compares it by pictures.
+TEST(TwinNames, EveryTwinIsCompared)
+{
+    std::ifstream file("tests/gl/TwinGLTest.cpp");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(text.empty());
+    Names compared = twins();
+    compared.insert(kAngles.begin(), kAngles.end());
+    compared.erase("fbrdfLightList");
+    for (const std::string& name : compared)
+        EXPECT_NE(text.find(name + "("), std::string::npos) << name;
+}
+
+TEST(TwinNames, AreFoundFromTheCppName)
+{
+    EXPECT_EQ(glslName("&axisCoordinate<float>"), "fbrdfAxisCoordinate");
+    EXPECT_EQ(glslName("&fbrdf::falloff<float>"), "fbrdfFalloff");
+}
+
+}  // namespace
+}  // namespace fbrdf
