@@ -64,7 +64,7 @@ Light spot(float inner, float outer)
     return light;
 }
 
-/// Towards the light from a point that it sees at `angle` from its axis.
+/// The direction to the light from a point that lies at `angle` from its axis.
 Vec3d towards(double angle)
 {
     return {std::sin(angle), 0.0, std::cos(angle)};
@@ -77,7 +77,7 @@ TEST(Spot, IsFullInsideAndBlackOutside)
         EXPECT_EQ(coneFactor(light, towards(angle)), 1.0) << angle;
     for (double angle = 0.61; angle < kPi; angle += 0.05)
         EXPECT_EQ(coneFactor(light, towards(angle)), 0.0) << angle;
-    // By hand: half way between the cosines a quarter is left.
+    // By hand: half way between the cosines a quarter remains.
     const double between = std::acos(0.5 * (std::cos(0.3) + std::cos(0.6)));
     EXPECT_NEAR(coneFactor(light, towards(between)), 0.25, 1e-6);  // the angles are floats
 }

@@ -9,7 +9,7 @@
 namespace fbrdf {
 namespace {
 
-// What an offscreen surface holds from some other object: nothing may depend on it.
+// The content that another object left in an offscreen surface: no result may depend on it.
 constexpr double kStale = 1e30;
 
 const std::vector<double>& valuesOf(const SimulatedFragment& fragment, int term, int factor)
@@ -20,7 +20,7 @@ const std::vector<double>& valuesOf(const SimulatedFragment& fragment, int term,
 double valueOf(const SimulatedFragment& fragment, int term, int factor, int light)
 {
     const auto& values = valuesOf(fragment, term, factor);
-    // .at: a pass that reads a light's factor without a light is a plan gone wrong
+    // .at throws for a wrong plan, whose pass reads the factor of a light without a light.
     return values.size() == 1 ? values[0] : values.at(static_cast<size_t>(light));
 }
 
@@ -114,9 +114,9 @@ SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& 
         double& depth = pass.writes == Surface::target ? targetDepth : offscreenDepth;
         for (const SimulatedFragment& fragment : fragments) {
             const bool passes =
-                pass.depth == Depth::lay ? fragment.depth < depth : fragment.depth == depth;
+                pass.depth == Depth::write ? fragment.depth < depth : fragment.depth == depth;
             if (!passes) continue;
-            if (pass.depth == Depth::lay) depth = fragment.depth;
+            if (pass.depth == Depth::write) depth = fragment.depth;
             double value = valueOf(pass, fragment);
             if (pass.reads) value *= surface[static_cast<size_t>(*pass.reads)];
             value *= pass.gain;

@@ -1,5 +1,6 @@
 // PlanSimulator.h - executes a plan on the fragments of one pixel, with numbers for factors, as a
-// GPU would: depth test, depth write, blend. What ends in the target is what the plan draws.
+// GPU would: depth test, depth write, blend. The final content of the target is what the plan
+// draws.
 #pragma once
 #include <fbrdf/plan/Plan.h>
 
@@ -22,14 +23,14 @@ struct SimulatedPixel {
 /// A fragment with factors that no two terms, lights or seeds share; 0.5 to 2.
 SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed);
 
-/// Scale of a term, as the simulation takes it.
+/// The scale of a term in the simulation.
 double simulatedScale(int term);
 
-/// Sum over lights and terms, straight from the definition.
+/// The sum over lights and terms by the definition.
 double expectedValue(const Form& form, const SimulatedFragment& fragment);
 
-/// Draws the fragments in the order given, once a pass, over what the target holds. format: of the
-/// target; RGBA8 clamps and rounds to the nearest step.
+/// Draws the fragments in the order given, once for each pass, over the content of the target. The
+/// target has a format; RGBA8 clamps and rounds to the nearest step.
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
                         SimulatedPixel target, ColourFormat format = ColourFormat::rgba32f);
 

@@ -10,7 +10,7 @@
 namespace fbrdf {
 namespace {
 
-// Sums of at most 300 positive products, added up in another order.
+// The rounding of at most 300 positive products that are added up in another order.
 constexpr double kRounding = 1e-12;
 
 Capabilities modern()
@@ -46,7 +46,7 @@ Axis axis(int size)
     return {size, {}};
 }
 
-/// A single table over (theta_i, theta_o): what a diffuse term is.
+/// A single table over (theta_i, theta_o), as a diffuse term has it.
 Form formIo()
 {
     Form form{"io", {{"D", GridDomain{{axis(4), axis(4)}, true}}}, {}};
@@ -65,7 +65,7 @@ Form formWide()
     return form;
 }
 
-/// Nothing but a table in uniforms.
+/// A form of one table, in uniforms.
 Form formUniform()
 {
     Form form{"uniform", {{"u", GridDomain{{axis(8)}}, true}}, {}};
@@ -455,7 +455,7 @@ TEST_F(WrongPlan, AddingToTheBackgroundFails)
 
 TEST_F(WrongPlan, BlendingWithoutMatchingDepthFails)
 {
-    plan_.passes[1].depth = Depth::lay;
+    plan_.passes[1].depth = Depth::write;
     EXPECT_FALSE(passes(plan_));
 }
 
@@ -505,7 +505,7 @@ TEST(Precision, CountsRecombinedMapsOnce)
     request.transfer = Transfer::srgb;
     const double curved = bound().absolute;
     request.recombination = 0.0;
-    // What a code of x <= 1 can move by, both ways.
+    // How far the code of some x <= 1 can move in either direction.
     const double up = srgbFromLinear(1.0) - srgbFromLinear(1.0 / factor);
     EXPECT_GE(curved - bound().absolute, up);
     EXPECT_LT(curved - bound().absolute, 1.5 * up);

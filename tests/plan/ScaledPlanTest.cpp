@@ -1,5 +1,5 @@
-// Sums in RGBA8 surfaces: scaled so that nothing clips, right within the bound that the plan
-// states.
+// Sums in RGBA8 surfaces are scaled so that nothing clips, and their errors stay within the bound
+// that the plan states.
 #include "PlanSimulator.h"
 
 #include <fbrdf/base/Error.h>
@@ -13,7 +13,7 @@
 namespace fbrdf {
 namespace {
 
-/// No float can be drawn to.
+/// A context that cannot draw to floats.
 Capabilities old()
 {
     Capabilities c;
@@ -22,7 +22,7 @@ Capabilities old()
     return c;
 }
 
-/// What simulated factors and lights (times `dim`) never exceed.
+/// Bounds that simulated factors and lights (times `dim`) never exceed.
 Peaks peaksOf(const Form& form, int lights, double dim)
 {
     Peaks peaks;
@@ -55,7 +55,7 @@ Form formSum()
     return sum;
 }
 
-/// Three look-ups that depend on the light: built up in the scratch surface.
+/// A form of three look-ups that depend on the light, which the scratch surface builds up.
 Form formThree()
 {
     Form form = formPqpr(4, 1.0, 4);
@@ -64,7 +64,7 @@ Form formThree()
     return form;
 }
 
-/// The stored value of one pixel, and what it should be.
+/// The stored value of one pixel and the expected one.
 struct Pixel {
     double found = 0.0, exact = 0.0;
 };
@@ -119,7 +119,7 @@ TEST(ScaledPlan, SaysWhatItLoses)
     EXPECT_LE(plan.maxLookups, 2);
     EXPECT_EQ(plan.surfaces, ColourFormat::rgba8);
     EXPECT_EQ(plan.accumulation, ColourFormat::rgba8);
-    // q p of five lights at most, then p and the scale: five steps, scaled up, and one.
+    // Five steps for q p of five lights, scaled up, and one for p with the scale.
     const double sum = lights * 2.0 * dim * 4.0, uplift = sum * 2.0 * simulatedScale(0);
     EXPECT_NEAR(plan.error.absolute, (lights * uplift + 1.0) / 255.0, 1e-12);
     for (size_t i = 0; i < 5; ++i) EXPECT_NEAR(plan.passes[i].gain, 1.0 / sum, 1e-12);
@@ -221,8 +221,8 @@ TEST(ScaledPlan, NeedsSurfacesAndPeaksAndNoSigns)
 
 TEST(ScaledPlan, TakesTheSmallerErrorOfTheTwo)
 {
-    // In the target itself: a step a light. Lights that reach a hundredth of it leave room to scale
-    // up.
+    // Adding up in the target itself costs a step for each light. Lights that reach a hundredth of
+    // it leave room to scale up.
     const Form form = formHdio(4, 4, 4);
     const auto surfaces = [&](double dim) {
         return planPasses(form, requestOf(form, 5, dim), old()).surfaces;
@@ -250,7 +250,7 @@ TEST(ScaledPlan, RefusesPeaksOfSomethingElse)
     expectUsage([](Peaks& peaks) { peaks.lights[0] = std::nan(""); });
 }
 
-// The tester: without its gains a plan clips, and that must show.
+// The tester: without its gains a plan clips, and the comparison must notice.
 TEST(ScaledPlan, WithoutGainsIsWrong)
 {
     const Form form = formPqp(4, 1.0);

@@ -98,8 +98,8 @@ void Executor::setBlend(Blend blend)
 
 void Executor::setDepth(Depth depth)
 {
-    gl_.DepthFunc(depth == Depth::lay ? functionOf(frame_.view.depth.test) : GL_EQUAL);
-    gl_.DepthMask(depth == Depth::lay ? GL_TRUE : GL_FALSE);
+    gl_.DepthFunc(depth == Depth::write ? functionOf(frame_.view.depth.test) : GL_EQUAL);
+    gl_.DepthMask(depth == Depth::write ? GL_TRUE : GL_FALSE);
 }
 
 void Executor::useProgram(const Drawable& item, const Program& program)

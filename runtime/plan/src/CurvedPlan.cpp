@@ -1,5 +1,7 @@
 #include "CurvedPlan.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -7,6 +9,8 @@ namespace fbrdf {
 
 Plan curvedPlan(Plan plan, Transfer transfer, bool offscreen)
 {
+    FBRDF_ASSERT(plan.feasible(), ==, true);
+    FBRDF_ASSERT(plan.passes.size(), >, size_t{0});
     const bool isSumElsewhere =
         std::none_of(plan.passes.begin(), std::prev(plan.passes.end()),
                      [](const Pass& pass) { return pass.writes == Surface::target; });
@@ -21,12 +25,12 @@ Plan curvedPlan(Plan plan, Transfer transfer, bool offscreen)
             "target cannot have";
         return none;
     }
-    // All surfaces of the renderer share one depth buffer: the first pass lays it for all.
+    // All surfaces of the renderer share one depth buffer, which the first pass writes.
     for (Pass& pass : plan.passes) {
         if (pass.writes == Surface::target) pass.writes = Surface::sum;
         pass.depth = Depth::match;
     }
-    plan.passes.front().depth = Depth::lay;
+    plan.passes.front().depth = Depth::write;
     Pass last;
     last.parts = {{0, {}, false}};
     last.reads = Surface::sum;

@@ -3,17 +3,18 @@
 //   a sum has at most the largest relative error of its terms; a product the sum of those of its
 //   factors; and a total that k additions build up, each rounded by u, at most k u more, for
 //   partial sums never exceed the total.
-// A pass computes its value within kEvaluation, and within that of what it reads beside. Writing
-// rounds: by u relative to the value (float formats), by one step (UNORM: GL asks for an integer
-// next to the product). A multiplication carries the absolute error on, times a factor that UNORM
-// clamps to 1.
+// A pass computes its value with a relative error of kEvaluation, to which the error of the surface
+// that it reads adds. Writing rounds by u relative to the value (float formats) or by one step
+// (UNORM: GL demands an integer next to the product). A multiplication carries the absolute error
+// on, times a factor that UNORM clamps to 1.
 // A code of an sRGB curve is 1.055 x^(1/2.4) - 0.055, so a relative error r of x <= 1 moves it by
 // at most x dcode/dx r <= 1.055 / 2.4 r; the tone map, x (1 + x / 16) / (1 + x), does not raise r,
 // as its elasticity 1 + x / (16 + x) - x / (1 + x) is at most 1.
-// A pass that reads a UNORM surface scales its steps by its gain and by what its parts can be; a
-// curve makes of an absolute error e at most its code of e, for it is steepest at 0.
+// A pass that reads a UNORM surface scales the steps of that surface by its gain and by the largest
+// value of its parts. A curve turns an absolute error e into at most the code of e, for it is
+// steepest at 0.
 // A recombined map changes a product by a factor of at most 2^e, wherever its factors are
-// multiplied, and so a sum of products; a curve makes of that what it makes of r = 2^e - 1.
+// multiplied, and so a sum of products: that is a relative error of r = 2^e - 1.
 #include <fbrdf/plan/Plan.h>
 
 #include <algorithm>
@@ -23,13 +24,14 @@
 namespace fbrdf {
 namespace {
 
-// Float geometry, texture coordinates, exp2 and pow of GL against double, where texels are filtered
-// in float: 6.7e-6 measured on llvmpipe in tables of noise, steeper than any material's. The same
-// formulas in float on the CPU are as far off: it is the cosine and the highlight's half vector.
+// The error of float geometry, texture coordinates, exp2 and pow of GL against double, where texels
+// are filtered in float: 6.7e-6 was measured on llvmpipe with tables of noise, which are steeper
+// than those of any material. The same formulas in float on the CPU are as far off; the cosine and
+// the half vector in a highlight cause most of it.
 constexpr double kEvaluation = 1e-5;
 constexpr double kCurveSlope = 1.055 / 2.4;
 
-// GL lets a float format cut off instead of round.
+// The rounding of a format. GL allows float formats to truncate instead of rounding.
 ErrorBound writing(ColourFormat format)
 {
     switch (format) {
@@ -50,7 +52,7 @@ ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombinatio
     bool curved = false;
     std::array<ErrorBound, 4> surfaces{};
     for (const Pass& pass : plan.passes) {
-        ErrorBound& held = surfaces[static_cast<size_t>(pass.writes)];
+        ErrorBound& content = surfaces[static_cast<size_t>(pass.writes)];
         const ErrorBound rounding =
             writing(pass.writes == Surface::target ? target : plan.surfaces);
         ErrorBound value{kEvaluation, 0.0};
@@ -63,12 +65,13 @@ ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombinatio
             value = {0.0, kCurveSlope * (value.relative + replaced) + kEvaluation +
                               srgbFromLinear(std::min(1.0, value.absolute))};
         }
-        if (pass.blend == Blend::replace) held = value;
+        if (pass.blend == Blend::replace) content = value;
         if (pass.blend == Blend::add)
-            held = {std::max(held.relative, value.relative), held.absolute + value.absolute};
-        if (pass.blend == Blend::multiply) held.relative += value.relative;
-        held.relative += rounding.relative;
-        held.absolute += rounding.absolute;
+            content = {std::max(content.relative, value.relative),
+                       content.absolute + value.absolute};
+        if (pass.blend == Blend::multiply) content.relative += value.relative;
+        content.relative += rounding.relative;
+        content.absolute += rounding.absolute;
     }
     ErrorBound result = surfaces[static_cast<size_t>(Surface::target)];
     if (!curved) result.relative += replaced * (1.0 + result.relative);

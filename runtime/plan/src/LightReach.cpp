@@ -1,5 +1,6 @@
 #include "LightReach.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/plan/LightClusters.h>
 
 #include <algorithm>
@@ -15,11 +16,13 @@ bool isUnlimited(const LightVectors& light)
 
 double influenceRadius(const LightVectors& light)
 {
+    FBRDF_ASSERT(light[0].w, >, 0.0f);
     return 1.0 / std::sqrt(static_cast<double>(light[0].w));
 }
 
-// The sphere about a cone of half angle a whose sides are r long and whose end is round: through
-// apex and rim where a <= 45 degrees, with the radius r / (2 cos a), else about the rim, r sin a.
+// The smallest sphere about a cone of half angle a whose sides are r long and whose end is round.
+// Up to 45 degrees it touches apex and rim, with the radius r / (2 cos a); beyond, its great circle
+// is the rim, with the radius r sin a.
 Reach reachOf(const LightVectors& light)
 {
     const Vec3d position(light[0]), scaledAxis(light[2]);
@@ -65,7 +68,7 @@ PixelRect enclosing(const PixelRect& a, const PixelRect& b)
 
 namespace {
 
-/// Bits of two 16-bit numbers in turn (Morton 1966).
+/// A Morton code: the bits of two 16-bit numbers in turn (Morton 1966).
 uint32_t interleaved(uint32_t x, uint32_t y)
 {
     uint32_t code = 0;
@@ -81,6 +84,8 @@ std::vector<int> neighboursTogether(const std::vector<PixelRect>& rects)
     std::vector<std::pair<uint32_t, int>> codes;
     for (size_t i = 0; i < rects.size(); ++i) {
         const PixelRect& r = rects[i];
+        FBRDF_ASSERT(r.x + r.width / 2, <, 1 << 16);
+        FBRDF_ASSERT(r.y + r.height / 2, <, 1 << 16);
         codes.emplace_back(interleaved(static_cast<uint32_t>(r.x + r.width / 2),
                                        static_cast<uint32_t>(r.y + r.height / 2)),
                            static_cast<int>(i));

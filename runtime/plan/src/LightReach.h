@@ -4,16 +4,19 @@
 
 namespace fbrdf {
 
-// Distances from the eye below count as this; far below any near plane, so that logs stay finite.
+// The least distance from the eye: smaller ones count as this, so that logs stay finite. It is far
+// below any near plane.
 constexpr double kNearest = 1e-6;
 
-/// A sphere that holds every point that a light with a radius reaches.
+/// A sphere around every point that a light with a radius reaches.
 struct Reach {
     Vec3d centre{0.0};
     double radius = 0.0;
 };
 bool isUnlimited(const LightVectors& light);
-double influenceRadius(const LightVectors& light);  ///< of a light with a radius
-Reach reachOf(const LightVectors& light);           ///< of a light with a radius; less for a spot
+/// Expects a light with a radius.
+double influenceRadius(const LightVectors& light);
+/// Expects a light with a radius. The sphere of a spot is smaller than its radius.
+Reach reachOf(const LightVectors& light);
 
 }  // namespace fbrdf

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/plan/LightSelection.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@ namespace fbrdf {
 
 namespace {
 
-/// Whether the cone of a spot meets the sphere, or nearly.
+/// False when the cone of a spot misses the sphere by more than a small margin.
 bool isAimedAt(const Light& light, const Sphere& bounds)
 {
     if (light.type != Light::Type::spot) return true;
@@ -16,12 +17,12 @@ bool isAimedAt(const Light& light, const Sphere& bounds)
     if (!(distance > radius)) return true;
     const double cosine = glm::dot(glm::normalize(Vec3d(light.axis)), toCentre) / distance,
                  angle = std::acos(std::clamp(cosine, -1.0, 1.0)),
-                 margin =
-                     std::asin(radius / distance) + 1e-3;  // of the edge's least width, Light.h
+                 // 1e-3 radians exceed the least width of a cone's edge (Cone, Light.h).
+        margin = std::asin(radius / distance) + 1e-3;
     return angle - margin <= static_cast<double>(light.outerAngle);
 }
 
-/// Of the intensity, at the nearest point of the sphere.
+/// The factor of the intensity at the nearest point of the sphere.
 double strongestFactor(const Light& light, const Sphere& bounds)
 {
     if (light.type == Light::Type::directional) return 1.0;
@@ -50,13 +51,14 @@ LightSelection selectLights(const std::vector<Light>& lights, const Sphere& boun
     LightSelection selection;
     std::vector<std::pair<double, int>> reaching;
     for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+        FBRDF_ASSERT(isValid(lights[static_cast<size_t>(i)]), ==, true);
         const double irradiance = strongestIrradiance(lights[static_cast<size_t>(i)], bounds);
         if (irradiance != 0.0)
             reaching.emplace_back(-irradiance, i);
         else
             ++selection.culled;
     }
-    if (most > 0) std::sort(reaching.begin(), reaching.end());  // equal ones in the order given
+    if (most > 0) std::sort(reaching.begin(), reaching.end());  // by index where they tie
     if (most > 0 && reaching.size() > static_cast<size_t>(most)) {
         selection.dropped = static_cast<int>(reaching.size()) - most;
         reaching.resize(static_cast<size_t>(most));

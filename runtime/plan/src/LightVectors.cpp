@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <glm/geometric.hpp>
@@ -29,6 +30,7 @@ double inverseRadiusSquared(const Light& light)
 
 LightVectors lightVectors(const Light& light, const glm::dmat4& toEye)
 {
+    FBRDF_ASSERT(isValid(light), ==, true);
     const Cone cone = coneOf(light);
     glm::dvec4 axis(0.0);
     if (cone.scale != 0.0) axis = cone.scale * unitDirection(toEye, light.axis);

@@ -34,7 +34,7 @@ void PassList::append(Pass pass)
 {
     bool& laid = pass.writes == Surface::target ? targetLaid_ : offscreenLaid_;
     bool& fresh = fresh_[static_cast<size_t>(pass.writes)];
-    pass.depth = laid ? Depth::match : Depth::lay;
+    pass.depth = laid ? Depth::match : Depth::write;
     if (fresh)
         pass.blend = Blend::replace;
     else if (pass.blend != Blend::multiply)

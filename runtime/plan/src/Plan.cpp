@@ -1,5 +1,5 @@
-// A plan is the passes that add up the form (Planner.h), and what comes after the sum: a curve, or
-// the way back from a sum that had to be scaled.
+// A plan consists of the passes that add up the form (Planner.h) and of what follows the sum: a
+// curve, or the scaling back of a sum that had to be scaled down.
 #include "CurvedPlan.h"
 #include "PassList.h"
 #include "Planner.h"
@@ -14,7 +14,8 @@
 namespace fbrdf {
 namespace {
 
-// vec4 uniforms beside lights and knots: ranges of tables, scales, eye and the like; generous.
+// vec4 uniforms of a program beside lights, knots and ranges: the eye, one scale for each term, the
+// gain and the like. 24 leaves room for sums of more than a dozen terms.
 constexpr int kReservedUniformVectors = 24;
 
 Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
@@ -32,7 +33,7 @@ Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities
     return limits;
 }
 
-/// Of surfaces that can be drawn to without scaling.
+/// The format of surfaces that can be drawn to without scaling.
 ColourFormat floatFormat(const Capabilities& capabilities)
 {
     return capabilities.floatTargets || !capabilities.halfTargets ? ColourFormat::rgba32f
@@ -52,7 +53,7 @@ Plan finished(std::vector<Pass> passes, const PlanRequest& request, ColourFormat
     return plan;
 }
 
-/// Every transfer but a curve: exposure is in the lights.
+/// The plan for a transfer that is no curve; the lights include the exposure.
 Plan planStraight(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     const ColourFormat surfaces = floatFormat(capabilities);
@@ -73,8 +74,8 @@ bool isUnorm(ColourFormat format)
     return format != ColourFormat::rgba32f && format != ColourFormat::rgba16f;
 }
 
-/// A UNORM target clamps what every pass writes to 0: of terms with signs it can take the sum
-/// alone.
+/// The plan of a material with signs, or a reason. A UNORM target clamps the output of every pass
+/// to 0, so it can take the sum of such terms but not the terms one by one.
 Plan withSigns(Plan plan, const PlanRequest& request)
 {
     plan.error.relative = std::numeric_limits<double>::infinity();
@@ -84,7 +85,7 @@ Plan withSigns(Plan plan, const PlanRequest& request)
     if (writes <= 1) return plan;
     Plan none;
     none.reason = std::string("terms with signs do not add up in ") +
-                  colourFormatName(request.target) + ", which holds nothing below 0";
+                  colourFormatName(request.target) + ", which has no negative values";
     return none;
 }
 
@@ -97,7 +98,7 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
     return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
 }
 
-/// Whether RGBA8 surfaces could be what RGBA32F ones cannot.
+/// True when scaled RGBA8 surfaces may replace float surfaces, which do not exist here.
 bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
 {
     return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
@@ -105,7 +106,7 @@ bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
            !capabilities.floatTargets && !capabilities.halfTargets;
 }
 
-/// No picture.
+/// True when the error bound is too large for the result to be useful (kCoarsestSum).
 bool isCoarse(const ErrorBound& error)
 {
     return std::max(error.relative, error.absolute) > kCoarsestSum;
@@ -125,7 +126,7 @@ void checkPeaks(const Form& form, const PlanRequest& request)
                     "each table, term and light");
 }
 
-/// As if RGBA32F could be drawn to, then scaled for RGBA8.
+/// Plans as if RGBA32F could be drawn to, then scales the sums for RGBA8.
 Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capabilities)
 {
     checkPeaks(form, request);
@@ -168,7 +169,7 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 {
     int vectors = capabilities.maxUniformVectors - kReservedUniformVectors;
     for (const TableSpec& table : form.tables) {
-        vectors -= 2;  // its range
+        vectors -= 2;  // fbrdfLower and fbrdfExtent
         if (table.uniform) vectors -= texelCount(table.domain);
     }
     return std::max(1, vectors / kVectorsPerLight);

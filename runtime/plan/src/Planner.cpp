@@ -1,15 +1,16 @@
-// Derivation. With v look-ups that do not depend on the light and l that do, and k lights in a
-// pass:
+// Derivation. Let v look-ups not depend on the light and l depend on it, with k lights in a pass:
 //   whole:    all factors in every light pass      v + k l <= limit    ceil(N / k) passes
 //   leaving:  p(wo) and its like leave the sum     k l <= limit        ceil(N / k) + 1 passes
-//   chained:  one light's product built up in the scratch surface where even l > limit
+//   chained:  where even l > limit, the scratch surface builds up the product of one light
 // A term takes whichever of the first two needs fewer passes. The first leaving term multiplies in
-// place; terms beside it would be multiplied too, so every further one adds up in the accumulation
-// surface and is composited with its factors, as is everything where the target is too coarse to
-// add up in.
+// place. That would multiply other terms too, so every further leaving term adds up in the
+// accumulation surface and is composited with its factors. So is everything where the target is too
+// coarse to add up in.
 #include "Planner.h"
 
 #include "PassList.h"
+
+#include <fbrdf/base/Assert.h>
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ TermFactors termFactors(const Form& form, int term)
     return result;
 }
 
-/// Lights that fit into a pass; 0 when not even one does.
+/// The number of lights that fit into a pass; 0 when not even one does.
 int lightsFitting(int viewLookups, int lightLookups, const Limits& limits)
 {
     if (viewLookups > limits.lookups) return 0;
@@ -65,7 +66,7 @@ public:
     {
     }
 
-    /// Every term in every light pass.
+    /// Puts every term into every light pass.
     bool planTogether()
     {
         Group group;
@@ -216,7 +217,7 @@ private:
         }
     }
 
-    /// Each light's product is built up in the scratch surface, then added.
+    /// Builds up the product of each light in the scratch surface, then adds it.
     void chain(const Part& whole, Surface surface)
     {
         if (!limits_.offscreen)
@@ -262,8 +263,8 @@ private:
         list_.append(std::move(pass));
     }
 
-    /// Factors split so that no chunk exceeds the limit, nor the last one `lastLimit`; the scale
-    /// goes with the last.
+    /// Splits factors so that no chunk exceeds the limit and the last chunk does not exceed
+    /// `lastLimit`. The last chunk has the scale.
     std::vector<Part> chunks(int term, const std::vector<int>& factors, int lastLimit) const
     {
         std::vector<Part> parts;
@@ -301,6 +302,8 @@ private:
 
 ListedPasses listPasses(const Form& form, const PlanRequest& request, const Limits& limits)
 {
+    FBRDF_ASSERT(request.lights, >, 0);
+    FBRDF_ASSERT(limits.lights, >, 0);
     Planner together(form, request, limits), apart(form, request, limits);
     const bool canTogether = together.planTogether(), canApart = apart.planApart();
     if (!canTogether && !canApart) return {{}, apart.reason()};

@@ -1,4 +1,4 @@
-// Planner.h - the passes that add up a form, within limits; what comes after the sum is Plan.cpp's.
+// Planner.h - the passes that add up a form, within limits. Plan.cpp adds what follows the sum.
 #pragma once
 #include <fbrdf/plan/Plan.h>
 
@@ -8,17 +8,17 @@ namespace fbrdf {
 
 struct Limits {
     static constexpr int kUnlimited = std::numeric_limits<int>::max();
-    int lookups = kUnlimited;  ///< in a pass
-    int lights = 1;            ///< in a pass
+    int lookups = kUnlimited;  ///< in any pass
+    int lights = 1;            ///< in any pass, > 0
     bool offscreen = true;
 };
 
 struct ListedPasses {
     std::vector<Pass> passes;
-    std::string reason;  ///< why there are none
+    std::string reason;  ///< why there are no passes
 };
 
-/// The fewest passes. request: lights above 0, valid.
+/// The fewest passes. Expects a valid request with at least one light.
 ListedPasses listPasses(const Form& form, const PlanRequest& request, const Limits& limits);
 
 }  // namespace fbrdf

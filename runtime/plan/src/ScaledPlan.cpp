@@ -1,8 +1,10 @@
-// Derivation. From a replacing pass to the next a surface holds a sum, and then what that is
-// multiplied by. No sum exceeds the peaks of its passes added up, S; no factor its own, M. So the
-// light passes are scaled by 1 / S and the factors by 1 / M, nothing clips, and who reads the
-// surface scales by S times all M.
+// Derivation. Between two replacing passes a surface contains a sum, which further passes multiply.
+// The sum never exceeds S, the peaks of its passes added up, and no factor exceeds its own peak M.
+// Light passes are therefore scaled by 1 / S and factors by 1 / M so that nothing clips, and a pass
+// that reads the surface scales by S times all M.
 #include "ScaledPlan.h"
+
+#include <fbrdf/base/Assert.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +12,7 @@
 namespace fbrdf {
 namespace {
 
-/// What a surface holds between two replacing passes.
+/// The content of a surface between two replacing passes.
 struct Content {
     double sum = 0.0, factors = 1.0;
     double peak() const { return sum * factors; }
@@ -38,26 +40,26 @@ double irradianceOf(const Pass& pass, const Peaks& peaks)
     return sum;
 }
 
-/// What a surface that nothing reaches is divided by.
+/// A divisor that is never 0: surfaces that nothing lights stay 0.
 double orOne(double peak)
 {
     return peak > 0.0 ? peak : 1.0;
 }
 
-/// Which content every pass writes and reads; -1: none, as of the target.
+/// Which content every pass writes and reads; -1 where it is none of ours, as for the target.
 class Contents {
 public:
     Contents(const Plan& plan)
     {
         std::array<int, 4> current{-1, -1, -1, -1};
         for (const Pass& pass : plan.passes) {
-            int& held = current[static_cast<size_t>(pass.writes)];
+            int& content = current[static_cast<size_t>(pass.writes)];
             read_.push_back(pass.reads ? current[static_cast<size_t>(*pass.reads)] : -1);
             if (pass.writes != Surface::target && pass.blend == Blend::replace) {
-                held = static_cast<int>(contents_.size());
+                content = static_cast<int>(contents_.size());
                 contents_.emplace_back();
             }
-            written_.push_back(held);
+            written_.push_back(content);
             add(pass);
         }
     }
@@ -83,13 +85,16 @@ private:
     }
 
     std::vector<Content> contents_;
-    std::vector<int> read_, written_;  ///< of each pass
+    std::vector<int> read_, written_;  ///< indices into contents_, one for each pass
 };
 
 }  // namespace
 
 Plan scaledPlan(Plan plan, const Form& form, const Peaks& peaks)
 {
+    FBRDF_ASSERT(plan.feasible(), ==, true);
+    FBRDF_ASSERT(peaks.tables.size(), ==, form.tables.size());
+    FBRDF_ASSERT(peaks.scales.size(), ==, form.terms.size());
     for (Pass& pass : plan.passes)
         pass.largest = largestOf(pass, form, peaks) * (pass.lit ? irradianceOf(pass, peaks) : 1.0);
     const Contents contents(plan);

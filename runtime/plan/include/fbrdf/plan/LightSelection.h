@@ -1,5 +1,5 @@
 // LightSelection.h - which lights an object needs: those whose influence reaches its bounds, the
-// strongest first, at most so many. Pure.
+// strongest first, up to a limit. Pure.
 #pragma once
 #include <fbrdf/plan/Light.h>
 
@@ -14,18 +14,18 @@ struct Sphere {
 
 struct LightSelection {
     std::vector<int> lights;  ///< indices, strongest first
-    int culled = 0;           ///< cannot reach the bounds: nothing is lost
-    int dropped = 0;          ///< reach them, but there were too many
+    int culled = 0;           ///< lights that cannot reach the bounds: nothing is lost
+    int dropped = 0;          ///< lights that reach the bounds but exceed the limit
 };
 
-/// The largest irradiance (mean of the channels) that a valid light can cause in the sphere; an
-/// upper bound: the nearest point, inside its cone. 0 where its
-/// radius ends before, or its cone misses.
+/// An upper bound of the irradiance (mean of the channels) that a valid light causes in the sphere:
+/// its irradiance at the nearest point, as if that were inside its cone. 0 where the light's radius
+/// ends before the sphere or its cone misses it.
 double strongestIrradiance(const Light& light, const Sphere& bounds);
-/// The same of the largest channel.
+/// The same bound for the largest channel, at least 0.
 double largestIrradiance(const Light& light, const Sphere& bounds);
 
-/// lights: valid. most: 0 for no limit. Where there is no limit the order is that given.
+/// Expects valid lights. most: the limit, or 0 for none; without a limit the order is that given.
 LightSelection selectLights(const std::vector<Light>& lights, const Sphere& bounds, int most);
 
 }  // namespace fbrdf
