@@ -14,7 +14,7 @@ constexpr int kPoints = 4096;
 /// Point n of the sequence in [0, 1)^4.
 inline std::array<double, 4> point(int n)
 {
-    constexpr double kRoot = 1.1673039782614187;  // of x^5 = x + 1
+    constexpr double kRoot = 1.1673039782614187;  // the root of x^5 = x + 1
     std::array<double, 4> p{};
     double step = 1.0;
     for (double& coordinate : p) {
@@ -24,13 +24,13 @@ inline std::array<double, 4> point(int n)
     return p;
 }
 
-/// Uniform over the hemisphere's z from `leastZ` to 1.
+/// A direction that is uniform over the part of the hemisphere with z from `leastZ` to 1.
 inline Vec3d direction(double u, double v, double leastZ = 1e-3)
 {
     return directionFromAngles(std::acos(leastZ + (1.0 - leastZ) * u), 2.0 * kPi * v);
 }
 
-/// Pair n, both above the horizon.
+/// Pair n; both directions are above the horizon.
 inline DirectionPair<double> pair(int n, double leastZ = 1e-3)
 {
     const auto p = point(n);

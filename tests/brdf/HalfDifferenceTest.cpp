@@ -11,9 +11,9 @@ using namespace fbrdf;
 
 namespace {
 
-// A few rotations in double: some tens of roundings of 1e-16.
+// A few rotations in double cause some tens of roundings of 1e-16.
 constexpr double kTight = 1e-14;
-// Azimuths lose what 1 / sin(theta) amplifies; the points keep 0.01 away from the poles.
+// Azimuths lose digits as 1 / sin(theta); the points keep 0.01 away from the poles.
 constexpr double kAzimuth = 1e-12;
 
 double angleBetween(double a, double b)

@@ -1,5 +1,5 @@
 // HalfTest.cpp - binary16 against its definition: all 65536 numbers, and rounding by arithmetic in
-// double that shares nothing with the bit tricks of the library.
+// double, which shares no code with the bit operations of the library.
 #include <fbrdf/brdf/Half.h>
 #include <gtest/gtest.h>
 
@@ -56,9 +56,9 @@ TEST(Half, EveryCodeComesBack)
 
 TEST(Half, TiesGoToEvenAndTheRestToTheNearest)
 {
-    for (uint32_t bits = 0; bits < 0x7bffu; ++bits) {  // all neighbours among the finite numbers
+    for (uint32_t bits = 0; bits < 0x7bffu; ++bits) {  // all neighbouring pairs of finite numbers
         const float low = floatFromHalf(uint16_t(bits)), high = floatFromHalf(uint16_t(bits + 1));
-        const float middle = 0.5f * (low + high);  // exact: 11 bits and one more
+        const float middle = 0.5f * (low + high);  // exact: 12 bits suffice
         const uint32_t even = bits % 2 ? bits + 1 : bits;
         ASSERT_EQ(halfFromFloat(middle), even) << bits;
         ASSERT_EQ(halfFromFloat(std::nextafter(middle, low)), bits);

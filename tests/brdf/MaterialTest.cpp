@@ -15,7 +15,8 @@ using namespace fbrdf;
 
 namespace {
 
-// Swapping wo and wi changes only the order in which a few logs of up to 20 are added: 20 eps each.
+// Swapping wo and wi changes only the order in which a few logs of up to 20 are added, which costs
+// 20 eps each.
 constexpr double kReciprocal = 1e-13;
 
 Material filled(const Form& form, Storage storage, int channels = 3)
@@ -199,8 +200,9 @@ TEST(Material, OneChannelIsGreyButForItsScale)
     }
 }
 
-// Noise between texels is the worst case: a gradient of up to 6 octaves a texel, times positions
-// that float knows to 1e-5 of a texel where the warp is steep, and sums of logs of up to 18.
+// Noise between texels is the worst case: a gradient of up to 6 octaves per texel, times an error
+// of float positions of 1e-5 texels where the warp is steep, plus the rounding of sums of logs of
+// up to 18.
 TEST(Material, FloatAgreesWithDouble)
 {
     constexpr double kFloat = 5e-4;

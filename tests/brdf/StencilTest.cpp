@@ -1,5 +1,5 @@
-// StencilTest.cpp - linear filtering as weights: they sum to one, stay inside, and reproduce what
-// is linear; a wrong weight would not.
+// StencilTest.cpp - linear filtering as weights: they sum to one, stay inside the table, and
+// reproduce linear functions, which wrong weights would not.
 #include "brdf/Directions.h"
 
 #include <fbrdf/brdf/Projection.h>
@@ -42,7 +42,7 @@ Vec3<T> positionIn(const Domain& domain, int n, double margin = 0.0)
     return position;
 }
 
-/// Sum of weights times a function of the texel's coordinates.
+/// The weighted sum of a function of the texels' coordinates.
 template <class T>
 T filtered(const Domain& domain, const Vec3<T>& position, const std::function<T(Vec3<T>)>& f)
 {
@@ -100,7 +100,7 @@ TEST(Stencil, ReproducesLinearFunctions)
         }
 }
 
-// The tester: filtering is linear and nothing more, so a square must not come out.
+// The tester: filtering is linear, so a square must not be reproduced.
 TEST(Stencil, DoesNotReproduceSquares)
 {
     const auto square = [](Vec3d v) { return v.x * v.x; };

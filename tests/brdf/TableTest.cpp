@@ -28,7 +28,7 @@ Table tableOf(int width, int height, int channels, const std::function<float(int
     return table;
 }
 
-/// Every texel on its own: differences between neighbours as large as the range.
+/// Texels without any smoothness: neighbours differ by as much as the range.
 Table noise(int channels, float low = -12.0f, float high = 3.0f)
 {
     std::mt19937 random(2);
@@ -192,7 +192,7 @@ TEST(Codes, Unorm16HoldsTheEightBitStoragesExactly)
         ASSERT_EQ(unorm16Of(linear8, i, 0), 257 * codeOf(linear8, i, 0));
 }
 
-// Steps finer than those of float would make several codes one number, and codes ambiguous.
+// Steps finer than floats would give several codes one value, and codes would be ambiguous.
 TEST(Codes, ComeBackFromNearlyConstantTables)
 {
     for (const float level : {0.0f, -2.65f, 100.0f})

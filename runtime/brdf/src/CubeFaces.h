@@ -8,18 +8,18 @@ namespace fbrdf {
 
 constexpr int kFaces = 6;  ///< +x -x +y -y +z -z
 
-/// Point on the cube [-1, 1]^3 at a position of a face, in texels as of a Table; a position outside
+/// Point on the cube [-1, 1]^3 at a position of a face, in texels as in a Table; a position outside
 /// of the face is folded over its edge.
 Vec3d cubePoint(int face, double x, double y, int size);
 
 /// The texels that linear filtering mixes, face after face, and their weights.
 struct CubeStencil {
-    std::array<int, 4> texel{};  ///< -1: beyond a corner of the cube, where there is none
+    std::array<int, 4> texel{};  ///< -1 beyond a corner of the cube, where there is no texel
     std::array<double, 4> weight{};
-    bool isWhole = true;  ///< none is missing
+    bool isWhole = true;  ///< all four texels exist
 };
 
-/// seamless: across the edges of faces; otherwise a face is read as if its border went on.
+/// seamless: filters across the edges of faces; otherwise a face is read as if its border went on.
 CubeStencil cubeStencil(const Vec3d& direction, int size, bool seamless);
 
 }  // namespace fbrdf

@@ -1,9 +1,10 @@
 // The difference of two interpolations is smooth between texels. With samples d apart its peak lies
-// within d / 2 of one, and is higher than that by at most f'' d^2 / 8; an interpolation over texels
-// h apart is off by f'' h^2 / 8. So with d = h / 4 the peaks are a sixteenth higher than what is
-// found.
+// within d / 2 of a sample, and exceeds that sample by at most f'' d^2 / 8; an interpolation over
+// texels h apart is off by f'' h^2 / 8. So with d = h / 4 the peaks are at most a sixteenth higher
+// than the largest sample.
 #include "CubeFaces.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/DirectionMap.h>
 
@@ -17,7 +18,8 @@ constexpr double kAim = 1.0 / 64.0;  // octaves: a percent
 constexpr double kBetweenSamples = 17.0 / 16.0;
 constexpr int kSamplesPerTexel = 4, kSamplesPerNativeTexel = 8;
 constexpr int kFirstSize = 16;
-constexpr double kInside = 1e-9;  // of a face, in texels: far above rounding
+// How far inside of a face its border is sampled, in texels: far above rounding.
+constexpr double kInside = 1e-9;
 
 int largestByItself(LookUp lookUp)
 {
@@ -38,7 +40,7 @@ Vec3d valueAt(const Table& table, const Vec3d& direction)
 }
 
 /// Filtering at the horizon also reads texels below it: they continue the table without a kink.
-/// nearest: directions below that z are read by none.
+/// nearest: filtering reads no direction whose z is below that.
 Vec3d continuedAt(const Table& table, const Vec3d& direction, double nearest)
 {
     if (direction.z >= 0.0) return valueAt(table, direction);
@@ -49,7 +51,7 @@ Vec3d continuedAt(const Table& table, const Vec3d& direction, double nearest)
     return 2.0 * atHorizon - valueAt(table, {direction.x, direction.y, -direction.z});
 }
 
-/// Of a position in a parabolic map, also outside of the disc.
+/// The direction of a position in a parabolic map, also outside of the disc.
 Vec3d parabolicDirection(const DiscDomain& disc, double x, double y)
 {
     const double centre = 0.5 * (disc.size - 1);
@@ -217,6 +219,8 @@ LookUp lookUpFromName(const std::string& name)
 
 std::string whyNotRecombined(const Form& form, int table, Storage storage)
 {
+    FBRDF_ASSERT(table, >=, 0);
+    FBRDF_ASSERT(static_cast<size_t>(table), <, form.tables.size());
     const std::string name = "table '" + form.tables[static_cast<size_t>(table)].name + "': found ";
     if (!isLog(storage)) return name + "values, expected logs: only those have a bound";
     for (const Term& term : form.terms)
@@ -233,6 +237,8 @@ std::string whyNotRecombined(const Form& form, int table, Storage storage)
 
 DirectionMap recombined(const Table& table, const DirectionMapRequest& request)
 {
+    FBRDF_ASSERT(isDisc(table.domain), ==, true);
+    FBRDF_ASSERT(isLog(table.storage), ==, true);
     constexpr double kNever = INFINITY;
     if (request.size != 0) {
         if (request.size < kLeastMapSize || request.size > kLargestMapSize || request.size % 2 != 0)

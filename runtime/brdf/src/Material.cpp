@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Material.h>
 
@@ -12,7 +13,7 @@ namespace {
     throw Error(ErrorKind::input, where, what);
 }
 
-// The evaluation trusts a table's own domain with the form's arguments: they must be one domain.
+// Evaluation looks up a table's own domain with the form's arguments, so both must have one domain.
 void validateTable(const Table& table, const TableSpec& spec, const std::string& where)
 {
     const std::string name = "table '" + spec.name + "'";
@@ -88,6 +89,8 @@ void validate(const Material& material, const std::string& where)
 template <class T>
 Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi)
 {
+    FBRDF_ASSERT(material.tables.size(), ==, material.form.tables.size());
+    FBRDF_ASSERT(material.scales.size(), ==, material.form.terms.size());
     Vec3<T> sum(T(0));
     if (!(wo.z > T(0)) || !(wi.z > T(0))) return sum;
     const PairGeometry<T> geometry(DirectionPair<T>{wo, wi});

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/Table.h>
@@ -12,7 +13,7 @@ constexpr int kLastCode = 255, kLastUnorm16 = 65535;
 // Linear maps may hold 0, whose log2 does not exist: the smallest normal float stands for it.
 constexpr float kSmallestLinear = 1.17549435e-38f;
 // Range of log8 as a share of the largest magnitude in it, at least: 1/32 makes the 65535 steps of
-// the range four times as wide as those of float, so that every step is a number of its own.
+// the range four times as wide as the spacing of floats, so that no two steps round to one number.
 constexpr float kLeastRange = 1.0f / 32.0f;
 
 float& texelOf(Table& table, int index, int channel)
@@ -45,8 +46,8 @@ void setRange(Table& table, int channel)
     table.upper[channel] = low + (1.0f + margin) * range;
 }
 
-// The smallest stride at which every difference fits 8 bits. Two codes are kept free: what is coded
-// is the difference to a rounded neighbour, which lies half a stride off at most.
+// Sets the smallest stride at which every difference fits 8 bits. Two codes are kept free because
+// the difference is taken to a rounded neighbour, which is off by up to half a stride.
 void setStride(Table& table, int channel)
 {
     const auto c = static_cast<size_t>(channel);
@@ -62,7 +63,7 @@ void setStride(Table& table, int channel)
     table.log8.offset[c] = static_cast<int>(std::floor(static_cast<double>(least) / stride)) - 1;
 }
 
-// The texel that a symmetric table holds once more, or the texel itself.
+// The mirror image of a texel in a symmetric table, or the texel itself in others.
 int mirrorOf(const Domain& domain, int index)
 {
     const auto* grid = std::get_if<GridDomain>(&domain);
@@ -71,7 +72,7 @@ int mirrorOf(const Domain& domain, int index)
     return index % side * side + index / side;
 }
 
-// Texels of a symmetric domain need not be so: a file may hold what it likes.
+// A file may hold any texels, so those of a symmetric domain need not be symmetric.
 bool isMirrored(const Table& table, int channel)
 {
     for (int i = 0; i < texelCount(table.domain); ++i)
@@ -81,9 +82,9 @@ bool isMirrored(const Table& table, int channel)
 }
 
 // Closed loop: each code corrects the rounding of the texels before it, so errors do not add up.
-// All texels of a channel lie on one lattice, a stride wide; a value half way between two points
-// would go to one or the other by what lies before it, so the mirrored texel takes over what the
-// first of the two became.
+// All texels of a channel lie on one lattice, a stride wide. A value half way between two of its
+// points rounds either way depending on the texels before it, so the second texel of a mirrored
+// pair copies the first.
 void roundToLog8(Table& table)
 {
     for (int channel = 0; channel < table.channels; ++channel) {
@@ -176,6 +177,7 @@ float texelFromUnorm16(const Table& table, int channel, int value)
 
 int codeOf(const Table& table, int index, int channel)
 {
+    FBRDF_ASSERT(bytesPerChannel(table.storage), ==, 1);
     if (table.storage == Storage::linear8)
         return static_cast<int>(
             std::lround(table.texel(index, channel) * static_cast<float>(kLastCode)));
@@ -187,6 +189,7 @@ int codeOf(const Table& table, int index, int channel)
 
 float texelFromCode(const Table& table, int index, int channel, int code)
 {
+    FBRDF_ASSERT(bytesPerChannel(table.storage), ==, 1);
     if (table.storage == Storage::linear8)
         return static_cast<float>(code) / static_cast<float>(kLastCode);
     const auto c = static_cast<size_t>(channel);

@@ -1,4 +1,4 @@
-// Form.h - which product of which tables: seed Eq. 4 as data.
+// Form.h - which product of which tables: docs/method.md, Eq. 4, as data.
 //   f ~ sum over terms t of  scale_t  prod over factors k of  F_tk(eta_tk(wo, wi))
 // A new form is a new value: solver, file and shader generator read it and need no code of their
 // own.
@@ -33,8 +33,8 @@ struct Form {
     std::vector<Term> terms;
 };
 
-/// A factor whose value changes with the light direction; the others (p(wo)) can leave the sum over
-/// lights.
+/// True for a factor whose value changes with the light direction. The others, such as p(wo), can
+/// leave the sum over lights.
 bool dependsOnLight(const Factor& factor);
 /// True when every factor depends on angles that a rotation about the normal keeps: no tangent
 /// frame is needed.
@@ -51,8 +51,10 @@ std::string directionName(const Direction& direction);
 const char* angleName(Angle angle);  ///< "theta_h", ...
 
 // The named forms. `size`: texels on a side of each disc map; `gamma`: see DiscDomain.
-Form formPqp(int size, double gamma);              ///< p(wo) q(h) p(wi)            seed Eq. 6
-Form formPqpr(int size, double gamma, int knots);  ///< p(wo) q(h) p(wi) r(theta_d)
+/// p(wo) q(h) p(wi): docs/method.md, Eq. 6.
+Form formPqp(int size, double gamma);
+/// p(wo) q(h) p(wi) r(theta_d), r with `knots` knots in uniforms.
+Form formPqpr(int size, double gamma, int knots);
 /// T1(theta_h, theta_d) T2(theta_i, theta_o), T2 symmetric of size x size.
 Form formHdio(int sizeH, int sizeD, int sizeIo);
 

@@ -15,11 +15,11 @@ struct Material {
     std::vector<Table> tables;  ///< one for each form.tables, same order
     std::vector<Vec3f> scales;  ///< one for each term, >= 0
     std::string name;
-    /// What else the file says: "source", "generator", "units" ("1/sr"), "colorspace"
+    /// Further entries of the file: "source", "generator", "units" ("1/sr"), "colorspace"
     /// ("lin_rec709"), ...
     std::map<std::string, std::string> notes;
-    std::map<std::string, double>
-        errors;  ///< fit errors by the names of the metrics (see fitter/fit)
+    /// Errors of the fit by the names that docs/method.md, section Errors, defines.
+    std::map<std::string, double> errors;
 };
 
 /// Bytes of all tables: texels x channels x bytes a channel.
@@ -33,7 +33,8 @@ bool hasSigns(const Material& material);
 void validate(const Material& material, const std::string& where);
 
 /// f(wo, wi) in 1/sr; 0 when either direction is at or below the horizon. T = float follows the
-/// shader step by step, T = double is exact. Directions unit, local frame.
+/// shader step by step, T = double is exact. Directions are unit, in the local frame. Expects a
+/// material that validate accepts.
 template <class T>
 Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi);
 

@@ -13,11 +13,12 @@ namespace fbrdf {
 /// linear8 holds F itself in [0, 1] (fixed-function hardware, the maps of 2001) and multiplies.
 /// log8 keeps 8 bits a texel: the difference to the texel before it, see Log8. signedHalf holds F
 /// itself, of either sign, as half floats, and multiplies: the terms of a singular value
-/// decomposition (seed Eq. 3).
+/// decomposition (docs/method.md, Eq. 3).
 enum class Storage { log8, half, float32, linear8, signedHalf };
 
 const char* storageName(Storage storage);  ///< "log8", "half", "float", "linear8", "signed"
-/// What a fit can be asked for: all but signed, which goes with a form. Throws Error(usage).
+/// A storage that a fit can be asked for: all but "signed", which some forms imply. Throws
+/// Error(usage).
 Storage storageFromName(const std::string& name);
 int bytesPerChannel(Storage storage);
 inline bool isLog(Storage storage)
@@ -47,9 +48,9 @@ struct Table {
     /// Range of log8, per channel; {0, 1} for linear8, whose code k means k / 255; unused by half
     /// and float.
     Vec3f lower{0.0f}, upper{1.0f};
-    Log8 log8;  ///< of log8 alone
-    /// Texels that no sample of the fit supports: what they hold is a guess of the smoothness.
-    /// One mark a texel, or empty where nothing is known of them.
+    Log8 log8;  ///< used by log8 alone
+    /// Marks the texels that no sample of the fit supports: smoothness alone decided their values.
+    /// One mark for each texel, or empty where support is unknown.
     std::vector<bool> unsupported{};
 
     float texel(int index, int channel) const
@@ -75,7 +76,7 @@ int unorm16Of(const Table& table, int index, int channel);
 /// The texel that a UNORM16 of 0..65535 stands for.
 float texelFromUnorm16(const Table& table, int channel, int value);
 
-/// 8-bit code of a texel, 0..255; only for log8 and linear8.
+/// 8-bit code of a texel, 0..255. Expects the storage log8 or linear8.
 int codeOf(const Table& table, int index, int channel);
 /// The texel that a code stands for at `index`; for log8 the texels before it must be decoded
 /// already. Not clamped: a code that leads out of 0..65535 gives a value out of [lower, upper].
