@@ -28,7 +28,7 @@ void describeTool(CLI::App& app)
     app.footer(
         "SOURCE is a file, or a model as in ggx:alpha=0.1,f0=1/0.8/0.5 (see fbrdf models).\n"
         "Exit codes: 0 done, 1 a check did not hold, 2 bad usage, 3 invalid input, 4 fit failed,\n"
-        "5 output could not be written.");
+        "5 output could not be written, 6 no usable GL.");
 }
 
 void addCommands(CLI::App& app, fbrdf::tool::Action& action)
@@ -43,6 +43,7 @@ void addCommands(CLI::App& app, fbrdf::tool::Action& action)
     addBenchFitCommand(app, action);
     addModelsCommand(app, action);
     addFormsCommand(app, action);
+    addGlslCommand(app, action);
 }
 
 // The parser throws for --help and --version, too; they are no failures.

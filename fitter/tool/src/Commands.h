@@ -19,5 +19,6 @@ void addBatchCommand(CLI::App& app, Action& action);
 void addBenchFitCommand(CLI::App& app, Action& action);
 void addModelsCommand(CLI::App& app, Action& action);
 void addFormsCommand(CLI::App& app, Action& action);
+void addGlslCommand(CLI::App& app, Action& action);
 
 }  // namespace fbrdf::tool
