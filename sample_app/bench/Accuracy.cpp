@@ -22,8 +22,8 @@ const HeadlessOptions kDesktop{Backend::egl, HeadlessOptions::Profile::core, 4, 
 
 struct Version {
     HeadlessOptions context;
-    int glsl = 0;              ///< 0: the newest that it has
-    bool floatTargets = true;  ///< otherwise as if nothing but RGBA8 could be drawn to
+    int glsl = 0;              ///< 0: the newest that the context has
+    bool floatTargets = true;  ///< false: pretends that only RGBA8 can be drawn to
 };
 
 std::vector<Version> versions()
@@ -57,7 +57,7 @@ gl::Renderer rendererOf(const HeadlessContext& context, const Version& version)
     return gl::Renderer(options);
 }
 
-/// Read back from a desktop context: what a driver interpolates does not depend on the version.
+/// The interpolated geometry, read back from a desktop context: it does not depend on the version.
 truth::GeometryBuffer geometryOf(const Stage& stage)
 {
     const HeadlessContext context(kDesktop);
@@ -66,7 +66,7 @@ truth::GeometryBuffer geometryOf(const Stage& stage)
                                  glm::mat4(1.0f), stage.view);
 }
 
-/// One version: a context, and what is drawn in it.
+/// One version: a context and the drawings in it.
 class Bench {
 public:
     Bench(const Version& version, const Stage& stage, const truth::GeometryBuffer& geometry)
@@ -81,7 +81,7 @@ public:
 
     const gl::Renderer& renderer() const { return renderer_; }
 
-    /// form: with how its maps are looked up after it, "pqp cube".
+    /// form: a form, optionally followed by how its maps are looked up: "pqp cube".
     void measure(const std::string& form, int count, std::vector<AccuracyRow>& rows)
     {
         const size_t end = form.find(' ');
@@ -91,7 +91,7 @@ public:
         const auto gpu = renderer_.createMaterial(material, options);
         auto lights = stageLights(count);
         auto radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
-        // Nothing above 1, which RGBA8 would cut off.
+        // Scaled so that no pixel exceeds 1, where RGBA8 would clamp it.
         const auto scale =
             static_cast<float>(0.9 / *std::max_element(radiance.begin(), radiance.end()));
         for (Light& light : lights) light.intensity *= scale;

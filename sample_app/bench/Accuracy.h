@@ -1,5 +1,5 @@
-// Accuracy.h - how right the runtime is: every technique, form, target format and version against
-// the sum in double at every pixel, and against the bound that each plan states.
+// Accuracy.h - how accurate the runtime is: every technique, form, target format and version
+// against the sum in double at every pixel, and against the bound that each plan states.
 #pragma once
 #include "bench/Options.h"
 
@@ -11,18 +11,18 @@
 namespace fbrdf::bench {
 
 struct AccuracyRow {
-    std::string version;  ///< of the context and of its shaders
+    std::string version;  ///< versions of the context and of its shaders
     std::string form, technique, format;
     int lights = 0, passes = 0;
     ErrorBound bound;
     truth::Deviation found;
-    std::string whyReplaced;  ///< another technique was taken; "": it was not
+    std::string whyReplaced;  ///< why another technique was taken; "": none was
 };
 
 struct Accuracy {
     std::string glRenderer;
     std::vector<AccuracyRow> rows;
-    std::vector<std::string> leftOut;  ///< versions that there are no contexts of, and why
+    std::vector<std::string> leftOut;  ///< versions for which no context exists, and why
     bool holds() const;                ///< every row is within its bound
 };
 

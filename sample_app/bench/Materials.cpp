@@ -19,7 +19,7 @@ double distribution(double theta_h)
     return a2 / (kPi * sum * sum);
 }
 
-/// |w| of ggx.glsl.
+/// |w| as ggx.glsl defines it.
 double slopeLength(double theta)
 {
     const double c = std::cos(theta), s = std::sin(theta);
@@ -38,10 +38,10 @@ Vec3d fresnel(double theta_d)
     return kF0 + (Vec3d(1.0) - kF0) * std::pow(1.0 - std::cos(theta_d), 5.0);
 }
 
-/// The function of the table that a form calls `name`.
+/// The function in the table that a form calls `name`.
 TableFunction functionOf(const std::string& name, bool isSum)
 {
-    if (name == "p")  // V of equal angles, to the half: exact on the diagonal
+    if (name == "p")  // the square root of V at equal angles: exact on the diagonal
         return [](const auto& a) { return Vec3d(std::sqrt(visibility(a[0], a[0]))); };
     if (name == "q") return [](const auto& a) { return distribution(a[0]) * kF0; };
     if (name == "r") return [](const auto& a) { return fresnel(a[0]) / kF0; };

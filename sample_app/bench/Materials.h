@@ -1,12 +1,12 @@
 // Materials.h - one material in every form that is timed: isotropic GGX, written down and not
-// fitted, because GGX is a product of D(theta_h), F(theta_d) and V(theta_i, theta_o) already. What
-// texels hold does not change what a fetch costs.
+// fitted, because GGX is a product of D(theta_h), F(theta_d) and V(theta_i, theta_o) already. The
+// values of texels do not change the cost of a fetch.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 
 namespace fbrdf::bench {
 
-/// The parameters of all GGX in the benchmark.
+/// The parameters that every GGX of the benchmark has.
 constexpr double kAlpha = 0.3, kAlphaAcross = 0.15;
 const Vec3d kF0(0.9, 0.6, 0.3), kDiffuse(0.1, 0.2, 0.3);
 

@@ -72,7 +72,7 @@ private:
         return result;
     }
 
-    /// From the last number of lights; 0 where nothing is known.
+    /// An estimate from the last number of lights; 0 where nothing is known.
     double expectedMilliseconds(const std::string& variant, int lights) const
     {
         const auto known = before_.find(variant);

@@ -1,5 +1,5 @@
-// Measure.h - times variants in turn: one frame of each, then the next frame of each, so that what
-// else the machine does falls on all alike.
+// Measure.h - times variants in turn: one frame of each, then the next frame of each, so that
+// other load of the machine affects all alike.
 #pragma once
 #include "bench/Options.h"
 #include "bench/Variants.h"
@@ -14,8 +14,8 @@ namespace fbrdf::bench {
 /// One variant with one number of lights on one mesh.
 struct Timing {
     std::string variant;
-    double milliseconds = 0.0;  ///< median of the frames
-    double ratio = 0.0;         ///< to `ggx` in the same turns; 0 where that was left out
+    double milliseconds = 0.0;  ///< median over the frames
+    double ratio = 0.0;  ///< time relative to `ggx` in the same turns; 0 where that was left out
     int frames = 0;
 };
 

@@ -30,7 +30,7 @@ std::vector<std::string> numbered(const std::string& name, int count)
     return names;
 }
 
-/// A line an output: to<j> = b[j] + from0 W[0][j] + ... `weights`: how each is written. Inputs
+/// One line for each output: to<j> = b[j] + from0 W[0][j] + ... `weights` writes a weight. Inputs
 /// called "0" are left out.
 std::string layerLines(const LayerShape& layer, const std::vector<std::string>& from,
                        const std::string& to, const std::vector<std::string>& weights)
@@ -92,7 +92,8 @@ std::vector<float> networkWeights()
 {
     std::mt19937 random(3);
     std::vector<float> weights;
-    // Uniform in +-sqrt(3 / inputs), so that values keep their size from layer to layer.
+    // Weights are uniform in +-sqrt(3 / inputs), so that values keep their size from layer to
+    // layer.
     for (const LayerShape& layer : kLayers) {
         const float bound = std::sqrt(3.0f / static_cast<float>(layer.in));
         for (int i = 0; i < (layer.in + 1) * layer.out; ++i)

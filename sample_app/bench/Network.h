@@ -12,15 +12,16 @@ namespace fbrdf::bench {
 
 constexpr int kNetworkWeights = 675;
 
-/// Weights drawn at random, of the size that trained ones have: what they are does not change what
-/// the network costs. Deterministic.
+/// Random weights of the size that trained ones have; their values do not change the cost of the
+/// network. Deterministic.
 std::vector<float> networkWeights();
 
 /// peerView and peerBrdf, every loop unrolled, for use after half_difference.glsl. Weights come
-/// from peerParameters, read once a fragment: llvmpipe reads a uniform in a loop anew for each use.
+/// from peerParameters, each read once per fragment, because llvmpipe reads a uniform in a loop
+/// anew for each use.
 std::string networkShader();
 
-/// The same with the weights as constants: faster, but a program a material.
+/// The same with the weights as constants: faster, but every material needs its own program.
 std::string bakedNetworkShader(const std::vector<float>& weights);
 
 /// f of the network, 0 where it is negative, in double.

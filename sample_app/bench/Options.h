@@ -11,8 +11,8 @@ struct Options {
     std::vector<std::string> meshes{"triangle", "sphere"};
     std::vector<std::string> only;  ///< names of variants, or of forms; empty: all
     double frameLimit = 2000.0;     ///< ms; variants that would take longer are left out
-    /// What is timed: wall time, or CPU time of the process, which on a software renderer is nearly
-    /// the same and does not change with what else the machine does.
+    /// The clock: wall time, or CPU time of the process, which is nearly the same on a software
+    /// renderer and does not depend on other load of the machine.
     enum class Clock { wall, cpu } clock = Clock::wall;
     bool accuracy = false;  ///< measure Accuracy.h instead
     bool reach = false;     ///< measure Reach.h instead; lights: how many reach a pixel
@@ -20,7 +20,7 @@ struct Options {
     std::string help;  ///< not empty: --help was asked for, and this is the answer
 };
 
-/// Throws Error(usage) for everything that is not as --help says.
+/// Throws Error(usage) for everything that --help does not allow.
 Options optionsFromArguments(int argc, const char* const* argv);
 
 }  // namespace fbrdf::bench

@@ -162,7 +162,7 @@ void PeerDrawing::setUniforms() const
     gl_.UseProgram(0);
 }
 
-/// The base pass of an effect of one pass a light: no light, depth.
+/// The base pass of an effect with one pass for each light: black, writes depth.
 void PeerDrawing::drawBlack() const
 {
     gl_.Uniform1i(location("fbrdfLightCount"), 0);

@@ -1,5 +1,5 @@
-// Peer.h - another way to draw a material: a GLSL function f(wo, wi), its data and its CPU twin,
-// drawn by the same vertex shader and the same light loop as the runtime's.
+// Peer.h - another way to draw a material: a GLSL function f(wo, wi), its data and its CPU twin. It
+// is drawn by the same vertex shader and the same light loop as the runtime's.
 #pragma once
 #include "bench/Stage.h"
 #include "viewer/GlFunctions.h"
@@ -14,7 +14,7 @@ namespace fbrdf::bench {
 struct PeerMap {
     std::string sampler;  ///< its name in the shader
     TextureImage image;
-    bool repeats = false;  ///< along x; otherwise clamped
+    bool repeats = false;  ///< repeats along x; otherwise it is clamped
 };
 
 struct Peer {
@@ -22,15 +22,16 @@ struct Peer {
     std::string shader;                 ///< text that defines peerView and peerBrdf
     std::vector<glm::vec4> parameters;  ///< peerParameters
     std::vector<PeerMap> maps;
-    /// f(wo, wi) on the CPU, in double; local frame, unit, above the horizon.
+    /// f(wo, wi) on the CPU, in double. Directions are unit, local and above the horizon.
     std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate;
-    bool passPerLight = false;  ///< one additive pass a light, after a black one that lays depth
+    bool passPerLight =
+        false;  ///< one additive pass for each light, after a black one that writes depth
 };
 
 /// A peer and a stage in the context that is current when it is made.
 class PeerDrawing {
 public:
-    /// Lights that one pass may hold, whatever the context allows.
+    /// The limit of lights in one pass, even where the context allows more.
     static constexpr int kMostLights = 1024;
 
     /// Throws Error(gl) with the compiler's log.
@@ -53,7 +54,7 @@ private:
     const Peer& peer_;
     gl::View view_;
     GLsizei indexCount_ = 0;
-    int slots_ = 1;  ///< lights a pass
+    int slots_ = 1;  ///< lights in one pass
     GLuint program_ = 0, array_ = 0, buffers_[4] = {};
     std::vector<GLuint> textures_;
 };

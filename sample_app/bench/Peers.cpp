@@ -33,7 +33,7 @@ std::string shaderOf(std::initializer_list<const char*> files)
     return all;
 }
 
-// Poulin and Fournier: a cloth-like surface.
+// The parameters of Poulin and Fournier's model for a cloth-like surface.
 constexpr double kHeight = 0.5, kSpacing = 1.25, kExponent = 40.0, kSpecular = 0.3;
 
 constexpr int kThetaH = 90, kThetaD = 90, kPhiD = 180;
@@ -51,7 +51,8 @@ TextureImage merlImage()
                 auto pair = pairFromHalfDifference({root * root * kPi / 2, 0.0,
                                                     (d + 0.5) / kThetaD * kPi / 2,
                                                     (p + 0.5) / kPhiD * kPi});
-                // Cells below the horizon hold what is just above it, as filtering reads them.
+                // Filtering also reads cells below the horizon: they repeat the value just above
+                // it.
                 pair.wi.z = std::max(pair.wi.z, 1e-3);
                 pair.wo.z = std::max(pair.wo.z, 1e-3);
                 const Vec3d f = ggx.evaluate(glm::normalize(pair.wo), glm::normalize(pair.wi));
@@ -61,7 +62,7 @@ TextureImage merlImage()
     return image;
 }
 
-/// The table between its cell centres, as a texture unit mixes it.
+/// The table between its cell centres, interpolated as a texture unit does it.
 Vec3d merlFiltered(const TextureImage& image, const Vec3d& wo, const Vec3d& wi)
 {
     const HalfDifference a = halfDifferenceFromPair({wo, wi});

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names of all variants that any table of the mesh times, in order.
+/// The names of all variants that occur in a table of the mesh, in order.
 std::vector<std::string> variantsOf(const std::vector<const Table*>& tables)
 {
     std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// Print.h - a measurement for people, and for programs.
+// Print.h - prints a measurement as text or as JSON.
 #pragma once
 #include "bench/Measure.h"
 
@@ -6,7 +6,8 @@ namespace fbrdf::bench {
 
 const char* clockName(Options::Clock clock);  ///< "cpu", "wall"
 
-/// A table for each mesh: a row a variant, for each number of lights milliseconds and ratio.
+/// A table for each mesh, with a row for each variant and, for each number of lights, milliseconds
+/// and ratio.
 std::string asText(const Measurement& measurement);
 
 /// {"renderer", "version", "size": [w, h], "clock", "results": [{"mesh", "lights", "variant",

@@ -19,9 +19,9 @@
 namespace fbrdf::bench {
 namespace {
 
-/// In front of the rectangle that the picture shows of the plane z = 0, [-aspect, aspect] x
-/// [-1, 1], spread evenly, each as far from it as half its radius, so that `reaching` of them reach
-/// a point.
+/// Lights spread evenly in front of [-aspect, aspect] x [-1, 1], the rectangle of the plane z = 0
+/// that the picture shows. Each is half its radius away from the plane, so that `reaching` of them
+/// reach a point.
 std::vector<Light> spreadLights(int reaching, double aspect)
 {
     // A disc of radius a covers a share pi a^2 / (4 aspect); a^2 = r^2 - (r / 2)^2.
@@ -50,7 +50,7 @@ struct Averages {
     double reaching = 0.0, listed = 0.0;
 };
 
-/// Over the pixels of the stage's plane, every `kStep`th a side.
+/// Averages over every `kStep`th pixel of the stage's plane in both directions.
 Averages averagesOf(const Scene& scene, const LightClusters& clusters, double aspect)
 {
     constexpr int kStep = 8;

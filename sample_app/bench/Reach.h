@@ -1,5 +1,5 @@
-// Reach.h - thousands of lights with a radius: what a frame costs by how many of them reach a
-// pixel, against one list of as many lights as that.
+// Reach.h - the cost of a frame with thousands of lights that have a radius, by how many of them
+// reach a pixel, compared with a single list of that many lights.
 #pragma once
 #include "bench/Options.h"
 
@@ -12,7 +12,7 @@ constexpr int kReachLights = 4096;
 
 struct ReachRow {
     int wanted = 0;          ///< lights that should reach a pixel
-    double reaching = 0.0;   ///< lights that do, on average
+    double reaching = 0.0;   ///< lights that reach it, on average
     double listed = 0.0;     ///< lights in the list of a pixel, on average
     double clustered = 0.0;  ///< ms a frame with all lights, clustered
     double building = 0.0;   ///< ms of that on the CPU, for the lists

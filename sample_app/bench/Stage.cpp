@@ -24,7 +24,7 @@ gl::MeshData fullScreenTriangle(float aspect)
     return mesh;
 }
 
-/// Half the picture is as high as 1 at the distance sqrt(kDistance^2 - radius^2).
+/// At the distance sqrt(kDistance^2 - radius^2), half the height of the picture is 1.
 scene::Camera cameraFitting(double radius)
 {
     scene::Camera camera;

@@ -1,4 +1,4 @@
-// Stage.h - what every variant draws: a mesh, a view of it, lights.
+// Stage.h - the scene that every variant draws: a mesh, a view of it, lights.
 #pragma once
 #include <fbrdf/gl/Renderer.h>
 
@@ -12,9 +12,9 @@ struct Stage {
     gl::View view;
 };
 
-/// "triangle": one that covers the picture, its normals spread as those of a shallow bowl, so that
-/// every pixel sees other angles. "sphere": unit, of 64 x 32 quads, touching the border. `aspect`:
-/// width / height.
+/// "triangle": one triangle that covers the picture, with the normals of a shallow bowl, so that
+/// every pixel sees other angles. "sphere": a unit sphere of 64 x 32 quads that touches the border.
+/// `aspect`: width / height.
 Stage makeStage(const std::string& mesh, double aspect);
 
 /// Point lights on the viewer's side, the same for the same count.

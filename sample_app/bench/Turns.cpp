@@ -6,7 +6,7 @@ namespace fbrdf::bench {
 namespace {
 
 constexpr int kMostFrames = 15, kFewestFrames = 3;
-// Of one drawing: enough frames of what is fast, few of what is slow.
+// Time and frames for one drawing: many frames of a fast one, few of a slow one.
 constexpr double kBudgetMilliseconds = 600.0;
 
 gl::RendererOptions rendererOptions(const HeadlessContext& context)
@@ -16,7 +16,7 @@ gl::RendererOptions rendererOptions(const HeadlessContext& context)
     return options;
 }
 
-/// CPU time of all threads of this process.
+/// The CPU time of all threads of this process.
 double cpuMilliseconds()
 {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

@@ -1,5 +1,5 @@
-// Turns.h - times drawings in turn: one frame of each, then the next frame of each, so that what
-// else the machine does falls on all alike.
+// Turns.h - times drawings in turn: one frame of each, then the next frame of each, so that
+// other load of the machine affects all alike.
 #pragma once
 #include "bench/Options.h"
 #include "bench/Variants.h"
@@ -13,7 +13,7 @@
 
 namespace fbrdf::bench {
 
-/// A context of the program's own with a renderer and a target in it.
+/// A context of this program, with a renderer and a target in it.
 struct Rig {
     explicit Rig(const Options& options);
     Scene scene(Stage stage, std::vector<Light> lights);
@@ -29,7 +29,7 @@ struct Rig {
 struct Run {
     std::string name;
     Draw draw;
-    std::vector<double> frames = {};  ///< milliseconds, each
+    std::vector<double> frames = {};  ///< milliseconds of each frame
     double spent = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// Variants.h - what is timed: every technique and form of the runtime, and the peers.
+// Variants.h - everything that is timed: each technique and form of the runtime, and the peers.
 #pragma once
 #include "bench/Stage.h"
 #include "viewer/GlFunctions.h"
@@ -9,7 +9,7 @@
 
 namespace fbrdf::bench {
 
-/// Where a variant draws. Outlives every drawing made from it.
+/// Where a variant draws. It must outlive every drawing made from it.
 struct Scene {
     const GladGLContext& gl;
     gl::Renderer& renderer;
@@ -26,7 +26,8 @@ struct Variant {
     std::function<Draw(const Scene& scene)> make;
 };
 
-/// `ggx` first, then the other peers, then "FORM TECHNIQUE" for each of the runtime.
+/// `ggx` comes first, then the other peers, then "FORM TECHNIQUE" for each form and technique of
+/// the runtime.
 std::vector<Variant> allVariants();
 
 }  // namespace fbrdf::bench

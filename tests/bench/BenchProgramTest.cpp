@@ -95,7 +95,7 @@ TEST(BenchProgram, HoldsItsBounds)
         worst = std::max(worst, row["share"].get<double>());
     }
     EXPECT_GT(worst, 0.2);
-    // Two forms, three techniques, three formats, but for the version that has only one.
+    // Two forms, three techniques, three formats, except for the version that has only one format.
     EXPECT_EQ(json["rows"].size(), versions.size() * 2 * 3 * 3 - 2 * 3 * 2);
     EXPECT_GE(versions.size(), 6u);
 }
@@ -107,8 +107,8 @@ TEST(BenchProgram, LeavesOutWhatWouldTakeTooLong)
     NEEDS_GL(result);
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const auto json = nlohmann::json::parse(result.out);
-    EXPECT_EQ(json["results"].size(), 2u);   // of one light nothing is known beforehand
-    EXPECT_EQ(json["left_out"].size(), 2u);  // of 64 it is
+    EXPECT_EQ(json["results"].size(), 2u);   // with one light there is no estimate yet
+    EXPECT_EQ(json["left_out"].size(), 2u);  // with 64 there is one
 }
 
 TEST(BenchProgram, RefusesWhatItDoesNotKnow)

@@ -1,5 +1,5 @@
-// fbrdf-fit-bench: seconds of fits, reading apart, and how they grow. Every figure that the
-// documentation states about the speed and memory of the fitter comes from here.
+// fbrdf-fit-bench: seconds of fits without reading, and how they grow with the data. Every figure
+// in the documentation about the speed and memory of the fitter comes from here.
 #include "FitTiming.h"
 
 #include <fbrdf/base/Error.h>
@@ -96,7 +96,7 @@ void benchMerl(const Settings& settings)
     print("MERL grid, RGB, auto", best(settings.repeat, source, formOptions("auto", true)));
 }
 
-// What others need for the same table, in the same run.
+// The time that other methods need for the same table, in the same run.
 void benchPeers(const Settings& settings)
 {
     const TemporaryFile file(".binary");
@@ -126,7 +126,7 @@ void benchScattered(const Settings& settings)
 
 void writeColumns(const Source& function, uint64_t rows, const std::string& path)
 {
-    constexpr size_t kBlock = 1 << 16;  // pairs that are written again and again
+    constexpr size_t kBlock = 1 << 16;  // pairs, which are written repeatedly
     const auto samples = samplesAt(function, uniformPairs(kBlock, 1), 0);
     std::ofstream file(path, std::ios::binary);
     file << "fbrdf-columns 1\nwo_x,wo_y,wo_z,wi_x,wi_y,wi_z,r,g,b\n" << rows << "\n";

@@ -8,8 +8,8 @@
 
 namespace fbrdf {
 
-/// The most anonymous memory of the process while the object lives, looked at every 5 ms: RssAnon
-/// of /proc/self/status. Pages of mapped files are not in it: the kernel drops them when it likes.
+/// The peak of the anonymous memory of the process while the object lives, sampled every 5 ms from
+/// RssAnon of /proc/self/status. Pages of mapped files do not count: the kernel can drop them.
 class AnonymousPeak {
 public:
     AnonymousPeak();
@@ -24,16 +24,16 @@ private:
 };
 
 struct Timing {
-    double seconds = 0.0;    ///< of the fit alone
-    double cpu = 0.0;        ///< of processors, for the same
+    double seconds = 0.0;    ///< wall time of the fit alone
+    double cpu = 0.0;        ///< processor time of the same, in seconds
     double megabytes = 0.0;  ///< AnonymousPeak
 
     Timing& operator+=(const Timing& other);
 };
 
-/// One fit, without held-out errors: those are fits of their own.
+/// One fit without held-out errors, which need further fits.
 Timing timed(const Source& source, FitOptions options);
-/// The fastest of `repeat`: what other processes take is no part of the figure.
+/// The fastest of `repeat` fits, to leave out the load of other processes.
 Timing best(int repeat, const Source& source, const FitOptions& options);
 
 void print(const std::string& what, const Timing& timing, const std::string& more = "");

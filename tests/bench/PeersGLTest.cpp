@@ -1,4 +1,5 @@
-// What each peer draws against its CPU twin, and the twins against the models they stand for.
+// Compares the drawing of each peer with its CPU twin, and the twins with the models that they
+// implement.
 #include "bench/Peers.h"
 
 #include "bench/Network.h"
@@ -23,7 +24,7 @@ using namespace bench;
 
 constexpr int kSize = 24, kLights = 5;
 
-// Float against double, some dozens of operations.
+// The rounding of some dozens of float operations against double.
 constexpr double kRounding = 5e-5;
 // sin theta_h comes from 1 - cos^2, which has few digits left near 0, and directions turn about h
 // with it. Measured on llvmpipe: 5.7e-5.

@@ -1,4 +1,4 @@
-// p(wo) q(h) p(wi) of 2001, all three factors in the pass of a light: what an effect of one pass a light computes.
+// p(wo) q(h) p(wi) of 2001 with all three factors in the pass of each light, as an effect with one pass per light does.
 // peerParameters: (lower of p, size), (extent of p, radius), (lower of q, size), (extent of q, radius), (scale, -).
 uniform vec4 peerParameters[5];
 uniform sampler2D peerMapP, peerMapQ;

@@ -28,7 +28,7 @@ void peerView(FbrdfShadingFrame frame, vec3 wo, float NoV)
 vec3 peerBrdf(vec3 wi, float NoL)
 {
     vec3 h = wi + peerWo;
-    float inverseSquare = 1.0 / dot(h, h);  // h stays as it is; only squares of h / |h| are needed
+    float inverseSquare = 1.0 / dot(h, h);  // h is not normalised: only squares of h / |h| are needed
     float LoH = 0.5 * inversesqrt(inverseSquare);
     vec2 slope = peerParameters[0].zw * vec2(dot(peerTangent, h), dot(peerBitangent, h));
     float NoH = NoL + peerNoV;

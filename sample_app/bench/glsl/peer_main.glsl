@@ -1,5 +1,5 @@
 // The loop over lights of every peer, as the runtime writes it. A peer defines peerView, which does once what does not
-// depend on the light, and peerBrdf. PEER_LIGHTS: room for lights.
+// depend on the light, and peerBrdf. PEER_LIGHTS: the size of the array of lights.
 uniform vec4 fbrdfLights[3 * PEER_LIGHTS];
 uniform int fbrdfLightCount;
 
