@@ -192,7 +192,7 @@ void MinimalEngine::deleteSurfaces()
 // [state]
 void MinimalEngine::setState(const Pass& pass) const
 {
-    const bool first = pass.depth == Depth::lay;
+    const bool first = pass.depth == Depth::write;
     gl_.DepthFunc(first ? GL_LESS : GL_EQUAL);
     gl_.DepthMask(first ? GL_TRUE : GL_FALSE);
     if (pass.blend == Blend::replace) return gl_.Disable(GL_BLEND);

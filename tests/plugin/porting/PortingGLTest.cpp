@@ -80,8 +80,7 @@ protected:
         Offscreen target = makeOffscreen(kSize);
         for (const int count : {1, 9}) {
             const auto expected = runtimePicture(material, mesh, count, transfer);
-            for (const auto technique :
-                 {Technique::single, Technique::batched, Technique::twoLookup}) {
+            for (const auto technique : allTechniques()) {
                 porting::Frame request = frame(target, count);
                 request.technique = technique;
                 request.transfer = transfer;
