@@ -18,7 +18,9 @@ void expectError(ErrorKind kind, const std::string& words, const Action& action)
         EXPECT_EQ(static_cast<int>(error.kind()), static_cast<int>(kind)) << what;
         EXPECT_NE(what.find(words), std::string::npos)
             << what << "\n  expected the words: " << words;
-        if (kind != ErrorKind::gl) EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+        if (kind != ErrorKind::gl) {
+            EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+        }
         return;
     }
     ADD_FAILURE() << "nothing was thrown, expected an error with the words: " << words;
