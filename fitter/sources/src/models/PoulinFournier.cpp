@@ -1,5 +1,5 @@
 // Parallel cylinders, raised from a plane or cut into it, with exact shadowing and masking and no
-// multiple scattering: the seed's anisotropic model.
+// multiple scattering: the model on which the papers of docs/method.md measure their errors.
 //
 // Every point of the section reflects like a normalised Blinn-Phong surface (Lambertian part kd,
 // lobe ks (n.h)^n). The BRDF of the surface, per unit of its area, is the mean over a period

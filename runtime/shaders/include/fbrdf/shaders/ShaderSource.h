@@ -86,7 +86,7 @@ std::string vertexSource(int glsl, const SurfaceInputs& inputs = {});
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs = {});
 
-/// What a host's own fragment shader needs to shade with a material, to be put after its #version
+/// What a host's own fragment shader needs to shade with a material, to be put after its version
 /// line. It declares the uniforms above of lights, tables and terms, and
 ///   vec3 fbrdfEvaluate(vec3 wo, vec3 wi)   f in 1/sr; unit, tangent frame; 0 when either direction
 ///       is at or below the horizon
