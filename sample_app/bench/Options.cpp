@@ -46,7 +46,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
         ->check(CLI::IsMember({"wall", "cpu"}));
     app.add_flag("--accuracy", options.accuracy,
                  "How right the pictures are: every technique, form, format and version against "
-                 "double and the bound that is stated; exit code 1 where that does not hold");
+                 "double and the bound of its plan; exit code 1 where that is exceeded");
     app.add_flag(
         "--reach", options.reach,
         "4,096 lights with a radius in lists, --lights of which reach a pixel, against one "

@@ -65,7 +65,7 @@ TEST(Form, NamesOfDirectionsAndAnglesDiffer)
 }
 
 struct Fault {
-    const char* says;
+    const char* words;
     std::function<void(Form&)> make;
 };
 
@@ -86,12 +86,12 @@ void expectFaults(const Form& valid, const std::vector<Fault>& faults)
         fault.make(form);
         try {
             validate(form, "here");
-            ADD_FAILURE() << "accepted; expected an error that says: " << fault.says;
+            ADD_FAILURE() << "accepted; expected an error with the words: " << fault.words;
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::input);
             const std::string what = error.what();
             EXPECT_EQ(what.rfind("here: ", 0), 0u) << what;
-            EXPECT_NE(what.find(fault.says), std::string::npos) << what << "\n  " << fault.says;
+            EXPECT_NE(what.find(fault.words), std::string::npos) << what << "\n  " << fault.words;
         }
     }
 }

@@ -226,7 +226,7 @@ TEST(Material, BytesAreThoseOfAllTables)
 }
 
 struct Fault {
-    const char* says;
+    const char* words;
     std::function<void(Material&)> make;
 };
 
@@ -241,8 +241,8 @@ TEST(Material, RefusesWhatDoesNotFit)
         {"table 'q' of 2 channels", [](Material& m) { m.tables[1].channels = 2; }},
         {"table 'q' of 191 numbers, expected 192",
          [](Material& m) { m.tables[1].texels.pop_back(); }},
-        {"table 'p' holds a number", [](Material& m) { m.tables[0].texels[5] = INFINITY; }},
-        {"table 'p' has a range", [](Material& m) { m.tables[0].lower.x = NAN; }},
+        {"found table 'p' with a number", [](Material& m) { m.tables[0].texels[5] = INFINITY; }},
+        {"found table 'p' with a range", [](Material& m) { m.tables[0].lower.x = NAN; }},
         {"over another domain",
          [](Material& m) {
              m.tables[0].domain = DiscDomain{8, 0.25, 3.5};
@@ -256,11 +256,11 @@ TEST(Material, RefusesWhatDoesNotFit)
         fault.make(material);
         try {
             validate(material, "here");
-            ADD_FAILURE() << "accepted; expected an error that says: " << fault.says;
+            ADD_FAILURE() << "accepted; expected an error with the words: " << fault.words;
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::input);
-            EXPECT_NE(std::string(error.what()).find(fault.says), std::string::npos)
-                << error.what() << "\n  " << fault.says;
+            EXPECT_NE(std::string(error.what()).find(fault.words), std::string::npos)
+                << error.what() << "\n  " << fault.words;
         }
     }
 }

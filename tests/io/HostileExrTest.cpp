@@ -287,7 +287,7 @@ TEST(HostileExr, MissingAndMismatchedPartsAreNamed)
     expectRefused("part 1 'part1': found 4 x 16 texels, expected 8 x 8", parts);
     parts = Parts(kPqp, 2);
     parts.images[1].pixels[5] = NAN;
-    expectRefused("table 'q' holds a number that is not finite", parts);
+    expectRefused("table 'q' with a number that is not finite", parts);
     parts = Parts(kPqp, 2);
     parts.images[0].half = true;
     expectRefused("found float in half channels", parts);

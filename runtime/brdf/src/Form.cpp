@@ -13,9 +13,10 @@ constexpr int kMaxSize = 4096;
 constexpr int kMaxTables = 64;
 constexpr double kMaxWeight = 1e3;
 
+/// what: "X, expected Y".
 [[noreturn]] void fail(const std::string& where, const std::string& what)
 {
-    throw Error(ErrorKind::input, where, what);
+    throw Error(ErrorKind::input, where, "found " + what);
 }
 
 constexpr bool isInOrder()

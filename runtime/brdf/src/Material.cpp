@@ -8,9 +8,10 @@
 namespace fbrdf {
 namespace {
 
+/// what: "X, expected Y".
 [[noreturn]] void fail(const std::string& where, const std::string& what)
 {
-    throw Error(ErrorKind::input, where, what);
+    throw Error(ErrorKind::input, where, "found " + what);
 }
 
 // Evaluation looks up a table's own domain with the form's arguments, so both must have one domain.
@@ -31,10 +32,11 @@ void validateTable(const Table& table, const TableSpec& spec, const std::string&
         fail(where, name + " with " + std::to_string(table.unsupported.size()) +
                         " marks, expected one a texel or none");
     for (const float texel : table.texels)
-        if (!std::isfinite(texel)) fail(where, name + " holds a number that is not finite");
+        if (!std::isfinite(texel))
+            fail(where, name + " with a number that is not finite, expected finite numbers");
     for (int c = 0; c < 3; ++c)
         if (!std::isfinite(table.lower[c]) || !std::isfinite(table.upper[c]))
-            fail(where, name + " has a range that is not finite");
+            fail(where, name + " with a range that is not finite, expected finite numbers");
 }
 
 template <class T>

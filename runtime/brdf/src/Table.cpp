@@ -10,7 +10,7 @@ namespace fbrdf {
 namespace {
 
 constexpr int kLastCode = 255, kLastUnorm16 = 65535;
-// Linear maps may hold 0, whose log2 does not exist: the smallest normal float stands for it.
+// Linear maps may contain 0, whose log2 does not exist: the smallest normal float stands for it.
 constexpr float kSmallestLinear = 1.17549435e-38f;
 // Range of log8 as a share of the largest magnitude in it, at least: 1/32 makes the 65535 steps of
 // the range four times as wide as the spacing of floats, so that no two steps round to one number.
