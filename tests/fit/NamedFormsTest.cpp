@@ -77,5 +77,17 @@ TEST(NamedForms, WhatDoesNotExistIsNamed)
     EXPECT_THROW(makeFormFor("pqp", 1000, 10, Storage::log8), Error);
 }
 
+TEST(NamedForms, EveryLetterOfANameIsExplained)
+{
+    std::string known;
+    for (const FormLetter& letter : formLetters()) {
+        EXPECT_FALSE(letter.meaning.empty());
+        known += letter.letters;
+    }
+    for (const NamedForm& named : namedForms())
+        for (const char letter : named.name.substr(0, named.name.find('-')))
+            EXPECT_NE(known.find(letter), std::string::npos) << letter << " of " << named.name;
+}
+
 }  // namespace
 }  // namespace fbrdf

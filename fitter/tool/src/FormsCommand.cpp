@@ -44,6 +44,7 @@ Json formsJson()
                          {"tables", describe(f.form)},
                          {"note", f.named.note},
                          {"isotropic", isIsotropic(f.form)},
+                         {"reciprocal", f.named.isReciprocal},
                          {"lookups_per_light", f.lookups},
                          {"default_resolution", f.named.defaultResolution},
                          {"bytes", f.bytes}});
@@ -53,7 +54,17 @@ Json formsJson()
                         {"product", named.product},
                         {"note", named.note},
                         {"default_resolution", named.defaultResolution}});
-    return {{"forms", forms}, {"made_forms", made}};
+    Json letters = Json::array();
+    for (const FormLetter& letter : formLetters())
+        letters.push_back({{"letters", letter.letters}, {"meaning", letter.meaning}});
+    return {{"forms", forms}, {"made_forms", made}, {"letters", letters}};
+}
+
+std::string lettersText()
+{
+    std::vector<std::vector<std::string>> rows;
+    for (const FormLetter& letter : formLetters()) rows.push_back({letter.letters, letter.meaning});
+    return "\nLetters in the names of forms:\n" + alignedTable({Align::left, Align::left}, rows);
 }
 
 std::string formsText()
@@ -72,7 +83,8 @@ std::string formsText()
            "\nResolution and bytes are the defaults, 8 bits a texel and channel. "
            "--form auto, the default of fbrdf fit,\ntries forms and keeps the one with the "
            "smallest "
-           "held-out error within the budget.\n";
+           "held-out error within the budget.\n" +
+           lettersText();
 }
 
 }  // namespace

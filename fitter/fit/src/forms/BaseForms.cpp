@@ -168,7 +168,7 @@ BaseForm baseHdio()
 {
     const auto make = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
     return {{"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
-             "isotropic, reciprocal; N passes of two look-ups", 64},
+             "isotropic, reciprocal; N passes of two look-ups", 64, true},
             {make(16), make(24), make(32), formHdio(48, 8, 8), make(48), make(64)},
             make};
 }
@@ -176,7 +176,7 @@ BaseForm baseHdio()
 BaseForm baseHdpio()
 {
     return {{"hdpio", "V(theta_h, theta_d, phi_d) T2(theta_i, theta_o)",
-             "isotropic, reciprocal; hdio that sees phi_d: N passes of two look-ups", 48},
+             "isotropic, reciprocal; hdio that sees phi_d: N passes of two look-ups", 48, true},
             {formHdpio(16, 4, 6), formHdpio(24, 5, 8), formHdpio(32, 6, 8), formHdpio(40, 9, 10),
              formHdpio(48, 12, 12)},
             [](int n) { return formHdpio(n, quarter(n), quarter(n)); }};
@@ -213,25 +213,25 @@ std::vector<BaseForm> makeBaseForms()
     };
     return {
         baseOf({"pqp", "p(wo) q(h) p(wi)",
-                "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32},
+                "anisotropic, reciprocal; N + 1 passes of at most two look-ups", 32, true},
                pqp),
         baseOf({"pqpr", "p(wo) q(h) p(wi) r(theta_d)",
-                "as pqp; r is a uniform array and costs no look-up", 32},
+                "as pqp; r is a uniform array and costs no look-up", 32, true},
                pqpr),
         baseHdio(),
         baseOf({"hdg", "T1(theta_h, theta_d) g(theta_i) g(theta_o)",
-                "isotropic, reciprocal; g is a uniform array: N passes of one look-up", 64},
+                "isotropic, reciprocal; g is a uniform array: N passes of one look-up", 64, true},
                formHdg),
         baseOf({"hdp", "V(theta_h, theta_d, phi_d)",
-                "isotropic, reciprocal; one 3D table: N passes of one look-up", 32},
+                "isotropic, reciprocal; one 3D table: N passes of one look-up", 32, true},
                formHdp),
         baseHdpio(),
         baseHdpu(),
         baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
-                "anisotropic in h alone, reciprocal; N passes of two look-ups", 32},
+                "anisotropic in h alone, reciprocal; N passes of two look-ups", 32, true},
                formQdio),
         baseOf({"qdg", "q(h) r(theta_d) g(theta_i) g(theta_o)",
-                "as qdio with r and g in uniform arrays: N passes of one look-up", 32},
+                "as qdio with r and g in uniform arrays: N passes of one look-up", 32, true},
                formQdg),
         baseOf(
             {"pqtr", "p(wo) q(h) t(wi) r(theta_d)",
@@ -241,20 +241,20 @@ std::vector<BaseForm> makeBaseForms()
                 "as pqp with a map over the difference direction: three look-ups", 32},
                formPqpd),
         baseOf({"pqpn", "p(wo) q(h) p(wi) r(theta_d) s(norm(wi + wo + n))",
-                "as pqpr with a map over a broader half vector: three look-ups", 32},
+                "as pqpr with a map over a broader half vector: three look-ups", 32, true},
                formPqpn),
         baseOf({"pqp-2001", "p(wo) q(h) p(wi)",
-                "the maps of 2001, without the warp that spends texels on the highlight", 32},
+                "the maps of 2001, without the warp that spends texels on the highlight", 32, true},
                formPqp2001),
         {{"io", "T2(theta_i, theta_o)",
-          "diffuse, isotropic, reciprocal; one look-up; a term of sums", 16},
+          "diffuse, isotropic, reciprocal; one look-up; a term of sums", 16, true},
          ladderOf(formIo, {4, 8, 12, 16}),
          [](int n) { return formIo(quarter(n)); }},
         {{"u", "U(theta_i, theta_o)", "as io and not symmetric; one look-up; a term of sums", 16},
          ladderOf(formU, {4, 8, 12, 16}),
          [](int n) { return formU(quarter(n)); }},
         {{"gg", "g(theta_i) g(theta_o)", "as io in a uniform array: no look-up; a term of sums",
-          kKnots},
+          kKnots, true},
          {formGg(kKnots)},
          formGg},
     };

@@ -96,6 +96,28 @@ const std::vector<NamedForm>& madeForms()
     return forms;
 }
 
+const std::vector<FormLetter>& formLetters()
+{
+    static const std::vector<FormLetter> letters{
+        {"p", "a map over wo, used again over wi; after hd: the angle phi_d"},
+        {"q", "a map over the half vector h"},
+        {"r", "an array over theta_d"},
+        {"t", "a map over wi of its own, where p is over wo alone"},
+        {"h", "theta_h, the angle between normal and half vector"},
+        {"d",
+         "theta_d, the angle between light and half vector; after pqp: a map over the "
+         "difference vector d"},
+        {"io",
+         "a table over theta_i and theta_o, the angles of light and view, that stays the same "
+         "when these change places"},
+        {"u", "a table over theta_i and theta_o that does not"},
+        {"g", "an array over theta_o, used again over theta_i"},
+        {"n", "a map over wi + wo + n, a half vector drawn towards the normal n"},
+        {"+", "a sum of terms"},
+    };
+    return letters;
+}
+
 Form makeForm(const std::string& name, int resolution)
 {
     if (resolution == 0) return ladderStep(name, ladderSteps(name));

@@ -109,12 +109,20 @@ void checkOptions(const FitOptions& options);
 /// threads.
 FitResult fitMaterial(const Source& source, const FitOptions& options = {});
 
-/// The forms that have names: pqp, pqpr, hdio, ...
 struct NamedForm {
     std::string name, product, note;
     int defaultResolution;
+    bool isReciprocal = false;  ///< f(wo, wi) = f(wi, wo) whatever the tables hold
 };
+/// The forms that have names: pqp, pqpr, hdio, ...
 const std::vector<NamedForm>& namedForms();
+
+/// What a letter in the name of a form stands for.
+struct FormLetter {
+    std::string letters, meaning;
+};
+const std::vector<FormLetter>& formLetters();
+
 /// Forms whose tables no least squares in logs gives: "svd" (Svd.h), "svdN" of N terms, and
 /// "analytic" (AnalyticFactors.h). "svd" takes as many terms as maxBytes holds, 4 without it.
 const std::vector<NamedForm>& madeForms();
