@@ -26,7 +26,7 @@ Sample sampleAt(float cosine, float value)
 void mark(Material& material, const std::vector<Sample>& samples, const DataTraits& traits)
 {
     const LeastSquares problem(material.form, heldFeed(samples), traits, 1, 2);
-    markUnsupported(material, problem.layout(), problem.support());
+    markUnsupported(material, problem.layout(), supportOf(problem));
 }
 
 std::vector<bool> marksOf(const std::vector<Sample>& samples, const DataTraits& traits)

@@ -17,6 +17,19 @@ constexpr size_t kProbeSamples = 200000;     // that sample errors are taken fro
 constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
 constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
 
+// The cost of the solution with the options of the job's last steps; of a stream on a part of it.
+double costOf(const LeastSquares& problem, const Job& job, const Solution& solution)
+{
+    constexpr size_t kStreamRows = 262144;
+    StepOptions options;
+    options.metric = job.options.metric;
+    options.robust = job.robust;
+    const auto at = [&](const LeastSquares& of) {
+        return cost(of, solution.x, options, residualScale(of, solution.x, options));
+    };
+    return problem.isHeld() ? at(problem) : at(problem.thinned(kStreamRows, kNoFold));
+}
+
 }  // namespace
 
 Feed readFeed(const Source& source, const FitOptions& options)
@@ -69,6 +82,7 @@ LeastSquaresOptions problemOptions(const Job& job)
 {
     LeastSquaresOptions options;
     options.sharedShape = job.options.sharedShape;
+    options.limits = job.options.solver;
     options.cache = job.options.cache.get();
     options.ranks = job.options.ranks;
     return options;
@@ -85,8 +99,9 @@ Fitted fitForm(const Job& job, const Form& form)
                                problemOptions(job));
     const Solution solution = solve(problem, solveOptions(job));
     Fitted fitted{bake(form, problem.layout(), solution.x, job.options.storage),
-                  solution.smoothness};
-    markUnsupported(fitted.material, problem.layout(), problem.support());
+                  solution.smoothness, solution.summary};
+    fitted.solver.cost = costOf(problem, job, solution);
+    markUnsupported(fitted.material, problem.layout(), supportOf(problem));
     return fitted;
 }
 

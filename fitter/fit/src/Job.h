@@ -38,6 +38,7 @@ LeastSquaresOptions problemOptions(const Job& job);
 struct Fitted {
     Material material;
     double smoothness = 0;
+    SolverSummary solver;
 };
 Fitted fitForm(const Job& job, const Form& form);
 

@@ -1,5 +1,7 @@
 #include "solve/ConjugateGradients.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +49,8 @@ ConjugateGradientSummary solveByConjugateGradients(
     const std::function<LaneVector(const LaneVector& p)>& apply, const LaneVector& diagonal,
     const LaneVector& right, const ConjugateGradientOptions& options, LaneVector& x)
 {
+    FBRDF_ASSERT(diagonal.size(), ==, right.size());
+    FBRDF_ASSERT(options.tolerance, >, 0.0);
     x.assign(right.size(), Lanes{});
     LaneVector residual = right, z = preconditioned(residual, diagonal), p = z;
     const Lanes rightSquared = dot(right, right);
@@ -68,6 +72,7 @@ ConjugateGradientSummary solveByConjugateGradients(
         ++summary.iterations;
         summary.residual = worst(dot(residual, residual), rightSquared);
     }
+    summary.isSolved = summary.residual <= options.tolerance;
     return summary;
 }
 

@@ -9,7 +9,6 @@ namespace fbrdf {
 namespace {
 
 constexpr double kFirstOrder = 0.03;  // of a second difference: decides where there is no curvature
-constexpr double kRidge = 1e-11;      // of the mean diagonal: fixes the gauge between factors
 
 size_t indexOf(const SmoothnessRow& row, int entry)
 {
@@ -49,7 +48,7 @@ SmoothSystem::SmoothSystem(BorderedMatrix data, const Smoothness& smoothness)
     std::vector<double> diagonal;
     for (size_t u = 0; u < data_.shape.unknowns(); ++u) diagonal.push_back(data_.at(u, u));
     scales_ = smoothness.scales(diagonal);
-    ridge_ = kRidge * std::accumulate(scales_.begin(), scales_.end(), 0.0) /
+    ridge_ = kGaugeRidge * std::accumulate(scales_.begin(), scales_.end(), 0.0) /
              static_cast<double>(scales_.size());
 }
 

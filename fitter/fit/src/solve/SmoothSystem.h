@@ -10,6 +10,10 @@
 
 namespace fbrdf {
 
+/// What is added to every diagonal, as a share of the mean diagonal of the data: it fixes the
+/// gauge, the constants that can move between the factors of a term.
+constexpr double kGaugeRidge = 1e-11;
+
 /// Rows of smoothness, and how much a strength of 1 weighs in each table: the mean diagonal of the
 /// data's matrix over the table's unknowns, so that one strength suits a form whose tables differ
 /// in how many samples a texel sees.

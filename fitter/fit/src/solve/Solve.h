@@ -1,7 +1,7 @@
-// Solve.h - one form, all steps: the plain solution, robust reweighting, Gauss-Newton for sums and
-// other metrics.
+// Solve.h - all steps of one form: the plain solution, then the metric, then robust weights; sums
+// and large forms start from a part of the samples and half of the texels.
 #pragma once
-#include "solve/LeastSquares.h"
+#include "solve/Descent.h"
 
 namespace fbrdf {
 
@@ -13,11 +13,7 @@ struct SolveOptions {
     int folds = 1;  ///< that the smoothness is chosen by
 };
 
-struct Solution {
-    State x;
-    double smoothness = 0;
-};
-
+/// Throws Error(fit) when a linear problem is singular beyond repair.
 Solution solve(const LeastSquares& problem, const SolveOptions& options);
 
 }  // namespace fbrdf

@@ -5,6 +5,7 @@
 // channel:
 //   sum_n w_n (log2 f_n - log2 g(x)_n)^2 + smoothness |L x|^2
 #pragma once
+#include <fbrdf/fit/SolverSummary.h>
 #include <fbrdf/metrics/Metrics.h>
 #include <fbrdf/metrics/Misfit.h>
 #include <fbrdf/sources/Source.h>
@@ -53,8 +54,9 @@ struct FitOptions {
     Storage storage = Storage::log8;  ///< of svd always signed
     Metric metric = Metric::log;
     bool robust = true;  ///< Tukey biweight reweighting of scattered samples
-    std::optional<double>
-        smoothness;       ///< strength relative to the data, > 0; unset: by held-out error
+    SolverOptions solver;
+    /// Strength relative to the data, > 0; unset: the one with the least held-out error.
+    std::optional<double> smoothness;
     bool heldOut = true;  ///< measure held-out errors too: a fit of its own
     uint64_t seed = 1;    ///< of the held-out folds and of the samples taken from functions
     int threads = 0;      ///< 0: one a core

@@ -1,0 +1,141 @@
+#include "solve/SystemSums.h"
+
+namespace fbrdf {
+namespace {
+
+// What the sums of R, G and B may take side by side; larger ones are made one after the other.
+constexpr size_t kMostSideBySide = size_t{256} << 20;
+
+std::vector<ChannelPass> passes(const LeastSquares& problem, const StepOptions& options,
+                                size_t groups)
+{
+    if (problem.layout().sharedShape()) return {{0, 1, 1}};
+    if (!dependsOnState(problem, options)) return {{0, 3, 1}};
+    if (problem.traits().grey) return {{0, 1, 1}};
+    const size_t sideBySide =
+        kParts * groups * shapeOf(problem.layout()).size() * kLanes * sizeof(double);
+    if (sideBySide <= kMostSideBySide) return {{0, 3, kLanes}};
+    return {{0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
+}
+
+using Groups = std::vector<NormalSums>;  // of samples, as FoldGroups number them
+
+// The groups' sums over each part of the rows, in the order of the parts.
+std::vector<Groups> sumsOfParts(const LeastSquares& problem, const RowOptions& with,
+                                size_t groupCount)
+{
+    std::vector<Groups> parts(kParts);
+    std::vector<NormalRows> rows(kParts);
+    std::vector<std::vector<double>> kernelScratch(kParts);
+    problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
+        if (parts[part].empty())
+            parts[part].assign(groupCount,
+                               NormalSums(shapeOf(problem.layout()), with.pass.matrices));
+        rows[part].make(problem, problem.store().block(block, scratch), with);
+        addRows(rows[part].rows(), rows[part].entryLanes(), parts[part], kernelScratch[part]);
+    });
+    return parts;
+}
+
+// The groups' sums over all rows of all processes.
+Groups sums(const LeastSquares& problem, const RowOptions& with, size_t groupCount)
+{
+    std::vector<Groups> parts = sumsOfParts(problem, with, groupCount);
+    Groups groups(groupCount, NormalSums(shapeOf(problem.layout()), with.pass.matrices));
+    for (size_t g = 0; g < groups.size(); ++g) {
+        for (Groups& part : parts) {
+            if (part.empty()) continue;
+            groups[g] += part[g];
+            part[g] = NormalSums();  // gives its memory back
+        }
+        problem.options().ranks.sum(groups[g].matrixSums());
+        problem.options().ranks.sum(groups[g].rightSums());
+    }
+    return groups;
+}
+
+// Group 0 and all others but 1 + left; all groups where `left` is the number of folds.
+NormalSums without(const Groups& groups, size_t left)
+{
+    NormalSums total = groups[0];
+    for (size_t g = 1; g < groups.size(); ++g)
+        if (g != left + 1) total += groups[g];
+    return total;
+}
+
+// The key of systems with equal weights of all samples on a known grid, which other fits may meet
+// again; empty for others.
+std::string gridKey(const LeastSquares& problem, const StepOptions& options,
+                    const ChannelPass& pass, const std::vector<int>& folds)
+{
+    if (problem.cacheKey().empty() || pass.channels != 3 || pass.matrices != 1) return {};
+    std::string key = problem.cacheKey() + "|" + std::to_string(problem.seed()) + "|" +
+                      std::to_string(options.excludedFold);
+    for (const int fold : folds) key += "," + std::to_string(fold);
+    return key;
+}
+
+// The systems of one pass. Its channels have either a matrix each or one for all, so that a matrix
+// serves `together` of them: matrix m, which stands in lane m of the sums, serves the lanes
+// [m together, (m + 1) together) of the right-hand sides.
+std::vector<SharedSystems> systemsFrom(const LeastSquares& problem, const ChannelPass& pass,
+                                       const Groups& totals,
+                                       const std::shared_ptr<const GridSystems>& known)
+{
+    const size_t matrices = pass.matrices == kLanes ? pass.channels : 1,
+                 together = pass.channels / matrices;
+    std::vector<SharedSystems> shared(matrices);
+    for (size_t m = 0; m < matrices; ++m)
+        shared[m] = {pass.first + m * together, together,
+                     std::vector<std::shared_ptr<const SmoothSystem>>(totals.size()),
+                     std::vector<std::vector<double>>(totals.size())};
+    // One task for every matrix m without every fold k.
+    parallelTasks(matrices * totals.size(), problem.threads(), [&](size_t task) {
+        const size_t k = task % totals.size(), m = task / totals.size();
+        for (size_t lane = m * together; lane < (m + 1) * together; ++lane) {
+            const auto right = totals[k].right(lane);
+            shared[m].right[k].insert(shared[m].right[k].end(), right.begin(), right.end());
+        }
+        shared[m].systems[k] =
+            known ? std::shared_ptr<const SmoothSystem>(known, known->systems[k].get())
+                  : std::make_shared<const SmoothSystem>(totals[k].matrix(m), problem.smoothness());
+    });
+    return shared;
+}
+
+std::vector<SharedSystems> systemsOfPass(const LeastSquares& problem, const StepOptions& options,
+                                         RowOptions with, const std::vector<int>& folds)
+{
+    const ChannelPass pass = with.pass;
+    const std::string key = gridKey(problem, options, pass, folds);
+    FitCache* cache = problem.options().cache;
+    auto known = key.empty() ? nullptr : cache->systems(key);
+    if (known) with.pass.matrices = 0;
+    const Groups groups = sums(problem, with, folds.size() + 1);
+    Groups totals(groups.size());
+    parallelTasks(totals.size(), problem.threads(),
+                  [&](size_t k) { totals[k] = without(groups, k); });
+    if (!known && !key.empty()) {
+        known = std::make_shared<const GridSystems>(problem.form(), totals);
+        cache->keepSystems(key, known);
+    }
+    return systemsFrom(problem, pass, totals, known);
+}
+
+}  // namespace
+
+std::vector<SharedSystems> systemsAt(const LeastSquares& problem, const State& x,
+                                     const StepOptions& options, const Vec3f& scale,
+                                     const std::vector<int>& folds)
+{
+    std::vector<SharedSystems> all;
+    for (const ChannelPass& pass : passes(problem, options, folds.size() + 1)) {
+        const RowOptions with{RowWeights(problem, options, scale), Texels(problem, x), pass,
+                              groupsOf(folds, options.excludedFold)};
+        for (SharedSystems& shared : systemsOfPass(problem, options, with, folds))
+            all.push_back(std::move(shared));
+    }
+    return all;
+}
+
+}  // namespace fbrdf
