@@ -86,6 +86,20 @@ void measure(const Source& source, const Job& job, const Fitted& fitted, FitSumm
         made ? madeHeldOutErrors(source, job, fitted) : heldOutErrors(source, job, fitted);
 }
 
+void requireAbove(double value, double least, const std::string& option)
+{
+    if (!(value > least)) refuse(option, std::to_string(value), "above " + std::to_string(least));
+}
+
+void checkSolver(const SolverOptions& solver)
+{
+    requireAbove(solver.costTolerance, 0.0, "cost tolerance");
+    requireAbove(solver.maxDamping, 0.0, "largest damping");
+    requireAbove(solver.systemTolerance, 0.0, "system tolerance");
+    requireAbove(solver.maxSteps, 0, "limit of steps");
+    requireAbove(solver.maxSystemIterations, 0, "limit of system iterations");
+}
+
 }  // namespace
 
 void checkOptions(const FitOptions& options)
@@ -94,6 +108,7 @@ void checkOptions(const FitOptions& options)
     if (options.terms < 1) refuse("terms", std::to_string(options.terms), "at least 1");
     if (options.smoothness && !(*options.smoothness > 0.0))
         refuse("smoothness", std::to_string(*options.smoothness), "above 0");
+    checkSolver(options.solver);
     if (options.formData) {
         validate(*options.formData, "form");
         if (options.resolution > 0)
@@ -123,6 +138,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     summary.processorSeconds = processors.seconds();
     summary.noiseFloor = job.traits.floor;
     summary.smoothness = fitted.smoothness;
+    summary.solver = fitted.solver;
     measure(source, job, fitted, summary);
     result.material = std::move(fitted.material);
     return result;

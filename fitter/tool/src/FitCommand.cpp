@@ -112,6 +112,15 @@ Json coverageJson(const FitSummary& summary)
             {"incidences", c.incidences}};
 }
 
+Json solverJson(const SolverSummary& solver)
+{
+    return {{"termination", terminationName(solver.termination)},
+            {"hit_limit", solver.hitLimit()},
+            {"iterations", solver.iterations},
+            {"system_iterations", solver.systemIterations},
+            {"cost", jsonOf(solver.cost)}};
+}
+
 Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
 {
     const Material& material = *outcome.material;
@@ -129,6 +138,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"samples", samplesJson(outcome)},
             {"errors", errorsJson(outcome)},
             {"smoothness", jsonOf(outcome.summary.smoothness)},
+            {"solver", solverJson(outcome.summary.solver)},
             {"noise_floor", jsonOf(outcome.summary.noiseFloor)},
             {"conserve_scale", jsonOf(outcome.summary.conserved)},
             {"folds", outcome.summary.folds},
@@ -225,6 +235,7 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                 {"coverage", coverageText(outcome.summary)},
                 {"support", supportText(material)},
                 {"smoothness", smoothnessText(outcome.summary)},
+                {"solver", outcome.summary.solver.text()},
                 {"energy", energyText(command, outcome.summary)},
                 {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
                                         times.read, times.fit, times.measure, writeSeconds)}}) +

@@ -90,12 +90,18 @@ struct FitSummary {
     size_t belowFloor = 0;        ///< channel values censored
     Vec3f noiseFloor{0.0f};
     double smoothness = 0;  ///< the strength used
+    SolverSummary solver;   ///< why it stopped, after how many steps, at which cost
     double conserved = 1;   ///< what the material was multiplied by for the sake of energy
     int folds = 0;          ///< of the held-out errors; 0: a fresh set from the function
     SampleErrors heldOut, all;
     std::vector<MisfitRegion> misfits;  ///< where the form does not hold the data; empty: it does
     std::optional<Coverage> coverage;   ///< of measurements; a function has all directions
     std::vector<Trial> trials;
+
+    /// One line: how the solver stopped and the error held out.
+    std::string briefReport() const;
+    /// Everything above in lines of text, each ending with a newline.
+    std::string fullReport() const;
 };
 
 struct FitResult {
