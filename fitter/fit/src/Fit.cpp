@@ -2,7 +2,7 @@
 #include "forms/MadeForms.h"
 #include "forms/NamedForms.h"
 #include "Job.h"
-#include "Search.h"
+#include "search/Search.h"
 
 #include <fbrdf/base/Error.h>
 

@@ -1,0 +1,93 @@
+#include "search/Neighbours.h"
+
+#include "forms/FormVariants.h"
+#include "forms/NamedForms.h"
+
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+// Least fall of the errors that pays for another warp, and for texels: half as many again.
+constexpr double kWorthWarp = 0.01, kWorthTexels = 0.05;
+constexpr double kSizeStep = 1.5, kWarpStep = 1.4;
+
+// Neither texels nor warps of uniform arrays are worth a trial: they are fine, and free.
+std::vector<size_t> maps(const Form& form)
+{
+    std::vector<size_t> indices;
+    for (size_t t = 0; t < form.tables.size(); ++t)
+        if (!form.tables[t].uniform) indices.push_back(t);
+    return indices;
+}
+
+// The form with a larger table. Where the budget is used up, the other maps make room.
+std::optional<Form> grown(const TrialRuns& runs, const Form& form, size_t table)
+{
+    auto result = resized(form, table, kSizeStep);
+    for (const size_t other : maps(form))
+        if (result && !runs.isWithin(*result) && other != table)
+            if (const auto traded = resized(*result, other, 1.0 / kSizeStep)) result = traded;
+    return result;
+}
+
+// True when the samples are enough for the texels of the form.
+bool decides(const TrialRuns& runs, const std::optional<Form>& form)
+{
+    return form && formTexels(*form) * kSamplesPerTexel <= decidingSamples(runs.all());
+}
+
+// Takes the variant when it lowers the errors by `worth`, without giving up the score.
+bool take(TrialRuns& runs, Candidate& best, const std::optional<Form>& variant, const char* stage,
+          double worth)
+{
+    if (!variant || best.isFine() || !runs.isWithin(*variant) || runs.isFull()) return false;
+    auto next = runs.attempt(*variant, stage, best, std::log(1.0 - worth));
+    if (!next) return false;
+    best = std::move(*next);
+    return true;
+}
+
+void grow(TrialRuns& runs, Candidate& best)
+{
+    for (const size_t table : maps(best.form))
+        for (auto next = grown(runs, best.form, table);
+             decides(runs, next) && take(runs, best, next, "size", kWorthTexels);
+             next = grown(runs, best.form, table)) {
+        }
+}
+
+void warp(TrialRuns& runs, Candidate& best)
+{
+    for (const size_t table : maps(best.form))
+        for (size_t axis = 0; axis < warpCount(best.form.tables[table].domain); ++axis)
+            for (const double step : {kWarpStep, 1.0 / kWarpStep})
+                while (
+                    take(runs, best, rewarped(best.form, table, axis, step), "warp", kWorthWarp)) {
+                }
+}
+
+// What giving back texels costs must not add up: every candidate is compared with the first.
+void shrink(TrialRuns& runs, Candidate& best)
+{
+    const Candidate reference = best;
+    for (const size_t table : maps(best.form))
+        while (const auto smaller = resized(best.form, table, 1.0 / kSizeStep)) {
+            if (runs.isFull()) return;
+            auto next = runs.attempt(*smaller, "size", reference, std::log(kAllowed));
+            if (!next) break;
+            best = std::move(*next);
+        }
+}
+
+}  // namespace
+
+void improve(TrialRuns& runs, Candidate& best)
+{
+    const bool sizesVary = runs.all().options.resolution == 0;
+    if (sizesVary) grow(runs, best);
+    warp(runs, best);
+    if (sizesVary) shrink(runs, best);
+}
+
+}  // namespace fbrdf
