@@ -1,5 +1,6 @@
 #include <fbrdf/fit/AnalyticFactors.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/Model.h>
 
@@ -157,6 +158,8 @@ bool hasAnalyticFactors(const std::string& spec)
 
 std::optional<Material> analyticFactors(const std::string& spec, int size, Storage storage)
 {
+    FBRDF_ASSERT(size, >=, 2);
+    FBRDF_ASSERT(isLog(storage), ==, true);
     const ModelSpec model = parseModelSpec(spec);
     const Writer writer = writerOf(model.model->name);
     if (!writer) return std::nullopt;

@@ -1,5 +1,7 @@
 #include "Bake.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,8 @@ Vec3d normalised(Table& table, Storage storage)
 
 Material bake(const Form& form, const Layout& layout, const State& x, Storage storage)
 {
+    FBRDF_ASSERT(x.size(), ==,
+                 static_cast<size_t>(layout.unknowns()) * (layout.sharedShape() ? 1u : 3u));
     Material material;
     material.form = form;
     std::vector<Vec3d> levels;

@@ -1,5 +1,7 @@
 #include "Job.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include "Bake.h"
 #include "forms/NamedForms.h"
 #include "Support.h"
@@ -119,6 +121,7 @@ SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& f
 
 void holdOut(const Job& job, const Form& form, double smoothness, int folds, HeldOut& held)
 {
+    FBRDF_ASSERT(folds, <=, kFolds);
     if (held.folds >= folds) return;
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));

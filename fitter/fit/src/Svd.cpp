@@ -4,6 +4,7 @@
 // "Weighted Low-Rank Approximations").
 #include <fbrdf/fit/Svd.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/HalfDifference.h>
@@ -218,6 +219,7 @@ void roundToHalf(Table& table)
 
 Form formSvd(int terms, int size, bool isotropic)
 {
+    FBRDF_ASSERT(size, >=, 4);
     Form form;
     form.name = "svd" + std::to_string(terms);
     const Argument half = isotropic ? Argument(std::vector<Angle>{Angle::theta_h}) : Direction::h;

@@ -1,5 +1,6 @@
 #include "FlipMetric.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Srgb.h>
 #include <fbrdf/metrics/Colour.h>
 #include <fbrdf/metrics/StandardSphere.h>
@@ -108,6 +109,7 @@ double meanDeltaEItp(const SphereImage& a, const SphereImage& b)
 
 ImageErrors imageErrors(const SphereImage& image, const SphereImage& reference)
 {
+    FBRDF_ASSERT(image.size, ==, reference.size);
     const RgbPlanes linearA = planesOf(image), linearB = planesOf(reference);
     const RgbPlanes srgbA = encoded(linearA), srgbB = encoded(linearB);
     const Plane flip = flipMap(linearA, linearB);

@@ -1,5 +1,6 @@
 #include <fbrdf/base/Parallel.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/metrics/Metrics.h>
 #include <fbrdf/metrics/SampleSets.h>
@@ -140,6 +141,7 @@ std::vector<Vec3f> evaluatedAt(const std::vector<Sample>& samples, int threads,
 SampleErrors sampleErrors(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitted,
                           const Vec3f& noiseFloor)
 {
+    FBRDF_ASSERT(fitted.size(), ==, samples.size());
     Vec3d logRms(0.0), cosRms(0.0), rootRms(0.0), compressed(0.0);
     SampleErrors errors;
     for (int c = 0; c < 3; ++c) {

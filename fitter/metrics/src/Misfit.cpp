@@ -1,5 +1,6 @@
 #include <fbrdf/metrics/Misfit.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>
@@ -210,6 +211,7 @@ std::vector<MisfitRegion> misfitRegions(const std::vector<Sample>& samples,
                                         const std::vector<Vec3f>& fitted, const Vec3f& noiseFloor,
                                         bool exact)
 {
+    FBRDF_ASSERT(fitted.size(), ==, samples.size());
     std::vector<ChannelResiduals> channels(3, ChannelResiduals(brightestOf(samples)));
     for (size_t i = 0; i < samples.size(); ++i) {
         const Sample& s = samples[i];

@@ -1,5 +1,7 @@
 #include "Plane.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,11 +46,15 @@ Plane convolvedColumns(const Plane& plane, const Kernel& kernel)
 
 Plane convolved(const Plane& plane, const Kernel& horizontal, const Kernel& vertical)
 {
+    FBRDF_ASSERT(horizontal.size() % 2, ==, size_t{1});
+    FBRDF_ASSERT(vertical.size() % 2, ==, size_t{1});
     return convolvedColumns(convolvedRows(plane, horizontal), vertical);
 }
 
 Kernel gaussianKernel(double sigma, int radius)
 {
+    FBRDF_ASSERT(sigma, >, 0.0);
+    FBRDF_ASSERT(radius, >=, 0);
     std::vector<double> weights;
     double sum = 0.0;
     for (int x = -radius; x <= radius; ++x) {

@@ -1,5 +1,6 @@
 #include <fbrdf/base/Parallel.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/metrics/StandardSphere.h>
 
 #include <algorithm>
@@ -81,6 +82,7 @@ double exposureFor(int size)
 
 SphereImage renderStandardSphere(const BrdfFunction& brdf, int size, int threads)
 {
+    FBRDF_ASSERT(size, >, 0);
     SphereImage image;
     image.size = size;
     const auto count = static_cast<size_t>(size) * static_cast<size_t>(size);

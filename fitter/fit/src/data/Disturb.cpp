@@ -1,5 +1,6 @@
 #include <fbrdf/fit/Disturb.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/Conventions.h>
 
 #include <algorithm>
@@ -31,6 +32,7 @@ private:
 
 std::vector<Sample> withNoise(std::vector<Sample> samples, const Noise& noise, uint64_t seed)
 {
+    FBRDF_ASSERT(noise.zeroed + noise.spiked, <=, 1.0);
     Random random(seed);
     for (Sample& s : samples) {
         const double additive = noise.absolute / static_cast<double>(s.wi.z);

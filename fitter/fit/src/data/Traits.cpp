@@ -1,5 +1,6 @@
 #include "data/Traits.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/fit/NoiseFloor.h>
@@ -69,6 +70,8 @@ std::vector<double> contradictions(const Feed& feed, const DataTraits& traits,
 
 float quantile(std::vector<float>& values, double fraction)
 {
+    FBRDF_ASSERT(fraction, >=, 0.0);
+    FBRDF_ASSERT(fraction, <=, 1.0);
     if (values.empty()) return 0.0f;
     const auto rank = std::min(values.size() - 1,
                                static_cast<size_t>(fraction * static_cast<double>(values.size())));

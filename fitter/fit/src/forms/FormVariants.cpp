@@ -1,5 +1,7 @@
 #include "forms/FormVariants.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +32,8 @@ bool scaleWarp(double& warp, double factor)
 
 std::optional<Form> resized(const Form& form, size_t table, double factor)
 {
+    FBRDF_ASSERT(table, <, form.tables.size());
+    FBRDF_ASSERT(factor, >, 0.0);
     Form result = form;
     TableSpec& spec = result.tables[table];
     if (auto* disc = std::get_if<DiscDomain>(&spec.domain)) {
@@ -53,6 +57,8 @@ size_t warpCount(const Domain& domain)
 
 std::optional<Form> rewarped(const Form& form, size_t table, size_t axis, double factor)
 {
+    FBRDF_ASSERT(table, <, form.tables.size());
+    FBRDF_ASSERT(factor, >, 0.0);
     Form result = form;
     Domain& domain = result.tables[table].domain;
     if (axis >= warpCount(domain)) return std::nullopt;

@@ -1,5 +1,7 @@
 #include "solve/Coarse.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 
 namespace fbrdf {
@@ -48,6 +50,8 @@ Form halved(const Form& form)
 State prolonged(const LeastSquares& coarse, const State& x, const LeastSquares& fine)
 {
     const size_t columns = fine.columns(), from = coarse.unknowns(), to = fine.unknowns();
+    FBRDF_ASSERT(x.size(), ==, columns * from);
+    FBRDF_ASSERT(coarse.form().tables.size(), ==, fine.form().tables.size());
     State result(columns * to);
     for (size_t t = 0; t < fine.form().tables.size(); ++t) {
         const Domain &coarseDomain = coarse.form().tables[t].domain,

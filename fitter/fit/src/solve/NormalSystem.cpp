@@ -1,5 +1,7 @@
 #include "solve/NormalSystem.h"
 
+#include <fbrdf/base/Assert.h>
+
 namespace fbrdf {
 BorderedShape shapeOf(const Layout& layout)
 {
@@ -19,6 +21,7 @@ NormalSums::NormalSums(const BorderedShape& shape, size_t matrices)
 void addRows(const KernelRows& rows, int entryLanes, std::vector<NormalSums>& groups,
              std::vector<double>& scratch)
 {
+    FBRDF_ASSERT(groups.size(), >, size_t{0});
     std::vector<double*> matrix, right;
     for (NormalSums& group : groups) {
         matrix.push_back(group.matrixSums().data());
@@ -37,6 +40,8 @@ NormalSums& NormalSums::operator+=(const NormalSums& other)
 {
     if (other.empty()) return *this;
     if (empty()) return *this = other;
+    FBRDF_ASSERT(right_.size(), ==, other.right_.size());
+    FBRDF_ASSERT(matrix_.size(), ==, other.matrix_.size());
     for (size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += other.matrix_[i];
     for (size_t i = 0; i < right_.size(); ++i) right_[i] += other.right_[i];
     return *this;
@@ -44,6 +49,8 @@ NormalSums& NormalSums::operator+=(const NormalSums& other)
 
 BorderedMatrix NormalSums::matrix(size_t lane) const
 {
+    FBRDF_ASSERT(lane, <, kLanes);
+    FBRDF_ASSERT(matrixLanes_, >, size_t{0});
     BorderedMatrix result(shape_);
     const size_t from = matrixLanes_ == kLanes ? lane : 0;
     for (size_t i = 0; i < result.values.size(); ++i)

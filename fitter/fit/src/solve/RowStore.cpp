@@ -1,5 +1,6 @@
 #include "solve/RowStore.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Parallel.h>
 #include "solve/RowKernel.h"
 
@@ -86,6 +87,7 @@ bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
 
 RowStore::Block RowStore::block(size_t index, Scratch& scratch) const
 {
+    FBRDF_ASSERT(index, <, blocks());
     if (!values_.empty()) return {(*geometry_)[index], values_[index]};
     const FeedBlock block = feed_.block(index, scratch.feed);
     makeGeometry(block, scratch.geometry);

@@ -1,5 +1,6 @@
 #include "solve/SmoothSystem.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 
 #include <algorithm>
@@ -83,6 +84,8 @@ std::vector<double> SmoothSystem::step(std::vector<double> right, const double* 
                                        const std::string& form) const
 {
     const size_t n = data_.shape.unknowns();
+    FBRDF_ASSERT(right.size(), ==, n * columns);
+    FBRDF_ASSERT(strength, >=, 0.0);
     for (size_t c = 0; c < columns; ++c)
         for (const SmoothnessRow& row : smoothness_.rows) {
             double bend = 0.0;

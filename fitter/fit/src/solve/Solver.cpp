@@ -1,5 +1,7 @@
 #include "solve/Solver.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include "solve/SolverKernel.h"
 
 namespace fbrdf {
@@ -41,6 +43,7 @@ Cholesky::Cholesky(BorderedMatrix matrix) : factor_(std::move(matrix))
 
 void Cholesky::solve(double* values, size_t columns) const
 {
+    FBRDF_ASSERT(ok_, ==, true);
     kernelsOfThisMachine().solve(partsOf(factor_), values, static_cast<std::ptrdiff_t>(columns));
 }
 
