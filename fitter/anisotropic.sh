@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# anisotropic.sh - prints how well anisotropic models are held: picture error of the standard sphere
-# of each, bytes, and the average and the least of all. Two look-ups in any pass: gg+pqpr needs no
-# more straight into the target, pqp+pqpr (cylinders, whose diffuse part is not a product of two
-# angles) with an accumulation surface a term.
+# anisotropic.sh - prints how well anisotropic models are fitted: the picture error of the standard
+# sphere and the bytes of each, and the average and the least of all errors. No pass takes more than
+# two look-ups: gg+pqpr straight into the target; pqp+pqpr with an accumulation surface for each term.
+# The second is for cylinders, whose diffuse part is not a product of two angles.
 # Usage: fitter/anisotropic.sh [path of fbrdf] [further options of fbrdf batch]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

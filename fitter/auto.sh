@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # auto.sh - prints how the error of `auto` compares with that of the best named form on the same
-# measured data: median |ln g/f|, held out. Exits 1 where it is more than 2 % above.
+# measured data: median |ln g/f| on samples held out. Exits 1 where it is more than 2 % above.
 # Usage: fitter/auto.sh [path of fbrdf] [folder of the data]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

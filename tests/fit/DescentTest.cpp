@@ -1,5 +1,5 @@
 // DescentTest.cpp - each limit of SolverOptions is the bound of the inequality in its comment, and
-// a fit tells why its solver stopped. No GL.
+// a fit reports why its solver stopped. No GL.
 #include "solve/Solve.h"
 
 #include "Known.h"

@@ -42,7 +42,7 @@ double largestError(const Material& fitted, const Material& truth)
 
 const Vec3f kUnscaled(1.0f);  // of residuals that are not weighted robustly
 
-// A product that the form holds exactly comes back to 1e-4: floats of the rows give 1e-6,
+// A product that the form can represent comes back to 1e-4: floats of the rows give 1e-6,
 // smoothness the rest.
 constexpr double kRecovered = 1e-4;
 
@@ -474,7 +474,7 @@ TEST(Traits, AFunctionHasAFloorOnlyWhereItIsCutOff)
     EXPECT_FLOAT_EQ(zero.value, 0.008f);
     EXPECT_FALSE(zero.censored);
     EXPECT_EQ(zero.weight, 1.0f);
-    EXPECT_TRUE(observe(0.0f, 1.0f, traits, 1, 1.0f).censored);  // without a floor it says nothing
+    EXPECT_TRUE(observe(0.0f, 1.0f, traits, 1, 1.0f).censored);  // without a floor it takes no part
 }
 
 TEST(Traits, OneSampleAFoldIsTheLeast)

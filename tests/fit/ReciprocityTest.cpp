@@ -1,4 +1,4 @@
-// ReciprocityTest.cpp - forms that say they are reciprocal are so as stored. No GL.
+// ReciprocityTest.cpp - forms that are reciprocal stay so as stored. No GL.
 #include <fbrdf/fit/Fit.h>
 
 #include "Known.h"

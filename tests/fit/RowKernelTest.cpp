@@ -78,7 +78,7 @@ void expectNear(const std::vector<double>& found, const std::vector<double>& exp
             << name << " at " << i;
 }
 
-// Against libm: what a float can tell of logarithms up to 126, and of numbers near 1.
+// Against libm: the precision of a float for logarithms up to 126, and of numbers near 1.
 TEST(RowKernels, LogarithmsAndPredictionsAreThoseOfLibm)
 {
     constexpr float kUlps = 3e-7f;

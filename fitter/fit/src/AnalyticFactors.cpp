@@ -88,7 +88,7 @@ TableSpec lobeTable(int size)
 const std::vector<Angle> kThetaI{Angle::theta_i}, kThetaO{Angle::theta_o}, kThetaD{Angle::theta_d},
     kBothAngles{Angle::theta_i, Angle::theta_o};
 
-// Ward 1992, Eq. 5: q holds the Gaussian, p the 1 / sqrt(cos), D the Lambertian.
+// Ward 1992, Eq. 5: q is the Gaussian, p is 1 / sqrt(cos), and D is the Lambertian.
 Material wardFactors(const ModelValues& values, int size)
 {
     const double ax = values.at("alpha_x").x, ay = values.at("alpha_y").x;

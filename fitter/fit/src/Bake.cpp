@@ -13,7 +13,7 @@ struct Range {
     int count = 0;
 };
 
-// Where the texels of a channel start in a state.
+// The index in a state at which the texels of a channel start.
 size_t columnOf(const Layout& layout, int channel)
 {
     return layout.sharedShape()
@@ -21,8 +21,8 @@ size_t columnOf(const Layout& layout, int channel)
                : static_cast<size_t>(channel) * static_cast<size_t>(layout.unknowns());
 }
 
-// Subtracts the mean of the reachable texels, or their maximum where the storage holds no more than
-// 1; returns it.
+// Subtracts the mean of the reachable texels, or their maximum for a storage whose largest value is
+// 1; returns what it subtracted.
 Vec3d normalised(Table& table, Storage storage)
 {
     Vec3d levels(0.0);

@@ -1,4 +1,4 @@
-// Conserve.h - a surface reflects no more than it gets: directional albedo at most 1.
+// Conserve.h - energy conservation: a directional albedo of at most 1.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 

@@ -1,4 +1,4 @@
-// FitReports.cpp - what FitSummary tells people.
+// FitReports.cpp - the summary of a fit as text for people.
 #include <fbrdf/fit/Fit.h>
 
 #include <cstdio>
@@ -31,7 +31,7 @@ std::string errorsText(const SampleErrors& e)
            number(e.nbrdfLoss);
 }
 
-// Which samples the held-out errors are of.
+// The name of the samples that the held-out errors come from.
 std::string heldOutName(int folds)
 {
     return folds > 0 ? "held out (" + std::to_string(folds) + ")" : "fresh pairs";

@@ -14,9 +14,9 @@
 namespace fbrdf {
 namespace {
 
-constexpr size_t kFunctionSamples = 131072;  // taken from a source that is only a function
-constexpr size_t kProbeSamples = 200000;     // that sample errors are taken from
-constexpr size_t kTestSamples = 65536;       // interfaces.md: the uniform test set
+constexpr size_t kFunctionSamples = 131072;  // drawn from a source that is only a function
+constexpr size_t kProbeSamples = 200000;     // that sample errors are computed on
+constexpr size_t kTestSamples = 65536;       // docs/method.md, section Errors: the uniform test set
 constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
 
 // The cost of the solution with the options of the job's last steps; of a stream on a part of it.

@@ -42,11 +42,11 @@ struct Fitted {
 };
 Fitted fitForm(const Job& job, const Form& form);
 
-/// What is said of a fit: errors on a fresh set of directions where the source is a function, and
-/// of fits of the same form and smoothness that leave folds out where it is not.
+/// The errors that are stated for a fit. For a function they are measured on a fresh set of
+/// directions; for measurements, on folds that fits of the same form and smoothness leave out.
 SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted);
 
-/// At most kProbeSamples of the data: what errors are taken from.
+/// At most kProbeSamples of the data, which errors are computed on.
 std::vector<Sample> probeOf(const Job& job, const FoldChoice& choice = FoldChoice::all());
 
 /// Samples that took no part in the fits of a form, each of the first folds left out of one.
@@ -57,7 +57,8 @@ struct HeldOut {
     std::vector<Vec3f> fitted;
     SampleErrors errors;
 };
-/// Goes on to `folds` folds. `smoothness` 0: chosen in each of these fits.
+/// Continues until `folds` folds are held out. `smoothness` 0: each of these fits chooses its own.
+/// Precondition: folds <= kFolds.
 void holdOut(const Job& job, const Form& form, double smoothness, int folds, HeldOut& held);
 
 }  // namespace fbrdf

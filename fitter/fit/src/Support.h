@@ -1,4 +1,4 @@
-// Support.h - which texels the data say anything about.
+// Support.h - the texels that are supported by samples.
 #pragma once
 #include "solve/LeastSquares.h"
 
@@ -12,7 +12,8 @@ namespace fbrdf {
 /// floor. For a stream it is counted on a part of it: 262,144 samples.
 std::vector<double> supportOf(const LeastSquares& problem);
 
-/// Sum of interpolation weights that supports a texel: a tenth of a sample that lies on it.
+/// Sum of interpolation weights that supports a texel: a tenth of what a sample that lies on it
+/// gives.
 constexpr double kSupport = 0.1;
 
 /// Sets Table::unsupported of every table: reachable texels whose sum of interpolation weights

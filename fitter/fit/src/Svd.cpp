@@ -21,10 +21,11 @@ namespace fbrdf {
 namespace {
 
 constexpr double kHalfPi = kPi / 2;
-constexpr double kHorizon = 0.03;  // cosine below which a pair counts as below the horizon: values
-                                   // that grow without end there would take every term
-constexpr double kFilledWeight =
-    1e-4;  // of a cell without a value: decides where nothing else does
+// Cosine below which a pair counts as below the horizon: values that grow without end there would
+// take every term.
+constexpr double kHorizon = 0.03;
+// The weight of a cell without a value, which decides only where nothing else does.
+constexpr double kFilledWeight = 1e-4;
 constexpr int kIterations = 8, kSpare = 8;  // of the start: vectors beside those asked for
 constexpr int kSweeps = 24;                 // of the alternating least squares
 constexpr double kGamma = 0.5;

@@ -129,8 +129,7 @@ RgbPlanes ycxczPlanes(const RgbPlanes& rgb)
     return result;
 }
 
-// What the eye keeps of the picture: filtered, clamped to the display's colours, in Hunt-adjusted
-// Lab.
+// The picture as the eye sees it: filtered, clamped to the display's colours, in Hunt-adjusted Lab.
 std::vector<Vec3f> perceived(const RgbPlanes& ycxcz, double pixelsPerDegree)
 {
     const Plane y = filtered(ycxcz[0], {{1.0, 0.0047}}, pixelsPerDegree);

@@ -26,8 +26,8 @@ struct Sums {
         const double cf = cosine * f, cg = cosine * g;
         cosSquares += (cg - cf) * (cg - cf);
         cosReference += cf * cf;
-        // The other two are for reflectance only; a slightly negative g (a net, say) counts as
-        // black.
+        // The other two are for reflectance only; a slightly negative g, as networks give, counts
+        // as black.
         const double positive = std::max(cg, 0.0), root = std::cbrt(cf);
         rootSquares += (std::cbrt(positive) - root) * (std::cbrt(positive) - root);
         rootReference += root * root;
@@ -36,8 +36,8 @@ struct Sums {
 
     void addLog(double f, double g)
     {
-        // A black g where f is not is as wrong as a float can say, yet leaves the mean finite. NaN
-        // is infinitely wrong, so that the median of the logs stays defined.
+        // A black g where f is not black is as wrong as a float can express, yet leaves the mean
+        // finite. NaN is infinitely wrong, so that the median of the logs stays defined.
         constexpr double kBlack = static_cast<double>(std::numeric_limits<float>::min());
         const double error = std::abs(std::log(std::max(g, kBlack) / f));
         const double counted = std::isnan(g) ? std::numeric_limits<double>::infinity() : error;

@@ -17,14 +17,15 @@ using Edges = std::array<double, 6>;  // degrees
 constexpr Edges kEdgesH{0, 3, 10, 25, 50, 90}, kEdgesD{0, kRetroAngle, 20, 45, 70, 90};
 constexpr size_t kSide = kEdgesH.size() - 1, kRegions = kSide * kSide;
 
-// What makes a region one that the form does not hold: half as much again or two thirds, by more
-// than noise; two fifths of its light; and light enough to be seen. Measured paints, fabrics and
-// metals stay below, tape's and a sensor's peaks far above (docs/benchmarks.md).
+// A region counts as wrong when its values are off by half as much again or two thirds, by more
+// than noise; when two fifths of its light are wrong; and when it has light enough to be seen.
+// Measured paints, fabrics and metals stay below, tape's and a sensor's peaks far above
+// (docs/benchmarks.md).
 const double kWrongLog = std::log(1.5);
 constexpr double kWrongLight = 0.4, kSeenLight = 0.01;
-constexpr double kSurelyAbove = 4.0;  // times the noise floor: below, the data say little
-constexpr size_t kFewest = 5;         // samples that can accuse
-constexpr double kFewPairs = 10.0;    // neighbours that tell noise from structure
+constexpr double kSurelyAbove = 4.0;  // times the noise floor: values below are mostly noise
+constexpr size_t kFewest = 5;         // samples that a wrong region must have
+constexpr double kFewPairs = 10.0;    // neighbours that separate noise from structure
 constexpr double kOutOfLine = 4.0;    // times the scale of all residuals, where they cannot
 constexpr double kMostLog = 10.0;     // one absurd ratio counts as e^10
 constexpr double kBrightest = 0.99;   // quantile of c f above which light counts no more
@@ -79,7 +80,7 @@ struct Products {
         pairs += 0.5 * cell.count * (cell.count - 1.0);
         samples += cell.count;
     }
-    /// What neighbours share; 0 where chance might make as much.
+    /// The rms that neighbours share; 0 where chance alone might give as much.
     double rms(double whole) const
     {
         constexpr double kSigmas = 3.0;

@@ -14,7 +14,7 @@ struct DirectionalLight {
     Vec3d direction, irradiance;
 };
 
-// interfaces.md of the project's contract, "standard sphere".
+// The lights of docs/method.md, section Errors.
 const std::array<DirectionalLight, 128> kLights{{
 #include "StandardLights.inc"
 }};
@@ -31,8 +31,8 @@ Frame frameAt(double x, double y)
 {
     Frame frame;
     frame.n = {x, y, std::sqrt(1.0 - x * x - y * y)};
-    frame.t = glm::normalize(
-        Vec3d(frame.n.z, 0.0, -frame.n.x));  // y cross n: increasing azimuth about +y
+    // y cross n: the direction of increasing azimuth about +y.
+    frame.t = glm::normalize(Vec3d(frame.n.z, 0.0, -frame.n.x));
     frame.s = glm::cross(frame.n, frame.t);
     return frame;
 }

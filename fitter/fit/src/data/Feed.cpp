@@ -31,8 +31,8 @@ Feed feedOf(Owner owner, const std::vector<Sample>& samples)
     return feed;
 }
 
-// A stream does not tell which rows it dropped. Read by pieces that always begin at the same rows,
-// a sample is numbered by its piece and its place among the usable samples of that piece.
+// A stream does not report which rows it dropped. Read by pieces that always begin at the same
+// rows, a sample is numbered by its piece and its place among the usable samples of that piece.
 FeedBlock readPieces(const SampleStream& stream, uint64_t first, size_t count, FeedScratch& scratch)
 {
     FBRDF_ASSERT(first % kFeedPiece, ==, 0u);

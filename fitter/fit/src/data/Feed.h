@@ -1,5 +1,5 @@
 // Feed.h - the samples of a source in ranges that can be read in any order, from any thread, again
-// and again. Fits read them once a pass and hold none, so memory does not grow with the number of
+// and again. Fits read them once a pass and keep none, so memory does not grow with the number of
 // samples.
 #pragma once
 #include <fbrdf/metrics/SplitMix.h>
@@ -60,7 +60,7 @@ Feed streamedFeed(const SampleStream& stream);
 /// chance in 2^64); empty for a feed that is not held.
 std::string geometryOf(const Feed& feed, int threads);
 
-/// Which of kFolds a sample belongs to: folds show no pattern of the measurement.
+/// The fold of a sample, below kFolds. Folds show no pattern of the measurement.
 inline int foldOf(uint64_t number, uint64_t seed)
 {
     return static_cast<int>(splitMix64(number ^ splitMix64(seed)) % kFolds);
@@ -75,7 +75,7 @@ struct FoldChoice {
     static FoldChoice allBut(int fold) { return {kNoFold, fold}; }
     bool isAll() const { return only == kNoFold && without == kNoFold; }
     bool has(int fold) const { return only == kNoFold ? fold != without : fold == only; }
-    /// Of all samples, how many are chosen.
+    /// The share of all samples that is chosen.
     double share() const;
 };
 

@@ -25,7 +25,7 @@ float median(std::vector<float>& values)
 // f cos theta_i, up to what both have in common.
 bool negativesFollowCosine(const std::vector<Sample>& samples)
 {
-    constexpr float kGrazing = 1e-3f;  // cosines of nothing must not decide
+    constexpr float kGrazing = 1e-3f;  // pairs at the horizon must not decide
     double count = 0.0, plain = 0.0, scaled = 0.0, logs = 0.0;
     for (const Sample& s : samples)
         for (int c = 0; c < 3; ++c) {
@@ -36,7 +36,7 @@ bool negativesFollowCosine(const std::vector<Sample>& samples)
             scaled += cosine * cosine * f * f;
             logs += std::log(cosine);
         }
-    constexpr double kFew = 100.0;  // negatives that can tell
+    constexpr double kFew = 100.0;  // negative values that are enough to decide
     return count >= kFew && -0.5 * std::log(scaled) + logs / count > -0.5 * std::log(plain);
 }
 
@@ -55,8 +55,8 @@ float floorOfChannel(const std::vector<Sample>& samples, int channel, bool overC
         }
     }
     if (positive.empty() || negative.size() + zero == 0) return 0.0f;
-    // The median, and not the rms: few samples must not speak for all. Zeros beside negative values
-    // are samples that were lost, and none that were clipped.
+    // The median, and not the rms: a few samples must not decide for all. Zeros beside negative
+    // values are samples that were lost, and none that were clipped.
     const float floor =
         (negative.empty() ? ranked(positive, zero / 2) : median(negative)) / kHalfNormalMedian;
     // A floor above the median would call most of the data noise; zeros are then holes, not clipped

@@ -1,15 +1,17 @@
-// Symmetry.h - what a source does not depend on: forms that leave it out spend nothing on it.
+// Symmetry.h - the symmetries of a source: forms that have them as well spend no texels on what
+// does not change.
 #pragma once
 #include <fbrdf/sources/Source.h>
 
 namespace fbrdf {
 
-/// Unchanged by a rotation about the normal: can be fitted in angles alone. Said by the source, or
-/// seen on pairs of directions of its function.
+/// Unchanged by a rotation about the normal: can be fitted in angles alone. Stated by the source,
+/// or found on 65,536 pairs of directions of its function.
 bool isIsotropicSource(const Source& source);
 
-/// Known to be unchanged when wo and wi change places, within a hundredth in the median. Scattered
-/// samples seldom have both, and measurements seldom are: false where there is no function.
+/// True when the function is known to be unchanged when wo and wi change places, within a hundredth
+/// in the median. Scattered samples seldom contain both pairs, and measurements are seldom
+/// reciprocal: false where there is no function.
 bool isReciprocalSource(const Source& source);
 
 }  // namespace fbrdf

@@ -13,12 +13,13 @@
 namespace fbrdf {
 namespace {
 
-// With fewer than one for each held-out fold nothing could be said about the fit, and a single
-// sample fits every form.
+// With fewer than one for each held-out fold there would be no errors to state, and a single sample
+// fits every form.
 constexpr size_t kFewestSamples = 5;
 
-// A function that reaches 0 is cut off there, and what lies just above says no more than the
-// zeros: below this share of the median nothing is told apart. Without zeros every value counts.
+// A function that reaches 0 is cut off there, and values just above 0 carry no more information
+// than the zeros: those below this share of the median count as equal. Without zeros every value
+// counts.
 constexpr float kCutOff = 0.004f;
 
 Vec3f floorOfFunction(const std::vector<Sample>& samples)
@@ -45,7 +46,8 @@ bool weighsAsGiven(const Sample& s, const DataTraits& traits)
     return true;
 }
 
-// Of every block of this process's share: does a sample contradict sameWeights, or grey?
+// Counts the blocks of this process with a sample that contradicts sameWeights, and those with one
+// that contradicts grey.
 std::vector<double> contradictions(const Feed& feed, const DataTraits& traits,
                                    const TraitOptions& options)
 {
@@ -89,7 +91,7 @@ Observed observe(float f, float cosine, const DataTraits& traits, int channel, f
         const float variance = (floor / f) * (floor / f);
         return {std::max(f, kLeast), sampleWeight / (1.0f + variance), false};
     }
-    // Without an estimate of the floor a zero says nothing about how small f is.
+    // Without an estimate of the floor a zero does not bound f, and takes no part.
     if (floor > 0.0f) return {std::max(floor, kLeast), 0.5f * sampleWeight, true};
     return {1.0f, 0.0f, true};
 }

@@ -1,8 +1,8 @@
-// Traits.h - what the samples are like, found before anything is fitted, and what one value says in
-// the light of it.
+// Traits.h - statistics of the samples that a fit needs beforehand, and the logarithm and weight
+// that a value gets from them.
 //
-// A value weighs f^2 / (f^2 + floor^2). One below the noise floor is censored: known to lie below,
-// no more.
+// A value weighs f^2 / (f^2 + floor^2). One below the noise floor is censored: it is only known to
+// lie below.
 #pragma once
 #include "data/Feed.h"
 
@@ -17,10 +17,10 @@ struct DataTraits {
     Vec3f floor{0.0f};  ///< noise floor, 1/sr; see floorOverCosine
     /// The noise is that of radiance: at incidence theta_i the floor is `floor` / cos theta_i.
     bool floorOverCosine = false;
-    bool unclipped = false;    ///< noise goes below 0: it is seen whole
+    bool unclipped = false;    ///< negative values are kept: noise is seen on both sides of 0
     Vec3f level{0.0f};         ///< median of log2 f above the floor; 0 where a channel has none
     Vec3f low{0.0f};           ///< 10th percentile of log2 f above the floor
-    bool exact = false;        ///< values of a function: below the floor they are held at it
+    bool exact = false;        ///< values of a function: those below the floor are raised to it
     bool sameWeights = false;  ///< no channel of any sample is at or below the floor
     bool grey = false;         ///< the channels of every sample are equal: one is solved for all
     size_t usable = 0;         ///< of the samples looked at, those with a channel above the floor
@@ -49,7 +49,7 @@ DataTraits traitsOf(const Feed& feed, const TraitOptions& options, const std::st
 /// One channel of one sample.
 struct Observed {
     float value;   ///< f, or the floor where censored; a normal number > 0
-    float weight;  ///< the sample's own times that of the noise; 0: says nothing
+    float weight;  ///< the sample's own times that of the noise; 0: takes no part
     bool censored;
 };
 /// `cosine`: of theta_i.

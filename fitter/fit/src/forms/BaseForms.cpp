@@ -18,7 +18,7 @@ int quarter(int size)
     return std::max(kMinResolution, size / 4);
 }
 
-// Tables that several forms are made of.
+// The tables that several forms share.
 TableSpec discMap(const std::string& name, int size)
 {
     return {name, DiscDomain::fitting(size, kGamma)};
@@ -73,10 +73,10 @@ Form formHdp(int size)
             {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::phi_d}}}}}};
 }
 
-// Near the highlight theta_i and theta_o hardly tell phi_d, and a table over phi_d alone hardly
-// tells shadowing: together they hold what hdio and hdp each lose. Two knots of phi_d are enough,
-// as the dependence is close to one harmonic. The exponents are the best of 0.18 to 0.28 and 0.5
-// to 0.9 for measured materials.
+// Near the highlight theta_i and theta_o hardly depend on phi_d, and a table over phi_d alone
+// cannot represent shadowing: the two tables together represent what hdio and hdp each lose. Two
+// knots of phi_d are enough, as the dependence is close to one harmonic. The exponents are the best
+// of 0.18 to 0.28 and 0.5 to 0.9 for measured materials.
 Form formHdpio(int sizeH, int sizeD, int sizeIo)
 {
     return {"hdpio",
@@ -111,8 +111,8 @@ Form formPqtr(int size)
     return form;
 }
 
-// Tables that tell light from view: U in place of the symmetric T2. Measurements and networks are
-// seldom reciprocal.
+// A table U that distinguishes light from view, in place of the symmetric T2: measurements and
+// networks are seldom reciprocal.
 Form unsymmetric(Form form, const std::string& name)
 {
     form.name = name;
@@ -163,7 +163,7 @@ BaseForm baseOf(const NamedForm& named, const std::function<Form(int)>& make)
     return {named, ladderOf(make, sizes), make};
 }
 
-// Of these two the smaller sizes are not the default's in proportion.
+// hdio and hdpio list their smaller sizes explicitly: they do not scale in proportion.
 BaseForm baseHdio()
 {
     const auto make = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
@@ -182,7 +182,7 @@ BaseForm baseHdpio()
             [](int n) { return formHdpio(n, quarter(n), quarter(n)); }};
 }
 
-// What is held beyond hdpio pays for more knots of phi_d and of U.
+// Data that are not reciprocal gain enough to pay for more knots of phi_d and of U.
 Form formHdpu(int size)
 {
     Form form = formHdpio(size, std::max(kMinResolution, 5 * size / 16),

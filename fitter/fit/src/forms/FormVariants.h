@@ -1,5 +1,5 @@
 // FormVariants.h - the forms next to a form: one table with more or fewer texels, or with texels
-// spent elsewhere. They exist for every form, so the search needs to know none.
+// spent elsewhere. They are defined for every form, so the search knows no form by name.
 #pragma once
 #include <fbrdf/brdf/Form.h>
 
@@ -7,8 +7,9 @@
 
 namespace fbrdf {
 
-/// The form with every axis of table `table` `factor` times as many texels, within what its kind of
-/// table holds; nothing when that leaves it as it is.
+/// The form with every axis of table `table` `factor` times as many texels, within the limits of
+/// its kind of table; nothing when that leaves it as it is. Preconditions: table <
+/// form.tables.size(), factor > 0; also of rewarped.
 std::optional<Form> resized(const Form& form, size_t table, double factor);
 
 /// The form with the warp of table `table` changed by `factor`: gamma of a disc, the exponent of

@@ -18,11 +18,11 @@ namespace fbrdf {
 namespace {
 
 constexpr char kAnalytic[] = "analytic", kSvd[] = "svd";
-constexpr int kUsualTerms = 4;     // of svd without a number or a budget
+constexpr int kUsualTerms = 4;     // terms of svd without a number or a budget
 constexpr int kAnalyticSize = 64;  // of q
-constexpr int kSmallestSize = 8;   // that a budget leaves q, and few samples u
+constexpr int kSmallestSize = 8;   // to which a small budget shrinks q, and few samples u
 constexpr size_t kSamplesPerCell = 2;
-constexpr size_t kTestPairs = 65536;  // interfaces.md: the uniform test set
+constexpr size_t kTestPairs = 65536;  // docs/method.md, section Errors: the uniform test set
 
 [[noreturn]] void refuse(const std::string& where, const std::string& found,
                          const std::string& expected)
@@ -30,7 +30,7 @@ constexpr size_t kTestPairs = 65536;  // interfaces.md: the uniform test set
     throw Error(ErrorKind::usage, where, "found " + found + ", expected " + expected);
 }
 
-// N of "svdN", 0 of "svd" alone, nothing of other names.
+// The N of "svdN"; 0 for "svd" alone; nothing for other names.
 std::optional<int> svdTerms(const std::string& name)
 {
     const std::string prefix = kSvd;
@@ -49,7 +49,8 @@ bool fits(const Form& form, const FitOptions& options, Storage storage)
     return options.maxBytes == 0 || formBytes(form, storage) <= options.maxBytes;
 }
 
-// Scattered samples decide as many knots as their grid has cells for.
+// The knots of u. Scattered samples get as many as they can decide, with kSamplesPerCell for each
+// cell of the grid.
 int svdSizeFor(const Source& source, const Job& job)
 {
     if (job.options.resolution > 0) return job.options.resolution;
@@ -60,7 +61,7 @@ int svdSizeFor(const Source& source, const Job& job)
     return size;
 }
 
-// As many terms as the budget holds, where the name does not say.
+// The form with the number of terms in its name or, without one, as many as fit the budget.
 Form svdFormFor(const Source& source, const Job& job)
 {
     const FitOptions& options = job.options;
@@ -113,7 +114,7 @@ bool hasFactors(const Source& source)
     return source.format == "model" && hasAnalyticFactors(source.name);
 }
 
-// The largest q that the budget holds.
+// Writes the factors with the largest q that fits the budget.
 Material analyticOf(const Source& source, const FitOptions& options)
 {
     if (!hasFactors(source))

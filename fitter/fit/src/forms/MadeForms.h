@@ -1,7 +1,7 @@
-// MadeForms.h - forms whose tables no least squares in logs gives: `svd`, singular values of the
+// MadeForms.h - forms that are not fitted in log space: `svd`, singular values of the
 // resampled function (Svd.h), and `analytic`, factors written down from a model
-// (AnalyticFactors.h). Beside the forms of NamedForms.h they stand alone: no term of a sum, nothing
-// that auto tries.
+// (AnalyticFactors.h). Unlike the forms of NamedForms.h they are no terms of sums, and auto does
+// not try them.
 #pragma once
 #include "Job.h"
 
@@ -14,7 +14,7 @@ namespace fbrdf {
 /// has.
 bool isMadeForm(const std::string& name);
 
-/// Throws Error(usage) for an option that says nothing of a made form.
+/// Throws Error(usage) for an option that made forms do not have.
 void checkMadeOptions(const FitOptions& options);
 
 /// The material, and its errors on samples that took no part: fresh pairs where the source is a

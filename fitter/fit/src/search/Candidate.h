@@ -32,11 +32,11 @@ constexpr double kAllowed = 1.01;
 bool byScore(const Candidate& a, const Candidate& b);
 double leastScore(const std::vector<Candidate>& candidates);
 
-/// Of the candidates whose score is within kAllowed of the least, the smallest in bytes, then the
-/// best. Precondition: there is one.
+/// The smallest in bytes, then the best, of the candidates whose score is within kAllowed of the
+/// least. Precondition: there is one.
 const Candidate& pick(const std::vector<Candidate>& candidates);
 
-/// What the samples left out so far cannot tell apart, as a relative difference of scores.
+/// The relative difference of scores that is within the noise of the samples left out so far.
 double slackOf(const HeldOut& held);
 
 }  // namespace fbrdf

@@ -11,10 +11,10 @@
 namespace fbrdf {
 namespace {
 
-constexpr size_t kTrialSamples = 32768;  // enough to tell forms apart
+constexpr size_t kTrialSamples = 32768;  // enough to rank forms
 constexpr size_t kFinalists = 3;
-// A named form this near the best score meets it once more on all data: what a part of the samples
-// cannot tell apart, and what the choice of the smoothness may change.
+// A named form whose score is this near the best is fitted once more to all data: on a part of the
+// samples the difference is noise, and the choice of the smoothness may change it.
 constexpr double kNear = 1.15, kNearOfAll = 1.05;
 
 std::vector<std::string> candidateNames(const Source& source, int terms)
@@ -41,7 +41,7 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
     return names;
 }
 
-// The best, and the named forms that the trials do not tell from the best of them.
+// The best form, and the named forms whose trials were as good as the best named one.
 std::vector<Candidate> finalists(const TrialRuns& runs, const Candidate& best,
                                  std::vector<Candidate> named)
 {

@@ -1,5 +1,5 @@
 // Coarse.h - a form with half as many texels along every axis, and the way back: sums of terms are
-// solved coarse first, where steps cost little and poor starts are left behind.
+// solved coarse first, where steps cost little and a poor start does no harm.
 #pragma once
 #include "solve/LeastSquares.h"
 

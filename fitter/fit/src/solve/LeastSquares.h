@@ -3,9 +3,9 @@
 //
 // A state x is a vector of log2 texels, one column a channel (one column in all with a shared
 // shape). At x, sample n has the residual r_n = log2 f_n - log2 g(x)_n and the row sum_t share_t
-// b_t, where share_t is the part of g that term t contributes and b_t holds the interpolation
-// weights of the term's texels (docs/method.md, Eq. 5). A form of one term has share 1: its problem
-// is linear, and the first step is its solution.
+// b_t, where share_t is the part of g that term t contributes and b_t are the interpolation weights
+// of the term's texels (docs/method.md, Eq. 5). A form of one term has share 1: its problem is
+// linear, and the first step is its solution.
 //
 // What is done with the problem has a file each:
 //   RowWeights        weighs the residuals of samples: noise, metric, robustness; the cost

@@ -6,7 +6,7 @@
 namespace fbrdf {
 
 constexpr std::ptrdiff_t kRowLanes = 4;  ///< R, G, B and one that pads: what vector units like
-constexpr unsigned char kNoGroup = 255;  ///< of a row that takes no part
+constexpr unsigned char kNoGroup = 255;  ///< the group of a row that takes no part
 
 /// Rows side by side, as they enter normal equations: row i has the entries b(i, k) = weight(i, k)
 /// share(i, term of k), a sample's weight w and a residual r, the last three a lane a channel.
@@ -39,8 +39,8 @@ struct RowKernels {
     /// In place: log2 of normal numbers > 0.
     void (*log2)(float* numbers, std::ptrdiff_t count);
     /// logG: log2 g of rows, count x kRowLanes; share: what each term contributes to g, count x
-    /// terms x kRowLanes, of one term untouched. Of `rows` the geometry and the terms count. Terms
-    /// are cut off at 2^-126 and 2^126.
+    /// terms x kRowLanes, untouched for a form of one term. Uses only the geometry and the terms of
+    /// `rows`. Terms are cut off at 2^-126 and 2^126.
     void (*predict)(const KernelRows& rows, const KernelTexels& texels, float* logG, float* share);
     /// entryLanes: 1 where all lanes have the same b, that of lane 0; matrixLanes: 0 (no matrix), 1
     /// (lane 0 for all) or kRowLanes. scratch: width x kRowLanes.

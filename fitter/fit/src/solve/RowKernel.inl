@@ -5,9 +5,10 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-// The lanes of one number, said to the compiler, which would not find them by itself: sums may
-// overlap entries for all it knows. Passed by reference only: how such values travel depends on the
-// instruction set. Members of a class, as template arguments lose their attributes.
+// Vector types make the lanes of one number explicit: the compiler would not vectorise them by
+// itself, as sums may overlap entries for all that it can prove. Passed by reference only: how such
+// values travel depends on the instruction set. Members of a class, as template arguments lose
+// their attributes.
 struct OneLane {
     typedef double Value;
 };

@@ -24,11 +24,11 @@ struct RowGeometry {
     uint64_t number(size_t i) const { return first + (offsets.empty() ? i : offsets[i]); }
 };
 
-/// What the samples of one block say, a channel at a time in Vec3f: see Observed.
+/// Logarithms and weights of the samples of one block (see Observed), a channel at a time in Vec3f.
 struct RowValues {
     std::vector<Vec3f> logValue, weight;
     std::vector<unsigned char> censored;  ///< bit c: channel c
-    /// Of unclipped noise alone: f, and the samples' own weights.
+    /// f, and the samples' own weights; empty unless the noise is unclipped.
     std::vector<Vec3f> value;
     std::vector<float> sampleWeight;
 };
@@ -55,7 +55,8 @@ public:
     /// Valid until the next call with the same scratch.
     Block block(size_t index, Scratch& scratch) const;
     /// No value of any channel is at or below the floor and all weigh as much as their sample: the
-    /// matrix depends on the geometry alone. Of rows that are not kept, traits tell.
+    /// matrix depends on the geometry alone. For rows that are not kept it is
+    /// DataTraits::sameWeights.
     bool sameWeights() const { return sameWeights_; }
     /// Null where the rows are too many to keep.
     std::shared_ptr<const RowGeometries> geometry() const { return geometry_; }

@@ -90,7 +90,7 @@ Layout::Layout(const Form& form, bool sharedShape) : unknownOf_(form.tables.size
         const auto mirrorOf = [side](int t) { return (t % side) * side + t / side; };
         const bool symmetric = isSymmetric(domain);
         std::vector<int> unknown(static_cast<size_t>(texels));
-        // Of a mirrored pair of texels the one met first gets the number, the other takes it over.
+        // The texel of a mirrored pair that is met first gets a number, and the other shares it.
         for (int t = 0; t < texels; ++t)
             unknown[static_cast<size_t>(t)] =
                 symmetric && mirrorOf(t) < t ? unknown[static_cast<size_t>(mirrorOf(t))] : count_++;

@@ -12,7 +12,7 @@
 
 namespace fbrdf {
 
-/// Where each texel of each table sits in the vector of unknowns.
+/// The place of each texel of each table in the vector of unknowns.
 ///
 /// The unknowns of the largest table that one factor of one term alone looks up come first. A
 /// sample couples neighbours of it only, so their block of the normal equations is banded
@@ -41,7 +41,7 @@ private:
     std::vector<std::vector<int>> unknownOf_;
 };
 
-/// Makes rows, one after the other. A row holds the entries of all terms, term after term;
+/// Makes rows, one after the other. A row has the entries of all terms, term after term;
 /// termEnd[t] is one past the last entry of term t, and the last of them the width of every row.
 /// Levels of a shared shape are no entries: their weight is always 1.
 class RowMaker {

@@ -48,8 +48,9 @@ struct Mean {
     }
 };
 
-// Of every state, |log2 f - log2 g| over the samples of its fold: kParts x states, as numbers that
-// processes can add up. State k belongs to fold k / strengths.
+// For every part and state, the weighted sum of |log2 f - log2 g| over the samples of the state's
+// fold, and the sum of the weights; processes can add these up. State k belongs to fold k /
+// strengths.
 std::vector<double> sumsLeftOut(const LeastSquares& problem, const std::vector<Texels>& states,
                                 size_t strengths, const std::vector<int>& folds)
 {

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
-constexpr int kNoisySteps = 6;   // what lies in the noise is found slowly
+constexpr int kNoisySteps = 6;   // data in the noise converge slowly
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
 constexpr int kFineSteps = 4, kLastSteps = 2;
 constexpr int kRounds = 3;             // of choosing the smoothness of a sum
-constexpr size_t kCoarseRows = 32768;  // find the way for the halved form of a sum
-// Rows that find it for all rows, on which a last step is taken: so many, and so many a texel.
+constexpr size_t kCoarseRows = 32768;  // enough for the descent of a sum in its halved form
+// Rows of the part from which a fit of many rows starts: so many, or so many a texel.
 constexpr size_t kStartRows = 65536, kStartRowsPerUnknown = 64;
 constexpr double kChoiceDamping = 1e-3;  // of a step that chooses the smoothness of a sum
 constexpr double kWorse = 0.1;           // rise of the cost that more smoothness may have, relative

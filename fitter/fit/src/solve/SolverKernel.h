@@ -6,7 +6,7 @@
 
 namespace fbrdf {
 
-/// A bordered matrix by its parts, stored as BorderedMatrix says.
+/// A bordered matrix by its parts, stored as in BorderedMatrix.
 struct BorderedParts {
     double *band, *border, *dense;
     std::ptrdiff_t banded, bandwidth, size;  ///< n, w, m

@@ -28,8 +28,8 @@ void moveBy(const LeastSquares& problem, const SharedSystems& shared, size_t k, 
 /// Copies the first column into the others where the data are grey and only it was solved.
 void repeatGrey(const LeastSquares& problem, State& x);
 
-/// How far a texel moves that a step asks to move by so many octaves: a term of a sum with a small
-/// share asks for leaps that its share after the leap does not bear out.
+/// The change of a texel, in octaves, bounded for sums: where a term has a small share, the linear
+/// step asks for changes that its share after the change does not justify.
 double bounded(const LeastSquares& problem, double octaves);
 
 }  // namespace fbrdf

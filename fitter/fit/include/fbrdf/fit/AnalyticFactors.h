@@ -20,8 +20,8 @@ namespace fbrdf {
 bool hasAnalyticFactors(const std::string& spec);
 
 /// The material of a specification "ward:..." or "ashikhmin-shirley:..." (or a preset of them);
-/// nothing for other models. `size`: texels on a side of q, >= 2. `storage`: one that holds logs.
-/// Throws as parseModelSpec.
+/// nothing for other models. `size`: texels on a side of q, >= 2. `storage`: one of logarithms
+/// (isLog). Throws as parseModelSpec.
 std::optional<Material> analyticFactors(const std::string& spec, int size, Storage storage);
 
 }  // namespace fbrdf

@@ -1,5 +1,4 @@
-// Clock.h - seconds since it was made: by the clock on the wall, which never runs backwards, and of
-// processors.
+// Clock.h - stopwatches of elapsed time, which never runs backwards, and of processor time.
 #pragma once
 #include <chrono>
 #include <ctime>
@@ -17,7 +16,8 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What all threads of the process spent: of one fit, where nothing else runs beside it.
+/// Processor time of all threads of the process since the clock was made. It is that of one fit
+/// where nothing else runs beside it.
 class ProcessorClock {
 public:
     double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }

@@ -1,4 +1,4 @@
-// Disturb.h - good data made worse on purpose: what a fit must survive.
+// Disturb.h - noise, lost samples and spikes added to good data, to test what fits make of them.
 #pragma once
 #include <fbrdf/sources/Source.h>
 
@@ -9,8 +9,8 @@
 
 namespace fbrdf {
 
-/// What happens to every value, in this order; each channel by itself but for zeros and spikes,
-/// which hit a sample as a whole. Noise is normal.
+/// The changes to every value, in this order. Each channel is changed by itself, but zeros and
+/// spikes hit a sample as a whole. Noise is normal.
 struct Noise {
     double relative = 0.10;   ///< sigma of a factor about 1
     double absolute = 0.004;  ///< sigma of what is added, over cos theta_i: a radiance's noise

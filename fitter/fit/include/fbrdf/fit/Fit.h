@@ -1,8 +1,8 @@
 // Fit.h - from reflectance to a material.
 //
-// log f is a sum of log texels, so one term is a sparse linear least-squares problem (seed Eq. 5);
-// sums of terms and other metrics are solved by Gauss-Newton on the same rows. Minimised, per
-// channel:
+// log f is a sum of log texels, so one term is a sparse linear least-squares problem
+// (docs/method.md, Eq. 5); sums of terms and other metrics are solved by Gauss-Newton on the same
+// rows. Minimised, per channel:
 //   sum_n w_n (log2 f_n - log2 g(x)_n)^2 + smoothness |L x|^2
 #pragma once
 #include <fbrdf/fit/SolverSummary.h>
@@ -18,7 +18,7 @@
 
 namespace fbrdf {
 
-/// In which space residuals are measured.
+/// The function of f and g whose difference is the residual.
 enum class Metric { log, cubeRoot, log1p };
 const char* metricName(Metric metric);           ///< "log", "cuberoot", "log1p"
 Metric metricFromName(const std::string& name);  ///< throws Error(usage)
@@ -37,8 +37,8 @@ struct RankSum {
     }
 };
 
-/// What fits to data on the same grid of directions share (rows, factorizations): the second fit of
-/// a MERL file in the same form takes a fraction of the time of the first. Safe to use from
+/// Rows and factorizations that fits to data on the same grid of directions share: the second fit
+/// of a MERL file in the same form takes a fraction of the time of the first. Safe to use from
 /// threads.
 class FitCache;
 std::shared_ptr<FitCache> makeFitCache();
@@ -50,20 +50,20 @@ struct FitOptions {
     int resolution = 0;   ///< texels along the main axis of the form; 0: the form's own default
     size_t maxBytes = 0;  ///< > 0: no material larger than this
     int lookups = 2;      ///< at least lookupsPerPass() of the form, >= 1
-    int terms = 2;        ///< of auto: terms of a sum at most, >= 1
-    Storage storage = Storage::log8;  ///< of svd always signed
+    int terms = 2;        ///< the most terms of a sum that auto tries, >= 1
+    Storage storage = Storage::log8;  ///< svd always stores signed half floats
     Metric metric = Metric::log;
     bool robust = true;  ///< Tukey biweight reweighting of scattered samples
     SolverOptions solver;
     /// Strength relative to the data, > 0; unset: the one with the least held-out error.
     std::optional<double> smoothness;
     bool heldOut = true;  ///< measure held-out errors too: a fit of its own
-    uint64_t seed = 1;    ///< of the held-out folds and of the samples taken from functions
-    int threads = 0;      ///< 0: one a core
+    uint64_t seed = 1;    ///< decides the held-out folds and the samples drawn from functions
+    int threads = 0;      ///< 0: one for each core
     /// R, G and B share the shape of every map and differ by a scale: a third of the bytes.
     bool sharedShape = false;
-    /// Scale the stored material down, all channels alike, so that no directional albedo exceeds 1:
-    /// every 2 degrees to 88 from the normal, of an anisotropic form in 4 azimuths.
+    /// Scale the stored material down, all channels alike, so that no directional albedo exceeds 1.
+    /// The albedo is computed every 2 degrees from 0 to 88; for an anisotropic form in 4 azimuths.
     bool conserve = false;
     std::shared_ptr<FitCache> cache;  ///< may be null
     RankSum ranks;
@@ -77,7 +77,7 @@ struct Trial {
     size_t bytes = 0;
     int lookups = 0;  ///< per light
     double seconds = 0;
-    SampleErrors heldOut;  ///< of one that fell behind: on the folds until then
+    SampleErrors heldOut;  ///< a trial that fell behind has those of its folds until then
     double score = 0;      ///< the held-out error that decides: log_median, or that of the metric
     bool chosen = false;   ///< the one that was fitted in the end
 };
@@ -85,17 +85,17 @@ struct Trial {
 struct FitSummary {
     double readSeconds = 0;       ///< making or reading the samples
     double seconds = 0;           ///< fitting alone: no reading, no reporting
-    double processorSeconds = 0;  ///< likewise, of all threads of the process
+    double processorSeconds = 0;  ///< the same work, summed over the threads of the process
     size_t used = 0;              ///< samples with at least one channel above the floor
     size_t belowFloor = 0;        ///< channel values censored
     Vec3f noiseFloor{0.0f};
     double smoothness = 0;  ///< the strength used
     SolverSummary solver;   ///< why it stopped, after how many steps, at which cost
     double conserved = 1;   ///< what the material was multiplied by for the sake of energy
-    int folds = 0;          ///< of the held-out errors; 0: a fresh set from the function
+    int folds = 0;  ///< that the held-out errors come from; 0: fresh samples of the function
     SampleErrors heldOut, all;
-    std::vector<MisfitRegion> misfits;  ///< where the form does not hold the data; empty: it does
-    std::optional<Coverage> coverage;   ///< of measurements; a function has all directions
+    std::vector<MisfitRegion> misfits;  ///< where the form does not follow the data; empty: it does
+    std::optional<Coverage> coverage;   ///< directions of a measurement; a function has all
     std::vector<Trial> trials;
 
     /// One line: how the solver stopped and the error held out.
@@ -131,11 +131,12 @@ struct FormLetter {
 };
 const std::vector<FormLetter>& formLetters();
 
-/// Forms whose tables no least squares in logs gives: "svd" (Svd.h), "svdN" of N terms, and
-/// "analytic" (AnalyticFactors.h). "svd" takes as many terms as maxBytes holds, 4 without it.
+/// Forms that are not fitted in log space: "svd" (Svd.h), "svdN" of N terms, and
+/// "analytic" (AnalyticFactors.h). "svd" takes as many terms as fit maxBytes, 4 without it.
 const std::vector<NamedForm>& madeForms();
-/// False for a made form that has nothing to go on: analytic without a model that has factors, svd
-/// with scattered samples that are not known to be isotropic. Throws Error(usage) as checkOptions.
+/// False for a made form that the source does not allow: analytic needs a model whose factors are
+/// known, svd a function or samples that are known to be isotropic. Throws Error(usage) as
+/// checkOptions.
 bool suitsForm(const Source& source, const std::string& form);
 /// A named form, or a sum of named forms: "io+hdio". Throws Error(usage) for an unknown name.
 /// `resolution` 0: the default.
@@ -144,8 +145,9 @@ Form makeForm(const std::string& name, int resolution = 0);
 /// Texture look-ups that every light costs.
 int lookupsPerLight(const Form& form);
 /// The smallest limit of look-ups in a pass within which the form can be drawn one light at a time
-/// straight into a float target (fbrdf/plan/Plan.h): pqp 2, hdio 2, qdg 1. A surface beside the
-/// target would bring any form down to one, at a multiple of the passes: that is left to who draws.
+/// straight into a float target (fbrdf/plan/Plan.h): pqp 2, hdio 2, qdg 1. With a surface beside
+/// the target any form can be drawn with one look-up a pass, at a multiple of the passes; that
+/// choice is left to the renderer.
 int lookupsPerPass(const Form& form);
 
 }  // namespace fbrdf

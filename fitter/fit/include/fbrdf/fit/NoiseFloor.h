@@ -1,11 +1,11 @@
-// NoiseFloor.h - the level below which values of a measurement say nothing, estimated from the
-// measurement.
+// NoiseFloor.h - the level below which the values of a measurement are noise, estimated from the
+// measurement itself.
 #pragma once
 #include <fbrdf/sources/Source.h>
 
 namespace fbrdf {
 
-/// What is added to the values of a measurement.
+/// The noise that is added to the values of a measurement.
 struct NoiseModel {
     Vec3f sigma{0.0f};        ///< per channel, in 1/sr; 0 for data without a trace of noise
     bool overCosine = false;  ///< sigma is that of f cos theta_i: of radiance, and not of f
@@ -18,7 +18,7 @@ struct NoiseModel {
 /// (noise is symmetric about 0): sigma follows from the median of those.
 NoiseModel estimateNoise(const std::vector<Sample>& samples);
 
-/// Its sigma, as a level of f: with overCosine that of normal incidence.
+/// The sigma of estimateNoise as a level of f; with overCosine it is the level at normal incidence.
 Vec3f estimateNoiseFloor(const std::vector<Sample>& samples);
 
 }  // namespace fbrdf

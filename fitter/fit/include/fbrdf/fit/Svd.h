@@ -1,13 +1,13 @@
-// Svd.h - f as a sum of K signed products by singular values: seed Eq. 3; Kautz and McCool 1999,
-// "Interactive Rendering with Arbitrary BRDFs using Separable Approximations".
+// Svd.h - f as a sum of K signed products by singular values (docs/method.md, Eq. 3); Kautz and
+// McCool 1999, "Interactive Rendering with Arbitrary BRDFs using Separable Approximations".
 //
 //   f(wo, wi) ~ sum over k of  s_k u_k(h) v_k(d),   h the half vector, d the difference vector
 // The function is resampled on a regular grid: a matrix whose rows are the texels of u (theta_h, or
 // a disc of half vectors where the source is anisotropic) and whose columns are those of v (theta_d
 // and phi_d, or a disc). Its leading singular vectors minimise the absolute error; values may be
 // negative. Pairs below the horizon have no value: they hardly count, see Svd.cpp. Channels are
-// independent. Not for data that a log form holds: the bytes grow with K, and absolute errors show
-// in dark colours.
+// independent. Data that a form in logs can follow are better fitted by it: the bytes of this one
+// grow with K, and absolute errors show in dark colours.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/metrics/StandardSphere.h>

@@ -17,11 +17,12 @@ struct SampleErrors {
     Vec3d logMedianChannel{0.0};  ///< the same for R, G, B
     double cosRms = 0;            ///< sqrt(sum (c (g - f))^2 / sum (c f)^2)
     double cubeRootRms = 0;       ///< the same on (c f)^(1/3)
-    double nbrdfLoss = 0;  ///< mean |ln(1 + c g) - ln(1 + c f)| (Sztrajman et al. 2021, Eq. 5)
+    /// Mean |ln(1 + c g) - ln(1 + c f)| (Sztrajman et al. 2021, Eq. 5).
+    double nbrdfLoss = 0;
 };
 
-/// `noiseFloor`: a channel of f at or below it takes no part in the log errors. Negative f counts
-/// as 0.
+/// `fitted`: as many values as samples. `noiseFloor`: a channel of f at or below it takes no part
+/// in the log errors. Negative f counts as 0.
 SampleErrors sampleErrors(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitted,
                           const Vec3f& noiseFloor);
 
@@ -32,9 +33,10 @@ std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample
                               int threads);
 
 struct PhysicsErrors {
-    double reciprocity = 0;  ///< median |ln f(a, b) / f(b, a)| over the uniform set, all channels
-    double albedoMax =
-        0;  ///< largest directional albedo over 16 incidences from 0 to 85 degrees, any channel
+    /// Median |ln f(a, b) / f(b, a)| over the uniform set, all channels.
+    double reciprocity = 0;
+    /// Largest directional albedo over 16 incidences from 0 to 85 degrees, any channel.
+    double albedoMax = 0;
 };
 PhysicsErrors physicsErrors(const BrdfFunction& brdf, int threads);
 
@@ -42,7 +44,7 @@ PhysicsErrors physicsErrors(const BrdfFunction& brdf, int threads);
 /// azimuth phi_i.
 Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i, double phi_i = 0.0);
 
-/// Names and values of interfaces.md, in its order: "log_rms", "cos_rms", ...
+/// The errors by their names in docs/method.md, section Errors: "log_rms", "cos_rms", ...
 std::map<std::string, double> named(const SampleErrors& errors);
 std::map<std::string, double> named(const ImageErrors& errors);
 std::map<std::string, double> named(const PhysicsErrors& errors);

@@ -1,9 +1,10 @@
-// Misfit.h - where a form does not hold the data, and where there are no data: what a small mean
-// error hides.
+// Misfit.h - where a form does not follow the data, and where there are no data: a small mean error
+// can hide both.
 //
-// Residuals are ln g / f. Noise differs from sample to sample; what a form cannot hold, neighbours
-// share. The structural part of a region's residuals is therefore the mean product of those of
-// distinct samples in one small cell of directions (a nugget-free variogram; Matheron 1963).
+// Residuals are ln g / f. Noise differs from sample to sample; neighbours share what the form
+// cannot represent. The structural part of a region's residuals is therefore the mean product of
+// those of distinct samples in one small cell of directions (a nugget-free variogram; Matheron
+// 1963).
 #pragma once
 #include <fbrdf/sources/Source.h>
 
@@ -29,14 +30,15 @@ constexpr double kRetroAngle = 5.0;  ///< degrees
 /// dark": one line.
 std::string describe(const MisfitRegion& region);
 
-/// Regions that the form does not hold, the weightiest first; empty: it holds the data. `exact`:
-/// values of a function, every residual is structural. A channel at or below the floor says
-/// nothing.
+/// Regions in which the form does not follow the data, the one with most light first; empty where
+/// it follows them everywhere. `exact`: the values are those of a function, and every residual is
+/// structural. A channel at or below the floor takes no part. Precondition: as many values as
+/// samples.
 std::vector<MisfitRegion> misfitRegions(const std::vector<Sample>& samples,
                                         const std::vector<Vec3f>& fitted, const Vec3f& noiseFloor,
                                         bool exact);
 
-/// What directions the data have.
+/// The directions that the data have.
 struct Coverage {
     bool inPlane = false;     ///< wo in the plane of incidence, for all samples but a few
     bool oneAzimuth = false;  ///< light from one azimuth alone: anisotropy cannot show

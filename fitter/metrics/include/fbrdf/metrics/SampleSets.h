@@ -7,7 +7,7 @@
 
 namespace fbrdf {
 
-/// Elevation below which the uniform sets hold no direction, radians.
+/// Elevation below which the uniform sets have no direction, radians.
 constexpr double kMinElevation = 2.0 * kPi / 180.0;
 
 /// The uniform test set of the metrics: `count` Sobol pairs (65,536 in every figure we state), half

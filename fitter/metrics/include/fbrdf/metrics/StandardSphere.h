@@ -16,24 +16,26 @@ using BrdfFunction = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
 
 struct SphereImage {
     int size = 0;  ///< pixels on a side; row 0 is the top (y = +1)
-    std::vector<Vec3f>
-        radiance;  ///< size x size, exposed, linear, clamped to [0, 1]; 0 outside the disc
+    /// size x size, exposed, linear, clamped to [0, 1]; 0 outside the disc.
+    std::vector<Vec3f> radiance;
     std::vector<bool> covered;  ///< size x size
 };
 
+/// Precondition: size > 0.
 SphereImage renderStandardSphere(const BrdfFunction& brdf, int size = 256, int threads = 0);
 
 /// Differences of two pictures of the standard sphere, over its covered pixels.
 struct ImageErrors {
     double psnrLinear = 0;  ///< dB, peak 1
     double psnrSrgb = 0;    ///< dB, peak 1, of sRGB-encoded values
-    double ssim =
-        0;  ///< Wang et al. 2004 on sRGB luma, 11 x 11 Gaussian of 1.5, mean over covered pixels
-    double deltaEItp =
-        0;  ///< ITU-R BT.2124: 720 sqrt(dI^2 + (dT/2)^2 + dP^2), mean; white at 203 cd/m2 (BT.2408)
+    /// Wang et al. 2004 on sRGB luma, 11 x 11 Gaussian of 1.5, mean over covered pixels.
+    double ssim = 0;
+    /// ITU-R BT.2124: 720 sqrt(dI^2 + (dT/2)^2 + dP^2), mean; white at 203 cd/m2 (BT.2408).
+    double deltaEItp = 0;
     double flip = 0;  ///< Andersson et al. 2020 (LDR), 67 pixels a degree, mean
 };
 
+/// Precondition: both have one size.
 ImageErrors imageErrors(const SphereImage& image, const SphereImage& reference);
 
 }  // namespace fbrdf
