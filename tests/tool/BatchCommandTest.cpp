@@ -131,6 +131,22 @@ TEST_F(BatchCommand, ResumeFitsAgainWhatIsNotTheSame)
     EXPECT_EQ(batch().out.substr(0, 26), "3 fitted, 0 kept, 0 failed");
 }
 
+TEST_F(BatchCommand, ResumeSeesThatAFormFileHasChanged)
+{
+    const std::string form = folder.file("form.json");
+    const auto resume = [&](const std::string& radius) {
+        writeText(form, R"({"name": "q", "tables": [{"name": "q", "domain": {"disc": {"size": 8,
+                            "gamma": 0.5, "radius": )" +
+                            radius + R"(}}}], "terms": [[{"table": 0, "argument": "h"}]]})");
+        return runTool({"batch", list, "-o", output, "--form", form, "--smoothness", "0.001",
+                        "--plain", "--resume"})
+            .out.substr(0, 26);
+    };
+    EXPECT_EQ(resume("3.5"), "3 fitted, 0 kept, 0 failed");
+    EXPECT_EQ(resume("3.5"), "0 fitted, 3 kept, 0 failed");
+    EXPECT_EQ(resume("3.0"), "3 fitted, 0 kept, 0 failed");
+}
+
 TEST_F(BatchCommand, RowsWithCommasAreQuoted)
 {
     writeText(list, "model\tlambert:albedo=0.5/0.4/0.3\ntwo\tggx:alpha=0.5,kd=0.2\n");
