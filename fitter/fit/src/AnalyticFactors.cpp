@@ -12,7 +12,7 @@ namespace fbrdf {
 namespace {
 
 constexpr double kGamma = 0.5;       // of q's map: texels where the highlight is
-constexpr int kAngles = 32;          // knots over theta_i, theta_o of T
+constexpr int kAngleKnots = 32;      // knots over theta_i, theta_o of T
 constexpr int kKnots = 64;           // of a uniform array over one angle
 constexpr double kSmallest = 1e-12;  // a factor's logarithm must be finite
 constexpr double kGrazing = 1e-3;    // the knot at the horizon stands for this cosine
@@ -72,7 +72,7 @@ Axis cosineAxis(int size)
 
 TableSpec pairTable(const std::string& name)
 {
-    return {name, GridDomain{{cosineAxis(kAngles), cosineAxis(kAngles)}, true}, false};
+    return {name, GridDomain{{cosineAxis(kAngleKnots), cosineAxis(kAngleKnots)}, true}, false};
 }
 
 TableSpec curve(const std::string& name, const Axis& axis)

@@ -18,7 +18,7 @@ namespace fbrdf {
 namespace {
 
 constexpr long long kMostWavelengths = 4096;
-constexpr size_t kAngles = 4;
+constexpr size_t kAngleColumns = 4;
 
 /// The number of wavelengths when the text starts with one, else 0.
 long long wavelengthCount(WordReader& words)
@@ -94,9 +94,9 @@ Source readCornell(const FileRequest& request)
     const std::vector<double> wavelengths = readWavelengths(file, words);
     const SpectrumToRgb toRgb(wavelengths);
     Source source;
-    std::vector<double> record(kAngles + wavelengths.size());
+    std::vector<double> record(kAngleColumns + wavelengths.size());
     while (readRecord(file, words, record)) {
-        const Vec3d rgb = toRgb(record.data() + kAngles);
+        const Vec3d rgb = toRgb(record.data() + kAngleColumns);
         const size_t before = source.samples.size();
         addRow({directionFromAngles(record[2], record[3]),
                 directionFromAngles(record[0], record[1]), rgb},
