@@ -7,20 +7,38 @@
 #include <cstdlib>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace osgFbrdf {
 namespace {
 
+/// Names of techniques in options, with their indices: those of the runtime, and two of our own.
+std::vector<std::pair<std::string, int>> techniqueIndices()
+{
+    std::vector<std::pair<std::string, int>> indices{{"auto", osgFX::Effect::AUTO_DETECT}};
+    for (const fbrdf::Technique technique : fbrdf::allTechniques())
+        indices.emplace_back(fbrdf::techniqueName(technique), static_cast<int>(technique));
+    indices.emplace_back("diffuse", kDiffuseFallback);
+    return indices;
+}
+
 bool setTechnique(FactorizedBrdf& effect, const std::string& name)
 {
-    static const std::map<std::string, int> kIndices{{"auto", osgFX::Effect::AUTO_DETECT},
-                                                     {"single", kSinglePass},
-                                                     {"batched", kBatched},
-                                                     {"two-lookup", kTwoLookups},
-                                                     {"diffuse", kDiffuseFallback}};
-    const auto found = kIndices.find(name);
-    if (found != kIndices.end()) effect.selectTechnique(found->second);
-    return found != kIndices.end();
+    for (const auto& [known, index] : techniqueIndices()) {
+        if (known != name) continue;
+        effect.selectTechnique(index);
+        return true;
+    }
+    return false;
+}
+
+/// "technique=auto|single|...".
+std::string techniqueOption()
+{
+    std::string option;
+    for (const auto& known : techniqueIndices())
+        option += (option.empty() ? "technique=" : "|") + known.first;
+    return option;
 }
 
 bool setTransfer(FactorizedBrdf& effect, const std::string& name)
@@ -100,8 +118,7 @@ std::string plainName(const std::string& file)
 std::vector<OptionText> optionTexts()
 {
     return {{"exposure=<number>", "Multiplies radiance; default 1"},
-            {"technique=auto|single|batched|two-lookup|diffuse",
-             "How lights are spread over passes; default auto"},
+            {techniqueOption(), "How lights are spread over passes; default auto"},
             {"lightsPerPass=<n>", "Lights in a pass of the technique batched; default 8"},
             {"lookupsPerPass=<n>",
              "The most texture look-ups in any pass; default 0: the limit of the technique"},

@@ -114,6 +114,10 @@ bool writeTransfer(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
     return true;
 }
 
+// A technique that the runtime gets later must not take this number, which is in scene files: it
+// needs a table from numbers of files to indices.
+static_assert(osgFbrdf::kDiffuseFallback == 3, "scene files have this number");
+
 bool checkTechnique(const FactorizedBrdf& effect)
 {
     return effect.getSelectedTechnique() != osgFX::Effect::AUTO_DETECT;

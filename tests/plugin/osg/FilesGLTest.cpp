@@ -68,6 +68,20 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_EQ(effect->getExposure(), 2.5f);
 }
 
+TEST(Options, NameEveryTechnique)
+{
+    osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
+    for (const Technique technique : allTechniques()) {
+        const std::string option = std::string("technique=") + techniqueName(technique);
+        EXPECT_TRUE(osgFbrdf::applyOptions(*effect, option).empty()) << option;
+        EXPECT_EQ(effect->getSelectedTechnique(), static_cast<int>(technique));
+    }
+    EXPECT_TRUE(osgFbrdf::applyOptions(*effect, "technique=diffuse").empty());
+    EXPECT_EQ(effect->getSelectedTechnique(), osgFbrdf::kDiffuseFallback);
+    EXPECT_TRUE(osgFbrdf::applyOptions(*effect, "technique=auto").empty());
+    EXPECT_EQ(effect->getSelectedTechnique(), osgFX::Effect::AUTO_DETECT);
+}
+
 TEST(Options, AreAllInTheDocumentation)
 {
     std::ostringstream text;

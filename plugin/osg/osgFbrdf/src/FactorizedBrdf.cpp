@@ -20,6 +20,11 @@ namespace osgFbrdf {
 
 namespace {
 
+static_assert(kSinglePass == static_cast<int>(fbrdf::Technique::single) &&
+                  kBatched == static_cast<int>(fbrdf::Technique::batched) &&
+                  kTwoLookups == static_cast<int>(fbrdf::Technique::twoLookup),
+              "techniques of an effect have the order of the runtime's");
+
 /// how: kShared or kAnew.
 osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options* options,
                                   const char* how)
@@ -169,8 +174,7 @@ DrawReport FactorizedBrdf::lastReport() const
 // Called once, by the constructors: techniques look at the effect only when they are used.
 bool FactorizedBrdf::define_techniques()
 {
-    for (const auto kind :
-         {fbrdf::Technique::single, fbrdf::Technique::batched, fbrdf::Technique::twoLookup})
+    for (const fbrdf::Technique kind : fbrdf::allTechniques())
         addTechnique(new PassTechnique(*this, *internals_, kind));
     addTechnique(new DiffuseTechnique(*this, *internals_));
     return true;

@@ -12,9 +12,9 @@ void setBin(osg::StateSet& state, int number)
 
 void setPlace(osg::StateSet& state, fbrdf::Depth depth, int bin)
 {
-    const bool lay = depth == fbrdf::Depth::write;
+    const bool writes = depth == fbrdf::Depth::write;
     state.setAttributeAndModes(
-        new osg::Depth(lay ? osg::Depth::LESS : osg::Depth::EQUAL, 0.0, 1.0, lay), kOurs);
+        new osg::Depth(writes ? osg::Depth::LESS : osg::Depth::EQUAL, 0.0, 1.0, writes), kOurs);
     state.setMode(GL_ALPHA_TEST, kOff);
     setBin(state, bin);
 }

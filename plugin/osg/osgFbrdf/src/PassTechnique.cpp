@@ -100,8 +100,9 @@ void cullRuns(osgUtil::CullVisitor& visitor, const fbrdf::Plan& plan, Surfaces& 
 
 int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
 {
-    if (kind == fbrdf::Technique::single) return assumedCapabilities().maxUniformVectors;
-    const int lights = kind == fbrdf::Technique::batched ? effect.getLightsPerPass() : 1;
+    const fbrdf::LightsPerPass perPass = fbrdf::techniqueInfo(kind).lightsPerPass;
+    if (perPass == fbrdf::LightsPerPass::all) return assumedCapabilities().maxUniformVectors;
+    const int lights = perPass == fbrdf::LightsPerPass::asRequested ? effect.getLightsPerPass() : 1;
     const fbrdf::Form& form = effect.getMaterial()->material().form;
     int vectors = kOtherUniformVectors + kVectorsPerAttenuation * kMostAttenuations +
                   (fbrdf::kVectorsPerLight + 1) * lights + 2 * static_cast<int>(form.tables.size());
@@ -141,23 +142,12 @@ PassTechnique::PassTechnique(FactorizedBrdf& effect, EffectInternals& internals,
 
 const char* PassTechnique::techniqueName()
 {
-    switch (kind_) {
-        case fbrdf::Technique::single: return "single pass";
-        case fbrdf::Technique::batched: return "batched";
-        case fbrdf::Technique::twoLookup: return "two look-ups per pass";
-    }
-    return "";
+    return fbrdf::techniqueInfo(kind_).title;
 }
 
 const char* PassTechnique::techniqueDescription()
 {
-    switch (kind_) {
-        case fbrdf::Technique::single: return "All lights in one pass; GLSL 1.20.";
-        case fbrdf::Technique::batched: return "A few lights in each pass; GLSL 1.20.";
-        case fbrdf::Technique::twoLookup:
-            return "One light and at most two texture look-ups in each pass; GLSL 1.20.";
-    }
-    return "";
+    return fbrdf::techniqueInfo(kind_).description;
 }
 
 bool PassTechnique::validate(osg::State& state) const
@@ -245,7 +235,8 @@ void PassTechnique::cull(const EffectCull& cull)
     const fbrdf::Sphere bounds = boundsInEye(effect_, *visitor.getModelViewMatrix());
     EyeLights lights = lightsOf(cull.view.lights(), worldToEye(visitor), bounds, inherited);
     Drawing drawing = drawingOf(cull, lights);
-    if (!drawing.passes->plan.feasible() && kind_ == fbrdf::Technique::single) {
+    if (!drawing.passes->plan.feasible() &&
+        fbrdf::techniqueInfo(kind_).lightsPerPass == fbrdf::LightsPerPass::all) {
         // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
         lights = strongest(lights, bounds, lightsInOnePass(lights));
         drawing = drawingOf(cull, lights);

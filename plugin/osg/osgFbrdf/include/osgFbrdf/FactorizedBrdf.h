@@ -1,12 +1,12 @@
 // FactorizedBrdf.h - the effect: everything below it is drawn with one factored material, lit by
 // every osgFbrdf::PointLights and every osg::LightSource of the scene.
 //
-// The techniques are, best first, "single pass", "batched", "two look-ups per pass" and "diffuse
-// fallback". Each needs less than the one before, so what one context can draw a better one can
-// draw too; every context is asked when it first draws, and the best technique that all can draw is
-// taken. selectTechnique() forces one. Cameras of shadow maps, which draw no colour or override
-// materials, draw the children as they are. Plans and shaders are the runtime's (fbrdf/plan,
-// fbrdf/shaders).
+// The techniques are, best first, those of fbrdf::allTechniques() ("single pass", "batched", "two
+// look-ups per pass"), then "diffuse fallback". Each needs less than the one before, so what one
+// context can draw a better one can draw too; every context is asked when it first draws, and the
+// best technique that all can draw is taken. selectTechnique() forces one. Cameras of shadow maps,
+// which draw no colour or override materials, draw the children as they are. Plans and shaders are
+// the runtime's (fbrdf/plan, fbrdf/shaders).
 //
 // An osg::Light lights the effect as it lights a white Lambertian in fixed function: by its diffuse
 // colour, attenuation, cut-off and exponent, and not while a state set above turns its mode
@@ -20,6 +20,7 @@
 #pragma once
 #include <osgFbrdf/MaterialObject.h>
 
+#include <fbrdf/plan/Technique.h>
 #include <fbrdf/plan/Transfer.h>
 
 #include <osgDB/Options>
@@ -40,7 +41,12 @@ namespace osgFbrdf {
 constexpr unsigned int kTangentAttribute = 6;
 
 /// The techniques of an effect in their order, as selectTechnique() takes them.
-enum TechniqueIndex { kSinglePass, kBatched, kTwoLookups, kDiffuseFallback };
+enum TechniqueIndex {
+    kSinglePass,
+    kBatched,
+    kTwoLookups,
+    kDiffuseFallback = fbrdf::kTechniqueCount,  ///< after all techniques of the runtime
+};
 
 /// What the last cull of an effect did.
 struct DrawReport {
