@@ -137,7 +137,7 @@ int main(int argc, char** argv)
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
-    effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, whose buffer holds sRGB codes
+    effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, which shows sRGB codes
     effect->setExposure(2.5f);
     effect->addChild(knotOf());
     // 2. The lights, anywhere in the scene.

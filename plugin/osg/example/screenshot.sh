@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What osgviewer shows in a window of 640 x 480 under Xvfb, as a picture. OSG_LIBRARY_PATH says where the plugins are.
+# Saves what osgviewer shows in a window of 640 x 480 under Xvfb. OSG_LIBRARY_PATH names the folder of the plugins.
 # Usage: screenshot.sh PICTURE.png ARGUMENT_OF_OSGVIEWER... (paths are absolute). Needs xdotool and imagemagick.
 set -euo pipefail
 picture=$(realpath "$1")

@@ -17,8 +17,8 @@ namespace osgFbrdf {
 /// Thread-safe. It keeps no material alive.
 class MaterialsInUse {
 public:
-    /// Name, then what tells one content of the file from the next: device, file number, size, and
-    /// the times of the last write and of the last change of the file's attributes.
+    /// Name, then what differs from one content of the file to the next: device, file number, size,
+    /// and the times of the last write and of the last change of the file's attributes.
     using Key = std::tuple<std::string, uint64_t, uint64_t, int64_t, int64_t, int64_t>;
     /// name: the one that the material is to have; path: where the file is now.
     static Key keyOf(const std::string& name, const std::string& path);

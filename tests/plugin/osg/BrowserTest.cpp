@@ -47,7 +47,7 @@ TEST_F(Browser, ShowsTheEffectThatIsChosenByKeys)
     browser.does("key Delete");
     EXPECT_TRUE(eventually([&] { return metalPixels(browser.screen()) > kMetal; }));
     expectGoodEnd(browser);
-    EXPECT_NE(browser.said().find("Factorized BRDF"), std::string::npos) << browser.said();
+    EXPECT_NE(browser.output().find("Factorized BRDF"), std::string::npos) << browser.output();
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST_P(EmbeddedIn, ThePlainFormKeepsItToo)
 }
 
 // A material of which bytes are missing is not read, even where it is in the scene itself.
-TEST_P(EmbeddedIn, DamageIsSaidAndTheModelStays)
+TEST_P(EmbeddedIn, DamageGivesAWarningAndTheModelStays)
 {
     const std::string name = std::string("scene.") + GetParam();
     ASSERT_TRUE(osgDB::writeNodeFile(*ballOf(new MaterialObject(testMaterials()[0])), path(name)));
@@ -218,7 +218,7 @@ TEST_F(EmbeddedMaterial, OsgconvCopiesAMaterialAndMakesAScene)
     EXPECT_GT(meanOf(imageOf(node), 3), 0.3);
 }
 
-TEST_F(EmbeddedMaterial, StreamsHoldObjectsAndNodes)
+TEST_F(EmbeddedMaterial, StreamsCarryObjectsAndNodes)
 {
     auto* format = osgDB::Registry::instance()->getReaderWriterForExtension("fbrdf");
     ASSERT_TRUE(format);

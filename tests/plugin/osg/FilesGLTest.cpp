@@ -243,7 +243,7 @@ TEST_F(Files, ASceneOfANewerFormatIsReadWithAWarning)
 }
 
 // The library without its readers gives a warning, and the fallback draws the model.
-TEST_F(Files, WithoutThePluginTheReasonIsSaid)
+TEST_F(Files, WithoutThePluginTheLogHasTheReason)
 {
     const std::string text =
         runWith("/nowhere", std::string(FBRDF_OSG_KNOT) + " " + path("noise.fbrdf"));

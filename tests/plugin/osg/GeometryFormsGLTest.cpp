@@ -62,7 +62,7 @@ TEST_F(GeometryForms, AllGiveTheSamePicture)
         expectSame(*view_, expected, form);
 }
 
-TEST_F(GeometryForms, AreArrayObjectsWhereTheDisplaySettingsSaySo)
+TEST_F(GeometryForms, AreArrayObjectsWhereTheDisplaySettingsAskForThem)
 {
     const auto expected = images();
     view_.reset();

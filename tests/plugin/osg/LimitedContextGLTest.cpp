@@ -181,7 +181,7 @@ TEST_F(LimitedContext, OfAVersionBeforeShadersHasTheFallback)
 {
     const char* version = std::getenv("MESA_GL_VERSION_OVERRIDE");
     if (!version || std::string(version) != "1.5")
-        GTEST_SKIP() << "needs a driver that says it is 1.5: see osg_as_gl_1.5";
+        GTEST_SKIP() << "needs a driver of version 1.5: see osg_as_gl_1.5";
     EXPECT_FALSE(known().isGlslSupported);
     const auto effect = osgEffect(testMaterials()[0], sphereMesh(24));
     scene(effect, osgLights(testLights(9)));

@@ -25,7 +25,7 @@ size_t countOf(const std::string& word, const std::string& text)
 
 class MixedSamples : public OsgTest, public ::testing::WithParamInterface<Model> {};
 
-TEST_P(MixedSamples, DrawWhatTheyCanAndSayWhyOnce)
+TEST_P(MixedSamples, DrawWhatTheyCanAndLogTheReasonOnce)
 {
     const osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect =
         osgEffect(testMaterials()[0], sphereMesh(12));

@@ -35,9 +35,9 @@ TEST_F(MultisampledWindow, ShowsTheFallbackWherePassesAddUp)
     Osgviewer viewer(written(groupOf({ball(0, osgFbrdf::kTwoLookups)})), fourSamples());
     expectSame(viewer, twin, "samples-fallback", kOutline);
     EXPECT_EQ(viewer.quit(), 0);
-    EXPECT_NE(viewer.said().find("noise0.fbrdf: diffuse fallback is drawn"), std::string::npos)
-        << viewer.said();
-    EXPECT_EQ(viewer.said().find("GL error"), std::string::npos) << viewer.said();
+    EXPECT_NE(viewer.output().find("noise0.fbrdf: diffuse fallback is drawn"), std::string::npos)
+        << viewer.output();
+    EXPECT_EQ(viewer.output().find("GL error"), std::string::npos) << viewer.output();
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ protected:
         const auto frame = [&viewer](int number) {
             return viewer.file("screen_shot_0_" + std::to_string(number) + ".jpg");
         };
-        EXPECT_TRUE(eventually([&] { return fs::exists(frame(1)); })) << viewer.said();
+        EXPECT_TRUE(eventually([&] { return fs::exists(frame(1)); })) << viewer.output();
         viewer.does("click 5 click 5");
         EXPECT_TRUE(eventually([&] { return pixelsOf(viewer.screen(), false) > kBall; }));
         EXPECT_EQ(viewer.quit(), 0);

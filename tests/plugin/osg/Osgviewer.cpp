@@ -163,7 +163,7 @@ Screen Osgviewer::screen(int number) const
     return Screen::ofDump(contents(folder_.file("Xvfb_screen" + std::to_string(number))));
 }
 
-std::string Osgviewer::said() const
+std::string Osgviewer::output() const
 {
     return contents(folder_.file("log"));
 }

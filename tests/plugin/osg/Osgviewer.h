@@ -60,7 +60,7 @@ public:
     /// A file that the program writes to where it runs.
     std::string file(const std::string& name) const { return folder_.file(name); }
     /// The program's output: errors (OSG's WARN) at once, the rest when it has ended.
-    std::string said() const;
+    std::string output() const;
     /// Runs commands of xdotool ("key f click 1") with the pointer over the window.
     void does(const std::string& commands);
     /// Presses Escape and gives the program 10 s to end by itself. Returns its exit status; -1

@@ -58,7 +58,7 @@ void OsgviewerTest::expectSame(const Osgviewer& viewer, ViewerTwin& twin, const 
         return drawnPixels(expected) > kEnoughPixels && pixelsApart(found, expected) < pixels;
     });
     EXPECT_TRUE(same) << name << ": " << pixelsApart(found, expected) << " pixels differ\n"
-                      << viewer.said();
+                      << viewer.output();
     if (const char* keep = std::getenv("FBRDF_KEEP_SCREENS")) {
         found.save(keep + name + ".png");
         expected.save(keep + name + "-expected.png");
@@ -75,9 +75,9 @@ osg::ref_ptr<osg::Group> groupOf(const std::vector<osg::ref_ptr<osg::Node>>& nod
 void expectGoodEnd(Osgviewer& viewer)
 {
     EXPECT_EQ(viewer.quit(), 0);
-    const std::string said = viewer.said();
-    EXPECT_EQ(said.find("osgFbrdf"), std::string::npos) << said;
-    EXPECT_EQ(said.find("GL error"), std::string::npos) << said;
+    const std::string output = viewer.output();
+    EXPECT_EQ(output.find("osgFbrdf"), std::string::npos) << output;
+    EXPECT_EQ(output.find("GL error"), std::string::npos) << output;
 }
 
 }  // namespace fbrdf::test

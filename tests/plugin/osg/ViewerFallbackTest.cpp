@@ -24,11 +24,11 @@ protected:
         ViewerTwin twin(context().loader(), expected, 160, 160);
         expectSame(viewer, twin, osgDB::getNameLessExtension(file));
         EXPECT_EQ(viewer.quit(), 0);
-        const std::string said = viewer.said();
-        EXPECT_NE(said.find(file), std::string::npos) << said;
-        EXPECT_NE(said.find(reason), std::string::npos) << said;
-        EXPECT_NE(said.find("diffuse fallback is drawn"), std::string::npos) << said;
-        EXPECT_EQ(said.find("GL error"), std::string::npos) << said;
+        const std::string output = viewer.output();
+        EXPECT_NE(output.find(file), std::string::npos) << output;
+        EXPECT_NE(output.find(reason), std::string::npos) << output;
+        EXPECT_NE(output.find("diffuse fallback is drawn"), std::string::npos) << output;
+        EXPECT_EQ(output.find("GL error"), std::string::npos) << output;
     }
 
     osg::ref_ptr<osg::Node> withoutMaterial()

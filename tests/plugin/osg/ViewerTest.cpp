@@ -41,7 +41,7 @@ TEST_P(Threading, ShowsASceneFileWith64Lights)
     options.arguments = GetParam();
     Osgviewer viewer(written(root), options);
     EXPECT_TRUE(eventually([&] { return drawnPixels(viewer.screen()) > kEnoughPixels; }))
-        << viewer.said();
+        << viewer.output();
     expectGoodEnd(viewer);
 }
 
@@ -195,11 +195,11 @@ TEST_F(RealScene, TakesAChangedMaterialWhileItRuns)
     ViewerTwin twin(context().loader(), node, 160, 160);
     Osgviewer viewer(scene, {});
     expectSame(viewer, twin, "reload-before");
-    EXPECT_EQ(viewer.said(), "");
+    EXPECT_EQ(viewer.output(), "");
     const Screen before = viewer.screen();
     std::filesystem::resize_file(path("noise0.fbrdf"), 100);
     EXPECT_TRUE(
-        eventually([&] { return viewer.said().find("noise0.fbrdf") != std::string::npos; }));
+        eventually([&] { return viewer.output().find("noise0.fbrdf") != std::string::npos; }));
     EXPECT_EQ(pixelsApart(viewer.screen(), before, 0), 0u);
     std::filesystem::copy_file(path("noise4.fbrdf"), path("noise0.fbrdf"),
                                std::filesystem::copy_options::overwrite_existing);
@@ -243,7 +243,7 @@ TEST_F(RealScene, IsSeenByTwoViewsInTwoContexts)
         both = beside(viewer.screen(0), viewer.screen(1));
         return pixelsApart(both, expected) < kEdges;
     });
-    EXPECT_TRUE(same) << pixelsApart(both, expected) << " pixels differ\n" << viewer.said();
+    EXPECT_TRUE(same) << pixelsApart(both, expected) << " pixels differ\n" << viewer.output();
     if (const char* keep = std::getenv("FBRDF_KEEP_SCREENS")) {
         both.save(keep + std::string("two.png"));
         expected.save(keep + std::string("two-expected.png"));

@@ -39,7 +39,7 @@ void FactorizedBrdf::setUpDemo()
     for (const fbrdf::TableSpec& spec : metal.form.tables) metal.tables.push_back(tableOf(spec));
     metal.scales.emplace_back(1.6f, 1.2f, 0.55f);
     setMaterial(new MaterialObject(metal));
-    setTransfer(fbrdf::Transfer::toneMap);  // the browser's window holds sRGB codes
+    setTransfer(fbrdf::Transfer::toneMap);  // the window of the browser shows sRGB codes
 }
 
 }  // namespace osgFbrdf

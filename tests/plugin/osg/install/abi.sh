@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A plugin loads with no other version of libosgFbrdf.so than it was built with, also where that is what osgDB finds by
-# name: osgconv says which one it misses, and reads with the right one.
+# name: osgconv names the one that is missing, and reads with the right one.
 # Usage: abi.sh CMAKE BUILD WORK
 set -euo pipefail
 cmake=$1 build=$2 work=$3
