@@ -9,10 +9,10 @@ using namespace fbrdf::capi;
 
 namespace {
 
-// GL 4.5 promises 1024 vec4 uniforms; more lights than that are clustered.
+// Far above what uniforms have room for (OpenGL 4.5 promises 1024 vec4), far below any overflow.
 constexpr uint32_t kMostLights = 1u << 16;
 
-/// The files of a snippet, embedded: a string literal each, so that the text is terminated.
+/// The embedded file of a snippet. It is a string literal, so its text ends with a 0.
 const char* fileOf(uint32_t snippet)
 {
     switch (snippet) {

@@ -1,4 +1,5 @@
-// Boundary.h - from the library's exceptions to results and log lines, and the handles.
+// Boundary.h - what stands behind each handle, and how exceptions of the library become results and
+// lines of the log.
 #pragma once
 #include "Descriptor.h"
 
@@ -13,7 +14,7 @@
 
 namespace fbrdf::capi {
 
-/// What all handles of one renderer keep alive: they may be released in any order.
+/// Every handle of a renderer shares this, so handles may be released in any order.
 struct Shared {
     gl::Renderer renderer;
     fbrdf_log log{};
@@ -34,7 +35,7 @@ struct fbrdf_gpu_material {
     fbrdf::capi::SharedPtr shared;
     std::shared_ptr<fbrdf::gl::GpuMaterial> gpu;
     fbrdf::gl::MaterialOptions options;
-    std::map<uint64_t, std::string> functions;  ///< handed out, by version and lights
+    std::map<uint64_t, std::string> functions;  ///< texts given to the host, by version and lights
 };
 
 struct fbrdf_mesh {
@@ -77,7 +78,7 @@ inline fbrdf_result fail(const fbrdf_log* log, fbrdf_result result, const char* 
     return result;
 }
 
-/// The log of a handle's renderer; none where there is no handle.
+/// The log of a handle's renderer, or NULL where there is no handle.
 template <class Handle>
 const fbrdf_log* logOf(const Handle* handle)
 {
@@ -104,7 +105,7 @@ fbrdf_result guarded(const fbrdf_log* log, Act act) noexcept
     }
 }
 
-/// The same for functions that make something: *out is null unless `make` returns.
+/// The same for functions that make something: *out is NULL unless `make` returns.
 template <class T, class Make>
 fbrdf_result created(const fbrdf_log* log, T** out, Make make) noexcept
 {
@@ -122,7 +123,7 @@ T& required(T* pointer, const char* name)
     return *pointer;
 }
 
-/// An enumerator from outside, at most `last`.
+/// The enumerator that a host gave as a number. Throws Failure above `last`.
 template <class Enum>
 Enum enumerator(uint32_t value, Enum last, const char* name)
 {

@@ -108,7 +108,8 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     std::memcpy(to, &stats, std::min<size_t>(stats.struct_size, sizeof stats));
 }
 
-/// Reads what all draws have, draws by act(renderer, target, view, descriptor), reports.
+/// Reads what every draw has, calls act(renderer, target, view, descriptor), which draws, and fills
+/// the stats.
 template <class Act>
 fbrdf_result drawn(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc, fbrdf_draw_stats* stats,
                    Act act)

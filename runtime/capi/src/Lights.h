@@ -1,10 +1,10 @@
-// Lights.h - a light of the ABI as the planner takes it.
+// Lights.h - converts a light of the ABI into one of the planner.
 #pragma once
 #include "Boundary.h"
 
 namespace fbrdf::capi {
 
-/// Not checked beyond its type: a light that is not valid is counted as dropped. Throws Failure.
+/// Checks the type only, because draws drop and count lights that are not valid. Throws Failure.
 inline Light lightOf(const fbrdf_light& light)
 {
     Light result;

@@ -20,8 +20,8 @@ Storage storageOf(const fbrdf_table& table)
     return Storage::float32;
 }
 
-/// A storage that keeps floats as they are and means by them what `storage` does: quantized()
-/// rounds from there without a change between log and linear.
+/// A storage other than `storage` whose texels mean the same, log2 F or F: quantized() then rounds
+/// and does not convert.
 Storage unrounded(Storage storage)
 {
     if (isLog(storage)) return Storage::float32;
@@ -74,7 +74,7 @@ Material materialOf(const fbrdf_material_desc& desc)
     for (size_t i = 0; i < given.size(); ++i)
         material.tables.push_back(tableOf(material.form.tables[i], given[i]));
     material.scales = scalesOf(desc, material.form.terms.size());
-    validate(material, "material");  // before texels are rounded: only finite ones can be
+    validate(material, "material");  // first, because only finite texels can be rounded
     for (size_t i = 0; i < given.size(); ++i)
         material.tables[i] = quantized(material.tables[i], storageOf(given[i]));
     return material;
