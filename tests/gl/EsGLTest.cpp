@@ -312,7 +312,7 @@ TEST_F(Es, HasNoListsNorArraysAndSaysSo)
     gl::Renderer renderer(options());
     const Material material = testMaterials()[2];
     const auto library = renderer.createLibrary({material, material});
-    EXPECT_NE(whyApart(*library), "");
+    EXPECT_NE(library->whyNotPacked(), "");
     const auto mesh = renderer.createMesh(sphereMesh(8));
     Offscreen offscreen(es_->loader(), {kSize, kSize, OffscreenFormat::rgba8});
     gl::DrawOptions clustered;

@@ -150,7 +150,7 @@ TEST_P(Fault, BrokenMeshesAreRefused)
     mesh = good;
     mesh.indices[5] = static_cast<uint32_t>(mesh.positions.size());
     expectError(ErrorKind::input, "index", [&] { renderer.createMesh(mesh); });
-    expectError(ErrorKind::input, "indices", [&] { renderer.createMesh({}); });
+    expectError(ErrorKind::input, "indices", [&] { renderer.createMesh(gl::MeshData{}); });
     renderer.createMesh(good);
 }
 

@@ -97,7 +97,7 @@ TEST_P(Library, FiveHundredMaterialsDrawInOneCall)
     EXPECT_EQ(many.stats.drawCalls, kMaterials);
     EXPECT_EQ(one.stats.drawCalls, packs() ? 1 : kMaterials);
     EXPECT_EQ(one.stats.itemsFailed, 0);
-    EXPECT_EQ(gl::whyApart(*library).empty(), packs()) << gl::whyApart(*library);
+    EXPECT_EQ(library->whyNotPacked().empty(), packs()) << library->whyNotPacked();
     EXPECT_EQ(log.empty(), packs());
     expectEqual(one, many, kRounding, "500 materials");
 }
@@ -153,7 +153,7 @@ TEST_P(Library, VolumesAreDrawnOneByOneWithAReason)
     gl::Renderer renderer = makeRenderer();
     const auto mesh = renderer.createMesh(sphereMesh(6));
     const auto library = renderer.createLibrary({everythingMaterial(), everythingMaterial()});
-    EXPECT_NE(gl::whyApart(*library).find(packs() ? "three dimensions" : "OpenGL 3.1"),
+    EXPECT_NE(library->whyNotPacked().find(packs() ? "three dimensions" : "OpenGL 3.1"),
               std::string::npos);
     EXPECT_EQ(drawBatch(renderer, *library, *mesh, rows(10, 2)).stats.drawCalls, 10);
     EXPECT_EQ(log.size(), 1u);
@@ -231,7 +231,7 @@ TEST_P(Library, ObjectsThatCannotBeDrawnAreLeftOutAndCounted)
     EXPECT_EQ(after.stats.itemsFailed, 3);
     EXPECT_EQ(after.pixels, before.pixels);
     EXPECT_EQ(drawBatch(renderer, *library, *mesh, {}).stats.drawCalls, 0);
-    expectError(ErrorKind::usage, "expected a material and a mesh", [&] {
+    expectError(ErrorKind::usage, "expected a library and a mesh", [&] {
         Offscreen offscreen = makeOffscreen(kSize);
         renderer.drawBatch({offscreen.framebuffer(), kSize, kSize}, orthographicView(), {}, {});
     });

@@ -70,15 +70,15 @@ protected:
         const auto lights = testLights(3);
         const auto exact = referenceImage(material, geometry_, lights, perspectiveView());
         const auto gpu = renderer.createMaterial(material, options);
-        EXPECT_EQ(gl::whyNative(*gpu), "");
+        EXPECT_EQ(gpu->whyNotRecombined(), "");
         double worst = 0.0;
         for (const auto technique : techniques) {
             const Drawn drawn = drawItems(renderer, kSize, perspectiveView(), {{gpu.get(), &mesh}},
                                           lights, {technique, 2});
             EXPECT_EQ(drawn.stats.whyReplaced, "");
             EXPECT_LE(drawn.stats.maxLookups, technique == Technique::twoLookup ? 2 : 12);
-            EXPECT_GT(drawn.stats.error.relative, std::exp2(gl::lookUpError(*gpu)) - 1.0);
-            EXPECT_LT(drawn.stats.error.relative, std::exp2(gl::lookUpError(*gpu)) - 1.0 + 1e-4);
+            EXPECT_GT(drawn.stats.error.relative, std::exp2(gpu->lookUpError()) - 1.0);
+            EXPECT_LT(drawn.stats.error.relative, std::exp2(gpu->lookUpError()) - 1.0 + 1e-4);
             const auto deviation = deviationOf(drawn.pixels, exact, drawn.stats.error);
             EXPECT_LE(deviation.share, 1.0)
                 << material.form.name << " " << lookUpName(options.lookUp) << " "
@@ -138,8 +138,8 @@ TEST_P(LookUpMaps, AreWithinItInEveryVersionOfShaders)
 TEST_P(LookUpMaps, OfAParabolicTableAreThatTable)
 {
     const auto gpu = renderer_->createMaterial(lobes(formPqp(16, 1.0)), {LookUp::parabolic});
-    EXPECT_EQ(gl::lookUpError(*gpu), 0.0);
-    EXPECT_EQ(gl::whyNative(*gpu), "");
+    EXPECT_EQ(gpu->lookUpError(), 0.0);
+    EXPECT_EQ(gpu->whyNotRecombined(), "");
 }
 
 TEST_P(LookUpMaps, StayNativeWhereTheyCannotBeAndSayWhy)
@@ -148,8 +148,8 @@ TEST_P(LookUpMaps, StayNativeWhereTheyCannotBeAndSayWhy)
          {noiseMaterial(formHdio(8, 4, 4), Storage::log8), waterlooMaterial()}) {
         log.clear();
         const auto gpu = renderer_->createMaterial(material, {LookUp::cube});
-        EXPECT_NE(gl::whyNative(*gpu), "");
-        EXPECT_EQ(gl::lookUpError(*gpu), 0.0);
+        EXPECT_NE(gpu->whyNotRecombined(), "");
+        EXPECT_EQ(gpu->lookUpError(), 0.0);
         ASSERT_EQ(log.size(), 1u);
         EXPECT_NE(log[0].find("no cube maps"), std::string::npos) << log[0];
         const auto native = renderer_->createMaterial(material);
@@ -165,7 +165,7 @@ TEST_P(LookUpMaps, OfALibraryAreApart)
 {
     const Material material = lobes(formPqp(16, 1.0));
     const auto library = renderer_->createLibrary({material, material}, {LookUp::cube, 16});
-    EXPECT_NE(gl::whyApart(*library).find("cube maps"), std::string::npos);
+    EXPECT_NE(library->whyNotPacked().find("cube maps"), std::string::npos);
     Offscreen offscreen = makeOffscreen(kSize);
     const auto stats = renderer_->drawBatch(
         {offscreen.framebuffer(), kSize, kSize}, perspectiveView(),

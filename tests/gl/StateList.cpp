@@ -203,6 +203,9 @@ void addAttributes(const GladGLContext& gl, StateSnapshot& state)
         }
         void* pointer = nullptr;
         gl.GetVertexAttribPointerv(i, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+        GLfloat current[4] = {};
+        if (i > 0) gl.GetVertexAttribfv(i, GL_CURRENT_VERTEX_ATTRIB, current);
+        state[attribute + "current"] = {current, current + 4};
         state[attribute + "pointer"] = {double(reinterpret_cast<uintptr_t>(pointer))};
     }
 }

@@ -222,6 +222,9 @@ void StateScrambler::setAttributes(Source& source)
         gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, source.pick({0u, buffers_[1]}));
     }
     gl_.BindBuffer(GL_ARRAY_BUFFER, source.pick({0u, buffers_[3]}));
+    for (GLuint i = 1; i < kAttributes; ++i)
+        gl_.VertexAttrib4f(i, source.pick({0.0f, 0.5f}), source.pick({0.0f, -2.0f}),
+                           source.pick({0.0f, 3.0f}), source.pick({1.0f, -1.0f}));
 }
 
 }  // namespace fbrdf::test

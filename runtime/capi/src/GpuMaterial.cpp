@@ -46,12 +46,12 @@ fbrdf_result fbrdf_gpu_material_replace(fbrdf_gpu_material* gpu_material,
 
 const char* fbrdf_gpu_material_why_native(const fbrdf_gpu_material* gpu_material)
 {
-    return gpu_material ? fbrdf::gl::whyNative(*gpu_material->gpu).c_str() : "";
+    return gpu_material ? gpu_material->gpu->whyNotRecombined().c_str() : "";
 }
 
 float fbrdf_gpu_material_look_up_error(const fbrdf_gpu_material* gpu_material)
 {
-    return gpu_material ? static_cast<float>(fbrdf::gl::lookUpError(*gpu_material->gpu)) : 0.0f;
+    return gpu_material ? static_cast<float>(gpu_material->gpu->lookUpError()) : 0.0f;
 }
 
 void fbrdf_gpu_material_release(fbrdf_gpu_material* gpu_material)

@@ -30,7 +30,7 @@ fbrdf_result fbrdf_library_replace(fbrdf_library* library, uint32_t index,
 
 const char* fbrdf_library_why_apart(const fbrdf_library* library)
 {
-    return library ? fbrdf::gl::whyApart(*library->gpu).c_str() : "";
+    return library ? library->gpu->whyNotPacked().c_str() : "";
 }
 
 void fbrdf_library_release(fbrdf_library* library)

@@ -4,13 +4,31 @@
 #include <tuple>
 
 namespace fbrdf::gl {
+namespace {
+
+const CompiledHooks* hooksOf(const Batch& batch)
+{
+    return batch.hooks ? &batch.hooks->compiled() : nullptr;
+}
+
+}  // namespace
+
+void Renderer::State::checkBatch(const Batch& batch) const
+{
+    if (!batch.library || !batch.mesh)
+        throw Error(ErrorKind::usage, "batch", "found none, expected a library and a mesh");
+    checkOwner(batch.library->resources().device());
+    checkOwner(batch.mesh->resources().device());
+    if (batch.hooks) checkOwner(batch.hooks->compiled().device());
+}
 
 /// The instances that can be drawn, by the group that holds their material.
 std::vector<std::vector<const Instance*>> Renderer::State::sorted(const Batch& batch,
                                                                   DrawStats& stats)
 {
-    const auto& places = batch.library->places();
-    std::vector<std::vector<const Instance*>> result(batch.library->groupCount());
+    const LibraryResources& library = batch.library->resources();
+    const auto& places = library.places();
+    std::vector<std::vector<const Instance*>> result(library.groupCount());
     for (const Instance& instance : batch.instances)
         survive(stats, 1, [&] {
             const auto index = static_cast<size_t>(instance.material);
@@ -26,40 +44,49 @@ std::vector<std::vector<const Instance*>> Renderer::State::sorted(const Batch& b
 
 /// Draws [first, last) in one call a pass.
 void Renderer::State::drawPacked(Executor& executor, const Batch& batch,
-                                 const GpuMaterial& material, const Instance* const* first,
+                                 const MaterialResources& material, const Instance* const* first,
                                  const Instance* const* last, const DrawRequest& request,
                                  DrawStats& stats)
 {
     std::vector<InstanceTexels> texels;
     std::vector<Sphere> bounds;
-    const Sphere mesh = reached(batch.mesh->bounds(), batch.hooks);
+    const MeshResources& mesh = batch.mesh->resources();
+    const CompiledHooks* const hooks = hooksOf(batch);
+    const Sphere meshBounds = reached(mesh.bounds(), hooks);
     for (const Instance* const* i = first; i != last; ++i) {
-        const auto& place = batch.library->places()[static_cast<size_t>((*i)->material)];
+        const auto& place =
+            batch.library->resources().places()[static_cast<size_t>((*i)->material)];
         texels.push_back(
             instanceTexels(modelView(request.view, (*i)->model), static_cast<int>(place.layer)));
-        bounds.push_back(worldBounds(mesh, (*i)->model));
+        bounds.push_back(worldBounds(meshBounds, (*i)->model));
     }
     instances.update(texels.size() * texels[0].size(), texels.size() * sizeof texels[0],
                      texels.data());
     draw(executor,
          {material,
-          *batch.mesh,
-          surfaceOptions(*batch.mesh, material.form(), batch.hooks, batch.normalMap),
+          mesh,
+          surfaceOptions(mesh, material.form(), hooks, batch.normalMap),
           {},
           {instances.texture(), static_cast<int>(texels.size())}},
          enclosing(bounds), request, stats);
 }
 
-void Renderer::State::drawGroup(Executor& executor, const Batch& batch, const GpuMaterial& material,
+void Renderer::State::drawGroup(Executor& executor, const Batch& batch,
+                                const MaterialResources& material,
                                 const std::vector<const Instance*>& objects,
                                 const DrawRequest& request, DrawStats& stats)
 {
     if (!material.isPacked()) {
         for (const Instance* object : objects)
             survive(stats, 1, [&] {
-                drawItem(executor,
-                         {&material, batch.mesh, object->model, batch.hooks, batch.normalMap},
-                         request, stats);
+                const MeshResources& mesh = batch.mesh->resources();
+                drawObject(executor,
+                           {material,
+                            mesh,
+                            surfaceOptions(mesh, material.form(), hooksOf(batch), batch.normalMap),
+                            object->model,
+                            {}},
+                           request, stats);
             });
         return;
     }
@@ -77,13 +104,14 @@ void Renderer::State::drawGroup(Executor& executor, const Batch& batch, const Gp
 void Renderer::State::drawBatch(Executor& executor, const Batch& batch, const DrawRequest& request,
                                 DrawStats& stats)
 {
-    checkOwners(batch.library, batch.mesh, batch.hooks);
-    if (!batch.library->reason().empty())
+    checkBatch(batch);
+    const LibraryResources& library = batch.library->resources();
+    if (!library.whyNotPacked().empty())
         device->logOnce(Severity::warning,
-                        "objects of a library drawn one by one: " + batch.library->reason());
+                        "objects of a library drawn one by one: " + library.whyNotPacked());
     const auto groups = sorted(batch, stats);
     for (size_t g = 0; g < groups.size(); ++g)
-        drawGroup(executor, batch, batch.library->group(g), groups[g], request, stats);
+        drawGroup(executor, batch, library.group(g), groups[g], request, stats);
 }
 
 }  // namespace fbrdf::gl

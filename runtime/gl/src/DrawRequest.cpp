@@ -1,6 +1,6 @@
 #include "DrawRequest.h"
 
-#include "Mesh.h"
+#include "MeshResources.h"
 
 #include <fbrdf/base/Error.h>
 

@@ -23,7 +23,7 @@ GLenum functionOf(DepthTest test)
     return GL_LESS;
 }
 
-void checkArrays(const GpuMesh& mesh, const Program& program)
+void checkArrays(const MeshResources& mesh, const Program& program)
 {
     for (size_t k = 0; k < program.extraArrays; ++k)
         if (!mesh.has(static_cast<GLuint>(kExtra + k)))
@@ -132,7 +132,7 @@ void Executor::setMatrices(const Drawable& item, const Program& program)
     if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(frame_.eye));
 }
 
-void Executor::bindTables(const GpuMaterial& material, const Program& program)
+void Executor::bindTables(const MaterialResources& material, const Program& program)
 {
     for (size_t i = 0; i < program.tableUnits.size(); ++i) {
         if (program.tableUnits[i] < 0) continue;

@@ -2,7 +2,7 @@
 #pragma once
 #include "ClusterBuffers.h"
 #include "Instances.h"
-#include "Mesh.h"
+#include "MeshResources.h"
 #include "Program.h"
 #include "StateGuard.h"
 #include "Surfaces.h"
@@ -32,8 +32,8 @@ struct Frame {
 
 /// What one plan draws.
 struct Drawable {
-    const GpuMaterial& material;
-    const GpuMesh& mesh;
+    const MaterialResources& material;
+    const MeshResources& mesh;
     SurfaceOptions surface;
     glm::mat4 model{1.0f};  ///< where there are no instances
     struct {
@@ -60,7 +60,7 @@ private:
     void setDepth(Depth depth);
     void useProgram(const Drawable& item, const Program& program);
     void setMatrices(const Drawable& item, const Program& program);
-    void bindTables(const GpuMaterial& material, const Program& program);
+    void bindTables(const MaterialResources& material, const Program& program);
     void setLights(const Pass& pass, const Program& program);
     void setClusters(const Program& program);
     void setScissor(const Pass& pass);

@@ -7,28 +7,40 @@
 #include <algorithm>
 
 namespace fbrdf::gl {
+namespace {
+
+void checkAlive(const Device& device)
+{
+    if (!device.alive)
+        throw Error(ErrorKind::gl, "binding", "found an abandoned context, expected a live one");
+}
+
+}  // namespace
 
 std::string materialFunctions(const GpuMaterial& material, int glsl, int maxLights)
 {
-    return fbrdf::materialFunctions(material.form(), material.encodings(), glsl, maxLights);
+    const MaterialResources& resources = material.resources();
+    return fbrdf::materialFunctions(resources.form(), resources.encodings(), glsl, maxLights);
 }
 
 struct MaterialBinding::State {
     std::shared_ptr<const GpuMaterial> material;
     GLuint program = 0;
     MaterialUniforms uniforms;
+
+    const MaterialResources& resources() const { return material->resources(); }
+    const Device& device() const { return *resources().device(); }
 };
 
 MaterialBinding::MaterialBinding(std::shared_ptr<const GpuMaterial> material, uint32_t program)
     : state_(std::make_unique<State>())
 {
-    if (!material->device()->alive)
-        throw Error(ErrorKind::gl, "binding", "found an abandoned context, expected a live one");
     state_->material = std::move(material);
     state_->program = program;
-    discardHostErrors(*state_->material->device());
-    state_->uniforms = findUniforms(*state_->material, program);
-    checkErrors(*state_->material->device(), "binding of program " + std::to_string(program));
+    checkAlive(state_->device());
+    discardHostErrors(state_->device());
+    state_->uniforms = findUniforms(state_->resources(), program);
+    checkErrors(state_->device(), "binding of program " + std::to_string(program));
     const auto& scales = state_->uniforms.scales;
     if (std::all_of(scales.begin(), scales.end(), [](GLint at) { return at < 0; }))
         throw Error(ErrorKind::gl, "binding of program " + std::to_string(program),
@@ -42,9 +54,8 @@ MaterialBinding& MaterialBinding::operator=(MaterialBinding&&) noexcept = defaul
 
 int MaterialBinding::apply(int firstUnit) const
 {
-    const Device& device = *state_->material->device();
-    if (!device.alive)
-        throw Error(ErrorKind::gl, "binding", "found an abandoned context, expected a live one");
+    const Device& device = state_->device();
+    checkAlive(device);
     const Functions& gl = device.gl;
     const auto& tables = state_->uniforms.tables;
     const auto used = static_cast<int>(std::count_if(
@@ -56,11 +67,11 @@ int MaterialBinding::apply(int firstUnit) const
                         std::to_string(used) + " textures, expected " + std::to_string(room) +
                         " units to suffice");
     gl.UseProgram(state_->program);
-    setUniforms(*state_->material, state_->uniforms);
+    setUniforms(state_->resources(), state_->uniforms);
     int unit = firstUnit;
     for (size_t i = 0; i < tables.size(); ++i) {
         if (tables[i].sampler < 0) continue;
-        const GpuTable& table = state_->material->tables()[i];
+        const GpuTable& table = state_->resources().tables()[i];
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         gl.BindTexture(table.target, table.texture.name());
         if (gl.hasSamplers()) gl.BindSampler(static_cast<GLuint>(unit), 0);

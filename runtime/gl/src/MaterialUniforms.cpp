@@ -6,7 +6,7 @@
 
 namespace fbrdf::gl {
 
-MaterialUniforms findUniforms(const GpuMaterial& material, GLuint program)
+MaterialUniforms findUniforms(const MaterialResources& material, GLuint program)
 {
     const auto location = [&](const std::string& name, size_t index) {
         return material.device()->gl.GetUniformLocation(program,
@@ -21,7 +21,7 @@ MaterialUniforms findUniforms(const GpuMaterial& material, GLuint program)
     return result;
 }
 
-void setUniforms(const GpuMaterial& material, const MaterialUniforms& uniforms)
+void setUniforms(const MaterialResources& material, const MaterialUniforms& uniforms)
 {
     const Functions& gl = material.device()->gl;
     for (size_t i = 0; i < uniforms.tables.size(); ++i) {

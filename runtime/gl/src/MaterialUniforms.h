@@ -1,7 +1,7 @@
 // MaterialUniforms.h - where a linked program wants what a material holds, and setting it: for the
 // renderer's own programs and for those of a host.
 #pragma once
-#include "GpuMaterial.h"
+#include "MaterialResources.h"
 
 #include <vector>
 
@@ -16,9 +16,9 @@ struct MaterialUniforms {
     std::vector<GLint> scales;    ///< one for each term
 };
 
-MaterialUniforms findUniforms(const GpuMaterial& material, GLuint program);
+MaterialUniforms findUniforms(const MaterialResources& material, GLuint program);
 
 /// Ranges, knots and scales; textures are the caller's. The program must be current.
-void setUniforms(const GpuMaterial& material, const MaterialUniforms& uniforms);
+void setUniforms(const MaterialResources& material, const MaterialUniforms& uniforms);
 
 }  // namespace fbrdf::gl

@@ -1,6 +1,6 @@
 #include "Program.h"
 
-#include "Mesh.h"
+#include "MeshResources.h"
 
 #include <fbrdf/base/Error.h>
 
@@ -116,7 +116,7 @@ std::string keyOf(const ProgramSpec& spec)
 
 }  // namespace
 
-const Program& ProgramCache::find(const GpuMaterial& material, const ProgramSpec& spec,
+const Program& ProgramCache::find(const MaterialResources& material, const ProgramSpec& spec,
                                   const SurfaceOptions& surface)
 {
     Entry& entry = entryOf(material, spec, surface);
@@ -125,8 +125,8 @@ const Program& ProgramCache::find(const GpuMaterial& material, const ProgramSpec
     return *entry.program;
 }
 
-ProgramCache::Entry& ProgramCache::entryOf(const GpuMaterial& material, const ProgramSpec& spec,
-                                           const SurfaceOptions& surface)
+ProgramCache::Entry& ProgramCache::entryOf(const MaterialResources& material,
+                                           const ProgramSpec& spec, const SurfaceOptions& surface)
 {
     const auto [known, isUnknown] =
         shortcut_.try_emplace(std::to_string(material.id()) + surface.key() + keyOf(spec), nullptr);
@@ -168,7 +168,7 @@ const Object& ProgramCache::vertexShader(const std::string& text)
     return shader;
 }
 
-Object ProgramCache::linked(const Text& text, const GpuMaterial& material)
+Object ProgramCache::linked(const Text& text, const MaterialResources& material)
 {
     const Functions& gl = device_->gl;
     const Object& vertexShader = this->vertexShader(text.vertex);
@@ -195,7 +195,7 @@ Object ProgramCache::linked(const Text& text, const GpuMaterial& material)
          }));
 }
 
-std::unique_ptr<Program> ProgramCache::build(const GpuMaterial& material, const Text& text)
+std::unique_ptr<Program> ProgramCache::build(const MaterialResources& material, const Text& text)
 {
     const Functions& gl = device_->gl;
     auto result = std::make_unique<Program>();

@@ -1,7 +1,7 @@
 // Program.h - linked programs, found by their text: materials of one form and one set of sizes
 // share them.
 #pragma once
-#include "GpuHooks.h"
+#include "CompiledHooks.h"
 #include "MaterialUniforms.h"
 #include "Objects.h"
 
@@ -40,7 +40,7 @@ public:
 
     /// Builds at first use. Throws Error(gl) with the compiler's log, the first time and every time
     /// after (without compiling again).
-    const Program& find(const GpuMaterial& material, const ProgramSpec& spec,
+    const Program& find(const MaterialResources& material, const ProgramSpec& spec,
                         const SurfaceOptions& surface);
 
     /// Throws Error(input) for hooks that do not compile.
@@ -58,10 +58,10 @@ private:
         std::unique_ptr<Program> program;
         std::string failure;
     };
-    Entry& entryOf(const GpuMaterial& material, const ProgramSpec& spec,
+    Entry& entryOf(const MaterialResources& material, const ProgramSpec& spec,
                    const SurfaceOptions& surface);
-    std::unique_ptr<Program> build(const GpuMaterial& material, const Text& text);
-    Object linked(const Text& text, const GpuMaterial& material);
+    std::unique_ptr<Program> build(const MaterialResources& material, const Text& text);
+    Object linked(const Text& text, const MaterialResources& material);
     const Object& vertexShader(const std::string& text);
 
     DevicePtr device_;

@@ -33,20 +33,27 @@ std::shared_ptr<GpuMaterial> Renderer::createMaterial(const Material& material,
 {
     state_->checkAlive();
     discardHostErrors(*state_->device);
-    auto result = std::make_shared<GpuMaterial>(state_->device, material, options);
-    if (!result->whyNative().empty())
-        state_->device->log(Severity::warning, "material '" + result->name() + "' has no " +
-                                                   lookUpName(options.lookUp) + " maps of " +
-                                                   result->whyNative());
-    prepare(*result, {}, 1);
-    return result;
+    const auto resources = std::make_shared<MaterialResources>(state_->device, material, options);
+    if (!resources->whyNotRecombined().empty())
+        state_->device->log(Severity::warning, "material '" + resources->name() + "' has no " +
+                                                   lookUpName(options.lookUp) +
+                                                   " maps: " + resources->whyNotRecombined());
+    state_->prepareFirst(*resources);
+    return std::make_shared<GpuMaterial>(resources);
 }
 
 std::shared_ptr<GpuMesh> Renderer::createMesh(const MeshData& mesh)
 {
     state_->checkAlive();
     discardHostErrors(*state_->device);
-    return std::make_shared<GpuMesh>(state_->device, mesh);
+    return std::make_shared<GpuMesh>(std::make_shared<MeshResources>(state_->device, mesh));
+}
+
+std::shared_ptr<GpuMesh> Renderer::createMesh(const MeshBuffers& mesh)
+{
+    state_->checkAlive();
+    discardHostErrors(*state_->device);
+    return std::make_shared<GpuMesh>(std::make_shared<MeshResources>(state_->device, mesh));
 }
 
 std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)
@@ -57,7 +64,7 @@ std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)
                     "found a negative reach or number of uniforms, expected 0 or more");
     discardHostErrors(*state_->device);
     state_->programs.check(hooks);
-    return std::make_shared<GpuHooks>(state_->device, hooks);
+    return std::make_shared<GpuHooks>(std::make_shared<CompiledHooks>(state_->device, hooks));
 }
 
 std::shared_ptr<GpuLibrary> Renderer::createLibrary(const std::vector<Material>& materials,
@@ -65,53 +72,39 @@ std::shared_ptr<GpuLibrary> Renderer::createLibrary(const std::vector<Material>&
 {
     state_->checkAlive();
     discardHostErrors(*state_->device);
-    return std::make_shared<GpuLibrary>(state_->device, materials, options,
-                                        [this](const GpuMaterial& made) { prepare(made, {}, 1); });
+    return std::make_shared<GpuLibrary>(std::make_shared<LibraryResources>(
+        state_->device, materials, options,
+        [this](const MaterialResources& made) { state_->prepareFirst(made); }));
 }
 
 void Renderer::replaceMaterial(GpuLibrary& library, int index, const Material& material)
 {
     state_->checkAlive();
-    if (library.device() != state_->device.get())
+    LibraryResources& resources = library.resources();
+    if (resources.device() != state_->device.get())
         throw Error(ErrorKind::usage, "library",
                     "found one of another renderer, expected one of this");
-    if (index < 0 || static_cast<size_t>(index) >= library.places().size())
+    if (index < 0 || static_cast<size_t>(index) >= resources.places().size())
         throw Error(ErrorKind::usage, "library",
                     "found material " + std::to_string(index) + ", expected one of " +
-                        std::to_string(library.places().size()));
+                        std::to_string(resources.places().size()));
     discardHostErrors(*state_->device);
-    library.replace(static_cast<size_t>(index), material,
-                    [this](const GpuMaterial& made) { prepare(made, {}, 1); });
-}
-
-const std::string& whyNative(const GpuMaterial& material)
-{
-    return material.whyNative();
-}
-
-double lookUpError(const GpuMaterial& material)
-{
-    return material.lookUpError();
-}
-
-const std::string& whyApart(const GpuLibrary& library)
-{
-    return library.reason();
+    resources.replace(static_cast<size_t>(index), material,
+                      [this](const MaterialResources& made) { state_->prepareFirst(made); });
 }
 
 void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, int lights)
 {
     state_->checkAlive();
-    state_->prepare(material, {}, options, lights);
+    state_->checkOwner(material.resources().device());
+    state_->prepare(material.resources(), {}, options, lights);
 }
 
 void Renderer::prepare(const Item& item, const DrawOptions& options, int lights)
 {
     state_->checkAlive();
-    state_->checkOwners(item.material, item.mesh, item.hooks);
-    state_->prepare(*item.material,
-                    surfaceOptions(*item.mesh, item.material->form(), item.hooks, item.normalMap),
-                    options, lights);
+    const Drawable drawable = state_->drawableOf(item);
+    state_->prepare(drawable.material, drawable.surface, options, lights);
 }
 
 DrawStats Renderer::draw(const Target& target, const View& view, const std::vector<Item>& items,

@@ -22,6 +22,30 @@ void Renderer::State::checkAlive() const
         throw Error(ErrorKind::gl, "renderer", "found an abandoned context, expected a live one");
 }
 
+void Renderer::State::checkOwner(const Device* owner) const
+{
+    if (owner != device.get())
+        throw Error(ErrorKind::usage, "item",
+                    "found a material, mesh or hooks of another renderer, expected those of this");
+}
+
+Drawable Renderer::State::drawableOf(const Item& item) const
+{
+    if (!item.material || !item.mesh)
+        throw Error(ErrorKind::usage, "item", "found none, expected a material and a mesh");
+    const MaterialResources& material = item.material->resources();
+    const MeshResources& mesh = item.mesh->resources();
+    const CompiledHooks* const hooks = item.hooks ? &item.hooks->compiled() : nullptr;
+    checkOwner(material.device());
+    checkOwner(mesh.device());
+    if (hooks) checkOwner(hooks->device());
+    return {material,
+            mesh,
+            surfaceOptions(mesh, material.form(), hooks, item.normalMap),
+            item.model,
+            {}};
+}
+
 void checkModel(const glm::mat4& model)
 {
     if (!isInvertible(model))
@@ -43,7 +67,7 @@ PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
     return request;
 }
 
-std::vector<const Program*> Renderer::State::programsOf(const GpuMaterial& material,
+std::vector<const Program*> Renderer::State::programsOf(const MaterialResources& material,
                                                         const SurfaceOptions& surface,
                                                         const Plan& plan, bool clustered)
 {
@@ -58,7 +82,7 @@ std::vector<const Program*> Renderer::State::programsOf(const GpuMaterial& mater
     return result;
 }
 
-Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks,
+Plan Renderer::State::planFor(const MaterialResources& material, const CompiledHooks* hooks,
                               PlanRequest wanted, const DrawRequest* draw, std::string& whyReplaced)
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
@@ -86,7 +110,7 @@ Plan Renderer::State::planFor(const GpuMaterial& material, const GpuHooks* hooks
     return plan;
 }
 
-void Renderer::State::prepare(const GpuMaterial& material, const SurfaceOptions& surface,
+void Renderer::State::prepare(const MaterialResources& material, const SurfaceOptions& surface,
                               const DrawOptions& options, int lights)
 {
     const StateGuard guard(*device);
@@ -101,7 +125,7 @@ void Renderer::State::prepare(const GpuMaterial& material, const SurfaceOptions&
 void Renderer::State::draw(Executor& executor, const Drawable& item, const Sphere& bounds,
                            const DrawRequest& draw, DrawStats& stats)
 {
-    const GpuMaterial& material = item.material;
+    const MaterialResources& material = item.material;
     const DebugGroup group(*device, "fbrdf item " + material.name());
     if (!isIsotropic(material.form()) && !item.mesh.hasTangents() && !item.surface.derivedTangent)
         device->logOnce(Severity::warning,
@@ -136,17 +160,16 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
 void Renderer::State::drawItem(Executor& executor, const Item& item, const DrawRequest& request,
                                DrawStats& stats)
 {
-    survive(stats, 1, [&] {
-        checkOwners(item.material, item.mesh, item.hooks);
-        checkModel(item.model);
-        draw(executor,
-             {*item.material,
-              *item.mesh,
-              surfaceOptions(*item.mesh, item.material->form(), item.hooks, item.normalMap),
-              item.model,
-              {}},
-             worldBounds(reached(item.mesh->bounds(), item.hooks), item.model), request, stats);
-    });
+    survive(stats, 1, [&] { drawObject(executor, drawableOf(item), request, stats); });
+}
+
+void Renderer::State::drawObject(Executor& executor, const Drawable& object,
+                                 const DrawRequest& request, DrawStats& stats)
+{
+    checkModel(object.model);
+    draw(executor, object,
+         worldBounds(reached(object.mesh.bounds(), object.surface.hooks), object.model), request,
+         stats);
 }
 
 bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)

@@ -2,7 +2,7 @@
 // (RendererState.cpp), the objects of a batch (Batches.cpp).
 #pragma once
 #include "DrawRequest.h"
-#include "GpuLibrary.h"
+#include "LibraryResources.h"
 
 #include <fbrdf/base/Error.h>
 
@@ -18,19 +18,22 @@ struct Renderer::State {
     explicit State(const DevicePtr& device);
 
     void checkAlive() const;
-    /// source: what materials come from.
-    template <class Source>
-    void checkOwners(const Source* source, const GpuMesh* mesh, const GpuHooks* hooks) const;
+    /// Throws Error(usage) for an object of another renderer.
+    void checkOwner(const Device* owner) const;
+    /// Throws Error(usage) for an item that is not whole or not of this renderer.
+    Drawable drawableOf(const Item& item) const;
     PlanRequest request(const DrawOptions& options, int lights, const TargetInfo& target) const;
-    std::vector<const Program*> programsOf(const GpuMaterial& material,
+    std::vector<const Program*> programsOf(const MaterialResources& material,
                                            const SurfaceOptions& surface, const Plan& plan,
                                            bool clustered);
     /// Returns the plan asked for or, with a warning, the one that takes all lights in one pass.
     /// draw: its target's surfaces are made ready; may be null.
-    Plan planFor(const GpuMaterial& material, const GpuHooks* hooks, PlanRequest wanted,
+    Plan planFor(const MaterialResources& material, const CompiledHooks* hooks, PlanRequest wanted,
                  const DrawRequest* draw, std::string& whyReplaced);
+    /// Builds what every material needs, and so refuses one that GL cannot draw.
+    void prepareFirst(const MaterialResources& material) { prepare(material, {}, {}, 1); }
     /// Builds what a draw will need.
-    void prepare(const GpuMaterial& material, const SurfaceOptions& surface,
+    void prepare(const MaterialResources& material, const SurfaceOptions& surface,
                  const DrawOptions& options, int lights);
     /// Whether lights go into lists: asked for, possible, and there are any.
     bool isClustered(const DrawOptions& options, size_t lights);
@@ -41,6 +44,9 @@ struct Renderer::State {
                    const DrawOptions& options, const DrawAll& drawAll);
     void drawItem(Executor& executor, const Item& item, const DrawRequest& request,
                   DrawStats& stats);
+    /// Draws one object, culling lights by the bounds of its mesh.
+    void drawObject(Executor& executor, const Drawable& object, const DrawRequest& request,
+                    DrawStats& stats);
     void drawBatch(Executor& executor, const Batch& batch, const DrawRequest& request,
                    DrawStats& stats);
 
@@ -49,29 +55,18 @@ private:
               const DrawRequest& draw, DrawStats& stats);
     void cluster(DrawRequest& request, LightClusters& clusters, Frame& frame, DrawStats& stats);
     std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats);
-    void drawPacked(Executor& executor, const Batch& batch, const GpuMaterial& material,
+    void drawPacked(Executor& executor, const Batch& batch, const MaterialResources& material,
                     const Instance* const* first, const Instance* const* last,
                     const DrawRequest& request, DrawStats& stats);
-    void drawGroup(Executor& executor, const Batch& batch, const GpuMaterial& material,
+    void drawGroup(Executor& executor, const Batch& batch, const MaterialResources& material,
                    const std::vector<const Instance*>& objects, const DrawRequest& request,
                    DrawStats& stats);
+    void checkBatch(const Batch& batch) const;
     template <class Draw>
     void survive(DrawStats& stats, int objects, Draw drawIt);
 };
 
 void checkModel(const glm::mat4& model);
-
-template <class Source>
-void Renderer::State::checkOwners(const Source* source, const GpuMesh* mesh,
-                                  const GpuHooks* hooks) const
-{
-    if (!source || !mesh)
-        throw Error(ErrorKind::usage, "item", "found none, expected a material and a mesh");
-    if (source->device() != device.get() || mesh->device() != device.get() ||
-        (hooks && hooks->device() != device.get()))
-        throw Error(ErrorKind::usage, "item",
-                    "found a material, mesh or hooks of another renderer, expected those of this");
-}
 
 /// What fails is left out, logged and counted.
 template <class Draw>

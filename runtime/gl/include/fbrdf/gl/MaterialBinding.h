@@ -1,18 +1,26 @@
 // MaterialBinding.h - a material in a program of the host: for engines that draw by themselves. The
-// program contains the functions of materialFunctions (ShaderSource.h).
+// program contains the functions that materialFunctions returns.
 #pragma once
-#include <fbrdf/gl/Renderer.h>
+#include <fbrdf/gl/Handles.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
 
 namespace fbrdf::gl {
 
-/// Functions of a material for somebody else's fragment shader; what it declares is said in
-/// ShaderSource.h. glsl: as there; maxLights >= 1: room of fbrdfLights.
+/// Functions of a material for somebody else's fragment shader; ShaderSource.h lists what they
+/// declare. glsl: the version, as there. maxLights >= 1: the number of lights that fbrdfLights has
+/// room for.
 std::string materialFunctions(const GpuMaterial& material, int glsl, int maxLights);
 
+/// Where a linked program of the host wants what a material consists of. It shares the ownership of
+/// the material; the program stays the host's, which must not delete or relink it while it applies
+/// the binding. Thread and context are those of the material.
 class MaterialBinding {
 public:
-    /// Finds the uniforms of a linked program. Throws Error(gl) where it has none of them, for then
-    /// it is another program, or an abandoned context.
+    /// Finds the uniforms of a linked program. material: not null. Throws Error(gl) where the
+    /// program has none of them, for then it is another program, and for an abandoned context.
     MaterialBinding(std::shared_ptr<const GpuMaterial> material, uint32_t program);
     ~MaterialBinding();
     MaterialBinding(MaterialBinding&&) noexcept;

@@ -1,4 +1,4 @@
-#include "GpuHooks.h"
+#include "CompiledHooks.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightVectors.h>
@@ -26,8 +26,8 @@ SurfaceInputs SurfaceOptions::inputs(bool instanced) const
     return inputs;
 }
 
-SurfaceOptions surfaceOptions(const GpuMesh& mesh, const Form& form, const GpuHooks* hooks,
-                              GLuint normalMap)
+SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
+                              const CompiledHooks* hooks, GLuint normalMap)
 {
     if (normalMap != 0 && !mesh.has(kTextureCoordinate))
         throw Error(ErrorKind::usage, "item",
@@ -37,7 +37,7 @@ SurfaceOptions surfaceOptions(const GpuMesh& mesh, const Form& form, const GpuHo
 }
 
 // Each light has a number beside its vectors, which takes a uniform vector in the worst case.
-Capabilities remaining(Capabilities capabilities, const GpuHooks* hooks)
+Capabilities remaining(Capabilities capabilities, const CompiledHooks* hooks)
 {
     if (!hooks || hooks->get().shadow.empty()) return capabilities;
     const int room = std::max(0, capabilities.maxUniformVectors - hooks->get().shadowUniforms);
@@ -45,7 +45,7 @@ Capabilities remaining(Capabilities capabilities, const GpuHooks* hooks)
     return capabilities;
 }
 
-Sphere reached(const Sphere& bounds, const GpuHooks* hooks)
+Sphere reached(const Sphere& bounds, const CompiledHooks* hooks)
 {
     if (!hooks || hooks->get().vertex.empty()) return bounds;
     return {bounds.centre, bounds.radius + hooks->get().reach};

@@ -1,5 +1,5 @@
-// GpuMaterial.h - the tables of a material as textures and uniforms; or of many of one layout, as
-// texture arrays and a buffer (PackedParameters.h).
+// MaterialResources.h - the tables of a material as textures and uniforms; or of many of one
+// layout, as texture arrays and a buffer (PackedParameters.h).
 #pragma once
 #include "BufferTexture.h"
 
@@ -19,12 +19,13 @@ struct GpuTable {
     std::vector<Vec3f> knots;         ///< of a uniform table
 };
 
-class GpuMaterial {
+class MaterialResources {
 public:
     /// Throws Error(input) for an invalid material, Error(gl) where GL cannot hold a table.
-    GpuMaterial(DevicePtr device, const Material& material, const MaterialOptions& options = {});
+    MaterialResources(DevicePtr device, const Material& material,
+                      const MaterialOptions& options = {});
     /// Packs materials of one layout (sameLayout), valid, at least one.
-    GpuMaterial(DevicePtr device, const std::vector<const Material*>& layers);
+    MaterialResources(DevicePtr device, const std::vector<const Material*>& layers);
 
     /// Another material of the same layout, valid, in the place of a layer. Throws Error(gl).
     void replaceLayer(size_t layer, const Material& material);
@@ -36,8 +37,8 @@ public:
     const std::string& name() const { return name_; }
     const Form& form() const { return form_; }
     bool hasSigns() const { return hasSigns_; }
-    /// See Renderer.h.
-    const std::string& whyNative() const { return whyNative_; }
+    /// See Handles.h.
+    const std::string& whyNotRecombined() const { return whyNotRecombined_; }
     double lookUpError() const { return lookUpError_; }
     /// Without lights; of a packed material what any of its layers reached.
     const Peaks& peaks() const { return peaks_; }
@@ -59,7 +60,7 @@ private:
     std::string name_;
     Form form_;
     bool hasSigns_ = false;
-    std::string whyNative_;
+    std::string whyNotRecombined_;
     double lookUpError_ = 0.0;
     Peaks peaks_;
     std::vector<TableEncoding> encodings_;

@@ -1,4 +1,4 @@
-#include "GpuLibrary.h"
+#include "LibraryResources.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/shaders/PackedParameters.h>
@@ -25,8 +25,8 @@ Material layoutOf(const Material& material)
 
 }  // namespace
 
-GpuLibrary::GpuLibrary(DevicePtr device, const std::vector<Material>& materials,
-                       const MaterialOptions& options, const Check& check)
+LibraryResources::LibraryResources(DevicePtr device, const std::vector<Material>& materials,
+                                   const MaterialOptions& options, const Check& check)
     : device_(std::move(device)), options_(options), places_(materials.size())
 {
     std::vector<std::vector<const Material*>> members;
@@ -46,35 +46,36 @@ GpuLibrary::GpuLibrary(DevicePtr device, const std::vector<Material>& materials,
 }
 
 /// Why a material of the form has no others beside it; empty where it may.
-std::string GpuLibrary::whyAlone(const Form& form) const
+std::string LibraryResources::whyNotPacked(const Form& form) const
 {
     if (options_.lookUp != LookUp::native)
         return std::string("found ") + lookUpName(options_.lookUp) +
                " maps asked for, expected native ones: only those have one size";
-    return whyNotPacked(form, device_->capabilities);
+    return fbrdf::whyNotPacked(form, device_->capabilities);
 }
 
 /// Materials of the form that one group holds.
-size_t GpuLibrary::capacity(const Form& form) const
+size_t LibraryResources::capacity(const Form& form) const
 {
-    if (!whyAlone(form).empty()) return 1;
+    if (!whyNotPacked(form).empty()) return 1;
     return static_cast<size_t>(std::min(device_->capabilities.maxArrayLayers,
                                         device_->maxBufferTexels / parameterLayout(form).stride));
 }
 
-GpuLibrary::Group GpuLibrary::made(const std::vector<const Material*>& members, const Check& check)
+LibraryResources::Group LibraryResources::made(const std::vector<const Material*>& members,
+                                               const Check& check)
 {
     const Material& first = *members.front();
-    const std::string why = whyAlone(first.form);
-    if (reason_.empty()) reason_ = why;
+    const std::string why = whyNotPacked(first.form);
+    if (whyNotPacked_.empty()) whyNotPacked_ = why;
     Group group{layoutOf(first), nullptr, members.size()};
-    group.gpu = why.empty() ? std::make_unique<GpuMaterial>(device_, members)
-                            : std::make_unique<GpuMaterial>(device_, first, options_);
+    group.gpu = why.empty() ? std::make_unique<MaterialResources>(device_, members)
+                            : std::make_unique<MaterialResources>(device_, first, options_);
     check(*group.gpu);
     return group;
 }
 
-void GpuLibrary::replace(size_t index, const Material& material, const Check& check)
+void LibraryResources::replace(size_t index, const Material& material, const Check& check)
 {
     checkMaterial(material, index);
     Place& place = places_[index];

@@ -1,20 +1,21 @@
-// GpuLibrary.h - many materials: those of one layout share texture arrays, a program and a draw.
+// LibraryResources.h - many materials: those of one layout share texture arrays, a program and a
+// draw.
 #pragma once
-#include "GpuMaterial.h"
+#include "MaterialResources.h"
 
 #include <functional>
 
 namespace fbrdf::gl {
 
-class GpuLibrary {
+class LibraryResources {
 public:
     /// Called for what was made before anything refers to it; throws what refuses it.
-    using Check = std::function<void(const GpuMaterial&)>;
+    using Check = std::function<void(const MaterialResources&)>;
 
     /// Throws Error(input) for an invalid material, naming its index, Error(gl) where GL cannot
     /// hold them.
-    GpuLibrary(DevicePtr device, const std::vector<Material>& materials,
-               const MaterialOptions& options, const Check& check);
+    LibraryResources(DevicePtr device, const std::vector<Material>& materials,
+                     const MaterialOptions& options, const Check& check);
 
     void replace(size_t index, const Material& material, const Check& check);
 
@@ -26,24 +27,24 @@ public:
     const Device* device() const { return device_.get(); }
     const std::vector<Place>& places() const { return places_; }
     size_t groupCount() const { return groups_.size(); }
-    const GpuMaterial& group(size_t index) const { return *groups_[index].gpu; }
-    const std::string& reason() const { return reason_; }  ///< see whyApart, Renderer.h
+    const MaterialResources& group(size_t index) const { return *groups_[index].gpu; }
+    const std::string& whyNotPacked() const { return whyNotPacked_; }  ///< see Handles.h
 
 private:
     struct Group {
         Material layout;  ///< its first material without texels
-        std::unique_ptr<GpuMaterial> gpu;
+        std::unique_ptr<MaterialResources> gpu;
         size_t members = 0;
     };
     Group made(const std::vector<const Material*>& members, const Check& check);
-    std::string whyAlone(const Form& form) const;
+    std::string whyNotPacked(const Form& form) const;
     size_t capacity(const Form& form) const;
 
     DevicePtr device_;
     MaterialOptions options_;
     std::vector<Group> groups_;
     std::vector<Place> places_;  ///< of each material
-    std::string reason_;
+    std::string whyNotPacked_;
 };
 
 }  // namespace fbrdf::gl

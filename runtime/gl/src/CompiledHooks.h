@@ -1,6 +1,6 @@
-// GpuHooks.h - code of the host in our programs, and what else differs from object to object.
+// CompiledHooks.h - code of the host in our programs, and what else differs from object to object.
 #pragma once
-#include "Mesh.h"
+#include "MeshResources.h"
 
 #include <fbrdf/shaders/ShaderSource.h>
 
@@ -8,9 +8,9 @@
 
 namespace fbrdf::gl {
 
-class GpuHooks {
+class CompiledHooks {
 public:
-    GpuHooks(const DevicePtr& device, const Hooks& hooks)
+    CompiledHooks(const DevicePtr& device, const Hooks& hooks)
         : device_(device), id_(device->nextHooks++), hooks_(hooks)
     {
     }
@@ -27,7 +27,7 @@ private:
 
 /// How the surface of one object is shaded beside its material.
 struct SurfaceOptions {
-    const GpuHooks* hooks = nullptr;
+    const CompiledHooks* hooks = nullptr;
     GLuint normalMap = 0;
     bool derivedTangent = false;
 
@@ -37,13 +37,13 @@ struct SurfaceOptions {
 };
 
 /// Of an object with this form. Throws Error(usage) where the mesh lacks what a normal map needs.
-SurfaceOptions surfaceOptions(const GpuMesh& mesh, const Form& form, const GpuHooks* hooks,
-                              GLuint normalMap);
+SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
+                              const CompiledHooks* hooks, GLuint normalMap);
 
 /// What is left of them beside what the hooks take of uniforms.
-Capabilities remaining(Capabilities capabilities, const GpuHooks* hooks);
+Capabilities remaining(Capabilities capabilities, const CompiledHooks* hooks);
 
 /// The bounds within which the hooks may move what was inside.
-Sphere reached(const Sphere& bounds, const GpuHooks* hooks);
+Sphere reached(const Sphere& bounds, const CompiledHooks* hooks);
 
 }  // namespace fbrdf::gl

@@ -1,4 +1,4 @@
-#include "GpuMaterial.h"
+#include "MaterialResources.h"
 
 #include "UploadGuard.h"
 
@@ -115,7 +115,8 @@ bool isParabolic(const Table& table)
 
 }  // namespace
 
-GpuMaterial::GpuMaterial(DevicePtr device, const Material& material, const MaterialOptions& options)
+MaterialResources::MaterialResources(DevicePtr device, const Material& material,
+                                     const MaterialOptions& options)
     : device_(std::move(device)),
       id_(device_->nextMaterial++),
       name_(material.name.empty() ? material.form.name : material.name),
@@ -144,25 +145,26 @@ GpuMaterial::GpuMaterial(DevicePtr device, const Material& material, const Mater
     checkErrors(*device_, "material '" + name_ + "'");
 }
 
-TextureImage GpuMaterial::imageOf(const Table& table, int index, const MaterialOptions& options)
+TextureImage MaterialResources::imageOf(const Table& table, int index,
+                                        const MaterialOptions& options)
 {
     const Capabilities& c = device_->capabilities;
     const bool asAsked =
         options.lookUp == LookUp::parabolic && options.mapSize == 0 && isParabolic(table);
     if (options.lookUp == LookUp::native || asAsked) return textureImage(table, c);
-    const std::string why = whyNotRecombined(form_, index, table.storage);
+    const std::string why = fbrdf::whyNotRecombined(form_, index, table.storage);
     if (why.empty())
         return textureImage(
             recombined(table, {options.lookUp, options.mapSize,
                                options.lookUp == LookUp::cube ? c.maxCubeSize : c.maxTextureSize,
                                c.seamlessCubes}),
             c);
-    whyNative_ += (whyNative_.empty() ? "" : "; ") + why;
+    whyNotRecombined_ += (whyNotRecombined_.empty() ? "" : "; ") + why;
     return textureImage(table, c);
 }
 
 /// Filtering mixes texels, so none of its results is larger than the largest of them.
-void GpuMaterial::raisePeaks(const Material& material)
+void MaterialResources::raisePeaks(const Material& material)
 {
     peaks_.tables.resize(material.tables.size(), 0.0);
     peaks_.scales.resize(material.scales.size(), 0.0);
@@ -179,7 +181,7 @@ void GpuMaterial::raisePeaks(const Material& material)
 }
 
 /// Of a product the sum of its factors', of a sum of products the largest.
-void GpuMaterial::setLookUpError(const std::vector<double>& tableErrors)
+void MaterialResources::setLookUpError(const std::vector<double>& tableErrors)
 {
     for (const Term& term : form_.terms) {
         double sum = 0.0;
@@ -189,7 +191,7 @@ void GpuMaterial::setLookUpError(const std::vector<double>& tableErrors)
     }
 }
 
-void GpuMaterial::addTexture(const Table& table, const TextureImage& image)
+void MaterialResources::addTexture(const Table& table, const TextureImage& image)
 {
     const Functions& gl = device_->gl;
     checkTexels(device_->capabilities, table, image);
@@ -206,7 +208,7 @@ void GpuMaterial::addTexture(const Table& table, const TextureImage& image)
     tables_.push_back(std::move(result));
 }
 
-GpuMaterial::GpuMaterial(DevicePtr device, const std::vector<const Material*>& layers)
+MaterialResources::MaterialResources(DevicePtr device, const std::vector<const Material*>& layers)
     : device_(std::move(device)),
       id_(device_->nextMaterial++),
       name_("library of " + layers.front()->form.name),
@@ -222,7 +224,7 @@ GpuMaterial::GpuMaterial(DevicePtr device, const std::vector<const Material*>& l
     checkErrors(*device_, name_);
 }
 
-void GpuMaterial::addArray(const Table& table, size_t layers)
+void MaterialResources::addArray(const Table& table, size_t layers)
 {
     tables_.emplace_back();
     if (form_.tables[tables_.size() - 1].uniform) {
@@ -246,7 +248,7 @@ void GpuMaterial::addArray(const Table& table, size_t layers)
     label(*device_, ObjectKind::texture, made.texture, name_ + ":" + table.name);
 }
 
-void GpuMaterial::setLayer(size_t layer, const Material& material)
+void MaterialResources::setLayer(size_t layer, const Material& material)
 {
     raisePeaks(material);
     const Functions& gl = device_->gl;
@@ -273,12 +275,12 @@ void GpuMaterial::setLayer(size_t layer, const Material& material)
                    opaque);
 }
 
-void GpuMaterial::uploadParameters()
+void MaterialResources::uploadParameters()
 {
     parameters_.update(packed_.size(), packed_.size() * sizeof packed_[0], packed_.data());
 }
 
-void GpuMaterial::replaceLayer(size_t layer, const Material& material)
+void MaterialResources::replaceLayer(size_t layer, const Material& material)
 {
     const UploadGuard guard(*device_);
     setLayer(layer, material);

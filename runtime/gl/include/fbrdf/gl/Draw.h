@@ -1,0 +1,100 @@
+// Draw.h - what one draw is about: items or a batch, a view, a target, options, and what came of
+// it.
+#pragma once
+#include <fbrdf/gl/Depth.h>
+#include <fbrdf/gl/Handles.h>
+#include <fbrdf/plan/Plan.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fbrdf::gl {
+
+/// One object. What the pointers point to must live until the draw returns.
+struct Item {
+    const GpuMaterial* material = nullptr;
+    const GpuMesh* mesh = nullptr;
+    glm::mat4 model{1.0f};            ///< invertible; may scale unevenly and mirror
+    const GpuHooks* hooks = nullptr;  ///< may be null
+    /// Name of a 2D texture of the host, sampled as its parameters say, or 0: 2 texel - 1 is the
+    /// normal in the tangent frame, y along s. It costs one more look-up in every pass, beyond
+    /// DrawOptions::maxLookups.
+    uint32_t normalMap = 0;
+};
+
+/// One object of a batch.
+struct Instance {
+    glm::mat4 model{1.0f};  ///< affine and invertible
+    int material = 0;       ///< index into the library
+};
+
+/// One mesh many times, each with a material of its own. Pointers as in Item.
+struct Batch {
+    const GpuLibrary* library = nullptr;
+    const GpuMesh* mesh = nullptr;
+    std::vector<Instance> instances;
+    const GpuHooks* hooks = nullptr;  ///< as in Item; the vertex hook may read gl_InstanceID
+    uint32_t normalMap = 0;           ///< as in Item
+};
+
+struct View {
+    /// The camera looks along -z; the view is rigid, the projection perspective or orthographic,
+    /// and its far plane may be infinitely far.
+    glm::mat4 view{1.0f}, projection{1.0f};
+    /// What the projection and the depth buffer of the target agree on.
+    DepthOptions depth = {};
+};
+
+/// A colour buffer with depth that the host owns: a framebuffer object, or 0 for the window's. Only
+/// its first colour buffer is written. Its format decides whether lights add up in it (RGBA32F) or
+/// in a surface of the renderer's own. Surfaces belong to the framebuffer that they were made for
+/// and are deleted in the next draw after the host deletes it or draws to it in another size.
+struct Target {
+    uint32_t framebuffer = 0;
+    int width = 0, height = 0;  ///< pixels, > 0; the viewport is all of it
+    /// What is stored of the radiance. The default suits float targets that the host maps to a
+    /// display itself; in a window it is too dark, and Transfer::srgb is right.
+    Transfer transfer = Transfer::linear;
+    /// Multiplies the radiance before a curve of `transfer`, which must not be linear for that; > 0
+    /// and finite.
+    float exposure = 1.0f;
+};
+
+struct DrawOptions {
+    Technique technique = Technique::single;
+    int lightsPerPass = 8;  ///< Technique::batched only, >= 1
+    int maxLookups = 0;     ///< texture look-ups in any pass; 0: what the technique says
+    /// Maximum number of lights for each item or, with lists of lights, for each part of the view;
+    /// the weakest are dropped. 0: unlimited.
+    int maxLights = 0;
+    /// Technique::single only: builds lists of the lights that reach each part of the view, so that
+    /// the cost follows the lights that reach a pixel, and uniforms set no limit. The CPU builds
+    /// them for each draw. They need OpenGL 3.1; without it lights are drawn as if this were false,
+    /// with a warning.
+    bool clustered = false;
+};
+
+struct DrawStats {
+    int passes = 0;       ///< of the item that needed most
+    int drawCalls = 0;    ///< of all items
+    int itemsFailed = 0;  ///< not drawn; the reasons were logged
+    int lightsGiven = 0, lightsUsed = 0;
+    /// Lights that are not valid (Light.h) or above maxLights, for the item or the part of the view
+    /// that lost most.
+    int lightsDropped = 0;
+    int lightsCulled = 0;  ///< lights that do not reach an item, summed over items
+    /// Texture look-ups that a fragment executes in any one pass, counted from the linked programs:
+    /// fetches, those in the light loop times its lights.
+    int maxLookups = 0;
+    Technique technique = Technique::single;  ///< of the item that needed most passes
+    /// Why another technique than the one asked for was taken, or lists of lights were not; of the
+    /// last item where that happened.
+    std::string whyReplaced;
+    ErrorBound error;          ///< the largest of all items
+    std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
+};
+
+}  // namespace fbrdf::gl
