@@ -22,7 +22,7 @@ void Renderer::State::checkBatch(const Batch& batch) const
     if (batch.hooks) checkOwner(batch.hooks->compiled().device());
 }
 
-/// The instances that can be drawn, by the group that holds their material.
+/// The instances that can be drawn, for each group of materials.
 std::vector<std::vector<const Instance*>> Renderer::State::sorted(const Batch& batch,
                                                                   DrawStats& stats)
 {
@@ -30,12 +30,13 @@ std::vector<std::vector<const Instance*>> Renderer::State::sorted(const Batch& b
     const auto& places = library.places();
     std::vector<std::vector<const Instance*>> result(library.groupCount());
     for (const Instance& instance : batch.instances)
-        survive(stats, 1, [&] {
+        attempt(stats, 1, [&] {
             const auto index = static_cast<size_t>(instance.material);
             if (instance.material < 0 || index >= places.size())
                 throw Error(ErrorKind::usage, "item",
                             "found material " + std::to_string(instance.material) +
                                 ", expected one of " + std::to_string(places.size()));
+            // An instance that cannot be drawn must not keep the others from being drawn.
             checkModel(instance.model);
             result[places[index].group].push_back(&instance);
         });
@@ -60,6 +61,7 @@ void Renderer::State::drawPacked(Executor& executor, const Batch& batch,
             instanceTexels(modelView(request.view, (*i)->model), static_cast<int>(place.layer)));
         bounds.push_back(worldBounds(meshBounds, (*i)->model));
     }
+    // The buffer is used again in the next call: GL orders the upload after the draw before it.
     instances.update(texels.size() * texels[0].size(), texels.size() * sizeof texels[0],
                      texels.data());
     draw(executor,
@@ -78,7 +80,7 @@ void Renderer::State::drawGroup(Executor& executor, const Batch& batch,
 {
     if (!material.isPacked()) {
         for (const Instance* object : objects)
-            survive(stats, 1, [&] {
+            attempt(stats, 1, [&] {
                 const MeshResources& mesh = batch.mesh->resources();
                 drawObject(executor,
                            {material,
@@ -90,11 +92,12 @@ void Renderer::State::drawGroup(Executor& executor, const Batch& batch,
             });
         return;
     }
+    // A buffer texture has a largest size; more instances need more calls.
     const auto most =
         static_cast<size_t>(device->maxBufferTexels) / std::tuple_size_v<InstanceTexels>;
     for (size_t first = 0; first < objects.size(); first += most) {
         const size_t count = std::min(most, objects.size() - first);
-        survive(stats, static_cast<int>(count), [&] {
+        attempt(stats, static_cast<int>(count), [&] {
             drawPacked(executor, batch, material, &objects[first], &objects[first] + count, request,
                        stats);
         });

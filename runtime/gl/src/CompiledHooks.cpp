@@ -7,12 +7,6 @@
 
 namespace fbrdf::gl {
 
-std::string SurfaceOptions::key() const
-{
-    return (hooks ? "h" + std::to_string(hooks->id()) : "") + (normalMap ? "n" : "") +
-           (derivedTangent ? "d" : "");
-}
-
 SurfaceInputs SurfaceOptions::inputs(bool instanced) const
 {
     SurfaceInputs inputs;
@@ -36,7 +30,8 @@ SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
     return {hooks, normalMap, needsFrame && !mesh.hasTangents() && mesh.has(kTextureCoordinate)};
 }
 
-// Each light has a number beside its vectors, which takes a uniform vector in the worst case.
+// With a shadow hook each light has a number beside its vectors. In the worst case the number takes
+// a uniform vector of its own.
 Capabilities remaining(Capabilities capabilities, const CompiledHooks* hooks)
 {
     if (!hooks || hooks->get().shadow.empty()) return capabilities;

@@ -1,4 +1,4 @@
-// CompiledHooks.h - code of the host in our programs, and what else differs from object to object.
+// CompiledHooks.h - the host's code in our programs, and what else differs from object to object.
 #pragma once
 #include "MeshResources.h"
 
@@ -15,6 +15,10 @@ public:
     {
     }
 
+    ~CompiledHooks() { device_->retiredHooks.push_back(id_); }
+    CompiledHooks(const CompiledHooks&) = delete;
+    CompiledHooks& operator=(const CompiledHooks&) = delete;
+
     const Device* device() const { return device_.get(); }
     uint64_t id() const { return id_; }  ///< unique on its device
     const Hooks& get() const { return hooks_; }
@@ -25,25 +29,24 @@ private:
     Hooks hooks_;
 };
 
-/// How the surface of one object is shaded beside its material.
+/// What the programs of one object depend on beside its material.
 struct SurfaceOptions {
     const CompiledHooks* hooks = nullptr;
     GLuint normalMap = 0;
     bool derivedTangent = false;
 
-    /// Distinguishes the programs that need different texts.
-    std::string key() const;
     SurfaceInputs inputs(bool instanced) const;
 };
 
-/// Of an object with this form. Throws Error(usage) where the mesh lacks what a normal map needs.
+/// The options of an object with this form. Throws Error(usage) where the mesh lacks what a normal
+/// map needs.
 SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
                               const CompiledHooks* hooks, GLuint normalMap);
 
-/// What is left of them beside what the hooks take of uniforms.
+/// The capabilities less the uniforms that the hooks take.
 Capabilities remaining(Capabilities capabilities, const CompiledHooks* hooks);
 
-/// The bounds within which the hooks may move what was inside.
+/// The bounds enlarged by how far the hooks may move a vertex.
 Sphere reached(const Sphere& bounds, const CompiledHooks* hooks);
 
 }  // namespace fbrdf::gl

@@ -1,5 +1,5 @@
-// Device.h - what everything that lives in one context shares: functions, capabilities, log. GL
-// objects keep it alive, so that they can be deleted after the renderer.
+// Device.h - what everything in one context shares: functions, capabilities, log. GL objects own it
+// together, so that they can be deleted after the renderer.
 #pragma once
 #include "Functions.h"
 
@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fbrdf::gl {
 
@@ -17,21 +18,27 @@ struct Device {
     std::string renderer, version;
     int firstTextureUnit = 0;
     int drawBuffers = 1;
-    bool wideIndices = true;  ///< 32-bit
-    int maxBufferTexels = 0;  ///< of a buffer texture
+    bool wideIndices = true;  ///< indices may have 32 bits
+    int maxBufferTexels = 0;  ///< texels of the largest buffer texture
     StateMode state = StateMode::restore;
-    uint64_t nextMaterial = 0, nextHooks = 0;
+    uint64_t nextMaterial = 1, nextHooks = 1;
+    /// Identities of materials and hooks that are gone: the renderer then deletes what only they
+    /// needed. Destructors cannot do so themselves, for they may run after the renderer's.
+    std::vector<uint64_t> retiredMaterials, retiredHooks;
     bool alive = true;  ///< false: the context is gone, no GL call may be made
 
     void log(Severity severity, const std::string& text) const
     {
         if (logTo) logTo(severity, text);
     }
-    /// What every frame would say again is said once.
+    /// Logs once what every frame would report again. Texts name materials, of which there may be
+    /// any number: after kMostLogged others a text may come again.
     void logOnce(Severity severity, const std::string& text)
     {
+        if (logged.size() >= kMostLogged) logged.clear();
         if (logged.insert(text).second) log(severity, text);
     }
+    static constexpr size_t kMostLogged = 256;
     std::set<std::string> logged;
 };
 using DevicePtr = std::shared_ptr<Device>;
@@ -39,9 +46,10 @@ using DevicePtr = std::shared_ptr<Device>;
 /// Loads functions and finds capabilities. Throws Error(gl).
 DevicePtr createDevice(const RendererOptions& options);
 
-/// Throws Error(gl) when GL has an error to tell; `where` says during what.
+/// Throws Error(gl) where glGetError reports one. where: what was being done.
 void checkErrors(const Device& device, const std::string& where);
-/// Errors that the host left behind are not ours: takes them away with a warning.
+/// Takes away, with a warning, the errors that the host left behind, so that they are not taken for
+/// ours.
 void discardHostErrors(const Device& device);
 
 /// Value of a GL state that is one integer.
@@ -52,7 +60,7 @@ inline GLint integer(const Functions& gl, GLenum name)
     return value[0];
 }
 
-/// KHR_debug group around a scope; nothing where the context has none.
+/// A KHR_debug group around a scope; nothing where the context has no such groups.
 class DebugGroup {
 public:
     DebugGroup(const Device& device, const std::string& text) : device_(device)

@@ -1,5 +1,6 @@
 #include "Executor.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 
 #include <glm/geometric.hpp>
@@ -34,11 +35,14 @@ void checkArrays(const MeshResources& mesh, const Program& program)
 
 }  // namespace
 
-int Executor::draw(const Drawable& item, const Plan& plan,
-                   const std::vector<const Program*>& programs, const EyeLights& lights)
+int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights& lights)
 {
-    for (const Program* program : programs) checkArrays(item.mesh, *program);
+    const Plan& plan = ready.plan;
+    FBRDF_ASSERT(ready.programs.size(), ==, plan.passes.size());
+    // Checked before the first pass, so that no half of an item is drawn.
+    for (const Program* program : ready.programs) checkArrays(item.mesh, *program);
     lights_ = &lights;
+    surfaces_ = ready.surfaces;
     program_ = nullptr;
     int maxLookups = 0;
     bool offscreenCleared = false;
@@ -50,14 +54,16 @@ int Executor::draw(const Drawable& item, const Plan& plan,
         bindSurface(pass);
         setBlend(pass.blend);
         setDepth(pass.depth);
+        // All surfaces share one depth buffer, which the items before this one have left.
         if (pass.writes != Surface::target && !offscreenCleared) {
             gl_.Clear(GL_DEPTH_BUFFER_BIT);
             offscreenCleared = true;
         }
-        const Program& program = *programs[i];
+        const Program& program = *ready.programs[i];
+        // Passes of one item often share a program; only lights and gain differ then.
         if (program_ != &program) useProgram(item, program);
         if (program.readUnit >= 0)
-            state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_.texture(*pass.reads));
+            state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_->texture(*pass.reads));
         if (program.gain >= 0) gl_.Uniform1f(program.gain, static_cast<float>(pass.gain));
         setLights(pass, program);
         setScissor(pass);
@@ -74,12 +80,13 @@ void Executor::bindSurface(const Pass& pass)
     if (!device_.capabilities.framebufferObjects) return;
     gl_.BindFramebuffer(gl_.drawFramebuffer(), pass.writes == Surface::target
                                                    ? frame_.target.framebuffer
-                                                   : surfaces_.framebuffer(pass.writes));
+                                                   : surfaces_->framebuffer(pass.writes));
 }
 
-// Alpha: 1 where the first pass drew, then left alone.
+// Alpha becomes 1 where the first pass draws, and later passes leave it alone.
 void Executor::setBlend(Blend blend)
 {
+    // Draw buffer 0 only: the host may blend in others.
     if (gl_.version >= 30)
         blend == Blend::replace ? gl_.Disablei(GL_BLEND, 0) : gl_.Enablei(GL_BLEND, 0);
     else
@@ -148,6 +155,7 @@ void Executor::setLights(const Pass& pass, const Program& program)
     if (program.lights >= 0 && pass.lightCount > 0)
         gl_.Uniform4fv(program.lights, kVectorsPerLight * pass.lightCount,
                        glm::value_ptr(lights_->vectors[first].front()));
+    // Programs that read lists take number and places of lights from buffers.
     if (program.clusters.listsUnit >= 0) return setClusters(program);
     if (program.lightNumbers >= 0 && pass.lightCount > 0)
         gl_.Uniform1iv(program.lightNumbers, pass.lightCount, &lights_->numbers[first]);
@@ -178,7 +186,8 @@ int Executor::lightsOf(const Pass& pass, const Program& program) const
     return program.clusters.listsUnit >= 0 ? frame_.clusters->longest : pass.lightCount;
 }
 
-// Only a pass that adds may leave pixels out: another lays depth, replaces or multiplies.
+// Only a pass that adds light may leave out pixels that its lights do not reach: any other also
+// writes depth, replaces or multiplies.
 void Executor::setScissor(const Pass& pass)
 {
     const int width = frame_.target.width, height = frame_.target.height;
@@ -190,6 +199,7 @@ void Executor::setScissor(const Pass& pass)
         rect =
             enclosing(rect, pixelBounds(lights_->vectors[static_cast<size_t>(pass.firstLight + i)],
                                         glm::dmat4(frame_.view.projection), width, height));
+    // Without a scissor the driver has less to do.
     const bool isWhole = rect.width == width && rect.height == height;
     state_.setScissor(isWhole ? nullptr : &rect);
 }

@@ -3,9 +3,9 @@
 #include "ClusterBuffers.h"
 #include "Instances.h"
 #include "MeshResources.h"
-#include "Program.h"
+#include "ProgramCache.h"
 #include "StateGuard.h"
-#include "Surfaces.h"
+#include "SurfacePool.h"
 
 #include <fbrdf/plan/LightVectors.h>
 
@@ -14,11 +14,11 @@
 
 namespace fbrdf::gl {
 
-/// Lights in eye space as the shader takes them.
+/// Lights in eye space as the shader takes them; the three arrays are parallel.
 struct EyeLights {
     std::vector<LightVectors> vectors;
     std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
-    std::vector<double> peaks;     ///< largestIrradiance on an item
+    std::vector<double> peaks;     ///< largestIrradiance on the item; may be empty
 };
 
 /// What all items of one draw share.
@@ -26,7 +26,7 @@ struct Frame {
     Target target;
     View view;
     glm::vec4 eye{0.0f};
-    const LightClusters* clusters = nullptr;  ///< where lights are in lists
+    const LightClusters* clusters = nullptr;  ///< null where lights are not in lists
     const ClusterBuffers* clusterBuffers = nullptr;
 };
 
@@ -42,17 +42,23 @@ struct Drawable {
     } instances{};
 };
 
+/// A plan with what it needs.
+struct ReadyPlan {
+    Plan plan;
+    const Surfaces* surfaces = nullptr;    ///< where a pass writes any but the target
+    std::vector<const Program*> programs;  ///< one for each pass
+};
+
 class Executor {
 public:
-    Executor(const Device& device, const Frame& frame, const Surfaces& surfaces, StateGuard& state)
-        : device_(device), gl_(device.gl), frame_(frame), surfaces_(surfaces), state_(state)
+    Executor(const Device& device, const Frame& frame, StateGuard& state)
+        : device_(device), gl_(device.gl), frame_(frame), state_(state)
     {
     }
 
-    /// programs: one for each pass. lights: of this item, as the plan counts them; unused where
-    /// they are in lists. Returns the look-ups of the most expensive pass.
-    int draw(const Drawable& item, const Plan& plan, const std::vector<const Program*>& programs,
-             const EyeLights& lights);
+    /// lights: of this item, as the plan counts them; unused where they are in lists. Returns the
+    /// look-ups of the most expensive pass.
+    int draw(const Drawable& item, const ReadyPlan& ready, const EyeLights& lights);
 
 private:
     void bindSurface(const Pass& pass);
@@ -69,10 +75,10 @@ private:
     const Device& device_;
     const Functions& gl_;
     const Frame& frame_;
-    const Surfaces& surfaces_;
     StateGuard& state_;
-    const EyeLights* lights_ = nullptr;  ///< of the item
-    const Program* program_ = nullptr;   ///< in use, with the item's uniforms set
+    const Surfaces* surfaces_ = nullptr;  ///< of the plan
+    const EyeLights* lights_ = nullptr;   ///< of the item
+    const Program* program_ = nullptr;    ///< in use, with the item's uniforms set
 };
 
 }  // namespace fbrdf::gl

@@ -16,18 +16,22 @@ struct GpuTable {
     Object texture;  ///< empty for a uniform table
     GLenum target = GL_TEXTURE_2D;
     Vec3f lower{0.0f}, extent{1.0f};  ///< see TextureImage
-    std::vector<Vec3f> knots;         ///< of a uniform table
+    std::vector<Vec3f> knots;         ///< the values of a uniform table
 };
 
 class MaterialResources {
 public:
-    /// Throws Error(input) for an invalid material, Error(gl) where GL cannot hold a table.
+    /// Throws Error(input) for an invalid material, Error(gl) where GL cannot store a table.
     MaterialResources(DevicePtr device, const Material& material,
                       const MaterialOptions& options = {});
-    /// Packs materials of one layout (sameLayout), valid, at least one.
+    /// Packs materials, one or more, which are valid and of one layout (sameLayout).
     MaterialResources(DevicePtr device, const std::vector<const Material*>& layers);
 
-    /// Another material of the same layout, valid, in the place of a layer. Throws Error(gl).
+    ~MaterialResources() { device_->retiredMaterials.push_back(id_); }
+    MaterialResources(const MaterialResources&) = delete;
+    MaterialResources& operator=(const MaterialResources&) = delete;
+
+    /// Puts another material, valid and of the same layout, into a layer. Throws Error(gl).
     void replaceLayer(size_t layer, const Material& material);
     bool isPacked() const { return !packed_.empty(); }
     GLuint parameters() const { return parameters_.texture(); }
@@ -40,7 +44,8 @@ public:
     /// See Handles.h.
     const std::string& whyNotRecombined() const { return whyNotRecombined_; }
     double lookUpError() const { return lookUpError_; }
-    /// Without lights; of a packed material what any of its layers reached.
+    /// The largest values of the tables, without lights; those of all layers that a packed material
+    /// has ever had.
     const Peaks& peaks() const { return peaks_; }
     const std::vector<TableEncoding>& encodings() const { return encodings_; }
     const std::vector<GpuTable>& tables() const { return tables_; }
@@ -66,7 +71,7 @@ private:
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;
-    std::vector<glm::vec4> packed_;  ///< what parameters_ holds: layers x stride
+    std::vector<glm::vec4> packed_;  ///< the contents of parameters_: layers x stride
     BufferTexture parameters_;
 };
 

@@ -9,7 +9,7 @@
 namespace fbrdf::gl {
 namespace {
 
-// The longest name of ours is fbrdfVertexTextureCoordinate; anything longer is none of ours.
+// The longest name of ours is fbrdfVertexTextureCoordinate; a longer one is the host's.
 constexpr GLsizei kNameLength = 64;
 
 [[noreturn]] void fail(const std::string& what)
@@ -28,24 +28,6 @@ std::string infoLog(GLint length, GetLog getLog)
     return log;
 }
 
-Object compiled(const DevicePtr& device, GLenum stage, const std::string& source)
-{
-    const Functions& gl = device->gl;
-    Object shader(device, ObjectKind::shader, gl.CreateShader(stage));
-    if (!shader) fail("found no shader object, expected one");
-    const GLchar* text = source.c_str();
-    gl.ShaderSource(shader.name(), 1, &text, nullptr);
-    gl.CompileShader(shader.name());
-    GLint ok = GL_FALSE, length = 0;
-    gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &ok);
-    if (ok) return shader;
-    gl.GetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
-    fail("found one that does not compile: " +
-         infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
-             gl.GetShaderInfoLog(shader.name(), size, written, log);
-         }));
-}
-
 bool isSampler(GLenum type)
 {
     return type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_1D ||
@@ -53,7 +35,7 @@ bool isSampler(GLenum type)
            type == GL_INT_SAMPLER_BUFFER;
 }
 
-/// Those of a vertex or shadow hook are the host's to bind.
+/// Samplers of a vertex or shadow hook are the host's to bind.
 bool isOurs(const std::string& name)
 {
     return name.compare(0, 5, "fbrdf") == 0;
@@ -76,7 +58,7 @@ std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
     return names;
 }
 
-/// Arrays of a mesh that the vertex shader reads.
+/// The number of extra arrays of a mesh that the vertex shader reads.
 size_t extraArraysOf(const Functions& gl, GLuint program)
 {
     size_t count = 0;
@@ -86,105 +68,30 @@ size_t extraArraysOf(const Functions& gl, GLuint program)
     return count;
 }
 
-/// A program that calls what a shadow hook must define.
-std::string shadowProbe(const std::string& hook, int glsl)
+/// Puts the attributes where meshes have them (Attribute).
+void bindAttributes(const Functions& gl, GLuint program)
 {
-    SurfaceInputs inputs;
-    inputs.shadowHook = hook;
-    Form form;
-    form.terms.emplace_back();
-    ProgramSpec spec;
-    spec.parts = {{0, {}, false}};
-    spec.lit = true;
-    spec.lightSlots = 1;
-    return fragmentSource(form, {}, spec, glsl, inputs);
+    gl.BindAttribLocation(program, kPosition, "fbrdfVertex");
+    gl.BindAttribLocation(program, kNormal, "fbrdfVertexNormal");
+    gl.BindAttribLocation(program, kTangent, "fbrdfVertexTangent");
+    gl.BindAttribLocation(program, kTextureCoordinate, "fbrdfVertexTextureCoordinate");
+    for (GLuint k = 0; k < kExtraArrays; ++k)
+        gl.BindAttribLocation(program, kExtra + k, ("fbrdfExtra" + std::to_string(k)).c_str());
 }
 
-std::string keyOf(const ProgramSpec& spec)
+Object linked(const DevicePtr& device, const MaterialResources& material,
+              const Object& vertexShader, const std::string& fragment)
 {
-    std::string key = (spec.lit ? "l" : "u") + std::to_string(spec.lightSlots);
-    if (spec.reads) key += 'r';
-    if (spec.clustered) key += 'c';
-    if (spec.gained) key += 'g';
-    key += static_cast<char>('0' + static_cast<int>(spec.transfer));
-    for (const Part& part : spec.parts) {
-        key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
-        for (const int factor : part.factors) key += ',' + std::to_string(factor);
-    }
-    return key;
-}
-
-}  // namespace
-
-const Program& ProgramCache::find(const MaterialResources& material, const ProgramSpec& spec,
-                                  const SurfaceOptions& surface)
-{
-    Entry& entry = entryOf(material, spec, surface);
-    if (!entry.program)
-        throw Error(ErrorKind::gl, "material '" + material.name() + "'", entry.failure);
-    return *entry.program;
-}
-
-ProgramCache::Entry& ProgramCache::entryOf(const MaterialResources& material,
-                                           const ProgramSpec& spec, const SurfaceOptions& surface)
-{
-    const auto [known, isUnknown] =
-        shortcut_.try_emplace(std::to_string(material.id()) + surface.key() + keyOf(spec), nullptr);
-    if (!isUnknown) return *known->second;
-    const int glsl = device_->capabilities.glsl;
-    const SurfaceInputs inputs = surface.inputs(material.isPacked());
-    const auto [position, isNew] = entries_.try_emplace(
-        {vertexSource(glsl, inputs),
-         fragmentSource(material.form(), material.encodings(), spec, glsl, inputs)});
-    Entry& entry = position->second;
-    known->second = &entry;
-    if (!isNew) return entry;
-    try {
-        entry.program = build(material, position->first);
-    } catch (const Error& error) {
-        entry.failure = error.what();
-    }
-    return entry;
-}
-
-void ProgramCache::check(const Hooks& hooks)
-{
-    SurfaceInputs inputs;
-    inputs.vertexHook = hooks.vertex;
-    const int glsl = device_->capabilities.glsl;
-    try {
-        compiled(device_, GL_VERTEX_SHADER, vertexSource(glsl, inputs));
-        if (!hooks.shadow.empty())
-            compiled(device_, GL_FRAGMENT_SHADER, shadowProbe(hooks.shadow, glsl));
-    } catch (const Error& error) {
-        throw Error(ErrorKind::input, "hooks", error.what());
-    }
-}
-
-const Object& ProgramCache::vertexShader(const std::string& text)
-{
-    Object& shader = vertexShaders_[text];
-    if (!shader) shader = compiled(device_, GL_VERTEX_SHADER, text);
-    return shader;
-}
-
-Object ProgramCache::linked(const Text& text, const MaterialResources& material)
-{
-    const Functions& gl = device_->gl;
-    const Object& vertexShader = this->vertexShader(text.vertex);
-    const Object fragmentShader = compiled(device_, GL_FRAGMENT_SHADER, text.fragment);
-    Object program = createObject(device_, ObjectKind::program);
+    const Functions& gl = device->gl;
+    // The program keeps what it needs of the shaders; they may be deleted.
+    const Object fragmentShader = compiledShader(device, GL_FRAGMENT_SHADER, fragment);
+    Object program = createObject(device, ObjectKind::program);
     gl.AttachShader(program.name(), vertexShader.name());
     gl.AttachShader(program.name(), fragmentShader.name());
-    gl.BindAttribLocation(program.name(), kPosition, "fbrdfVertex");
-    gl.BindAttribLocation(program.name(), kNormal, "fbrdfVertexNormal");
-    gl.BindAttribLocation(program.name(), kTangent, "fbrdfVertexTangent");
-    gl.BindAttribLocation(program.name(), kTextureCoordinate, "fbrdfVertexTextureCoordinate");
-    for (GLuint k = 0; k < kExtraArrays; ++k)
-        gl.BindAttribLocation(program.name(), kExtra + k,
-                              ("fbrdfExtra" + std::to_string(k)).c_str());
+    bindAttributes(gl, program.name());
+    // Locations are the same in all programs, so that a vertex array fits each of them.
     gl.LinkProgram(program.name());
-    label(*device_, ObjectKind::program, program, material.form().name);
+    label(*device, ObjectKind::program, program, material.form().name);
     GLint ok = GL_FALSE, length = 0;
     gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
     if (ok) return program;
@@ -195,48 +102,102 @@ Object ProgramCache::linked(const Text& text, const MaterialResources& material)
          }));
 }
 
-std::unique_ptr<Program> ProgramCache::build(const MaterialResources& material, const Text& text)
+/// Texture units of the samplers that a program uses, from the device's first on. Samplers keep
+/// their units for good.
+class Units {
+public:
+    Units(const Device& device, GLuint program)
+        : device_(device), program_(program), samplers_(activeSamplers(device.gl, program))
+    {
+        const int room = device.capabilities.maxTextureUnits - device.firstTextureUnit;
+        if (static_cast<int>(samplers_.size()) > room)
+            fail("found " + std::to_string(samplers_.size()) +
+                 " textures in one pass, expected at most " + std::to_string(room));
+    }
+    const std::vector<std::string>& samplers() const { return samplers_; }
+    /// -1 where the program has no such sampler.
+    int next(const std::string& name)
+    {
+        if (std::find(samplers_.begin(), samplers_.end(), name) == samplers_.end()) return -1;
+        device_.gl.Uniform1i(device_.gl.GetUniformLocation(program_, name.c_str()),
+                             device_.firstTextureUnit + used_);
+        return used_++;
+    }
+
+private:
+    const Device& device_;
+    GLuint program_;
+    std::vector<std::string> samplers_;
+    int used_ = 0;
+};
+
+void findLocations(const Functions& gl, Program& result)
 {
-    const Functions& gl = device_->gl;
-    auto result = std::make_unique<Program>();
-    result->object = linked(text, material);
-    const GLuint program = result->object.name();
-    const auto samplers = activeSamplers(gl, program);
-    const int room = device_->capabilities.maxTextureUnits - device_->firstTextureUnit;
-    if (static_cast<int>(samplers.size()) > room)
-        fail("found " + std::to_string(samplers.size()) +
-             " textures in one pass, expected at most " + std::to_string(room));
-    const auto location = [&](const std::string& name) {
-        return gl.GetUniformLocation(program, name.c_str());
+    const auto location = [&](const char* name) {
+        return gl.GetUniformLocation(result.object.name(), name);
     };
-    // Samplers keep their units for good; the caller puts the current program back.
-    gl.UseProgram(program);
-    int nextUnit = 0;
-    const auto unitOf = [&](const std::string& name) {
-        if (std::find(samplers.begin(), samplers.end(), name) == samplers.end()) return -1;
-        gl.Uniform1i(location(name), device_->firstTextureUnit + nextUnit);
-        return nextUnit++;
-    };
-    result->modelView = location("fbrdfModelView");
-    result->projection = location("fbrdfProjection");
-    result->eye = location("fbrdfEye");
-    result->lights = location("fbrdfLights");
-    result->lightCount = location("fbrdfLightCount");
-    result->lightNumbers = location("fbrdfLightNumbers");
-    result->readScale = location("fbrdfReadScale");
-    result->gain = location("fbrdfGain");
-    result->normalMapUnit = unitOf("fbrdfNormalMap");
-    result->extraArrays = extraArraysOf(gl, program);
-    result->readUnit = unitOf("fbrdfRead");
-    result->clusters = {unitOf("fbrdfLightBuffer"),   unitOf("fbrdfLightIndices"),
-                        unitOf("fbrdfLightLists"),    unitOf("fbrdfLightNumbers"),
-                        location("fbrdfClusterGrid"), location("fbrdfClusterScale")};
-    result->instancesUnit = unitOf("fbrdfInstances");
-    result->parametersUnit = unitOf("fbrdfParameters");
-    result->material = findUniforms(material, program);
-    for (size_t i = 0; i < material.tables().size(); ++i)
-        result->tableUnits.push_back(unitOf("fbrdfTable" + std::to_string(i)));
-    result->lookups = countLookups(text.fragment, samplers);
+    result.modelView = location("fbrdfModelView");
+    result.projection = location("fbrdfProjection");
+    result.eye = location("fbrdfEye");
+    result.lights = location("fbrdfLights");
+    result.lightCount = location("fbrdfLightCount");
+    result.lightNumbers = location("fbrdfLightNumbers");
+    result.readScale = location("fbrdfReadScale");
+    result.gain = location("fbrdfGain");
+    result.clusters.grid = location("fbrdfClusterGrid");
+    result.clusters.scale = location("fbrdfClusterScale");
+}
+
+/// The program must be current.
+void assignUnits(Units& units, Program& result, size_t tables)
+{
+    result.normalMapUnit = units.next("fbrdfNormalMap");
+    result.readUnit = units.next("fbrdfRead");
+    result.clusters.lightsUnit = units.next("fbrdfLightBuffer");
+    result.clusters.indicesUnit = units.next("fbrdfLightIndices");
+    result.clusters.listsUnit = units.next("fbrdfLightLists");
+    result.clusters.numbersUnit = units.next("fbrdfLightNumbers");
+    result.instancesUnit = units.next("fbrdfInstances");
+    result.parametersUnit = units.next("fbrdfParameters");
+    for (size_t i = 0; i < tables; ++i)
+        result.tableUnits.push_back(units.next("fbrdfTable" + std::to_string(i)));
+}
+
+}  // namespace
+
+Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& source)
+{
+    const Functions& gl = device->gl;
+    Object shader(device, ObjectKind::shader, gl.CreateShader(stage));
+    if (!shader) fail("found no shader object, expected one");
+    const GLchar* text = source.c_str();
+    gl.ShaderSource(shader.name(), 1, &text, nullptr);
+    gl.CompileShader(shader.name());
+    GLint ok = GL_FALSE, length = 0;
+    gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &ok);
+    if (ok) return shader;
+    gl.GetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
+    fail("found one that does not compile: " +
+         infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+             gl.GetShaderInfoLog(shader.name(), size, written, log);
+         }));
+}
+
+Program linkedProgram(const DevicePtr& device, const MaterialResources& material,
+                      const Object& vertexShader, const std::string& fragment)
+{
+    Program result;
+    result.object = linked(device, material, vertexShader, fragment);
+    const GLuint program = result.object.name();
+    Units units(*device, program);
+    // Uniforms can be set of the current program only.
+    device->gl.UseProgram(program);
+    findLocations(device->gl, result);
+    assignUnits(units, result, material.tables().size());
+    result.extraArrays = extraArraysOf(device->gl, program);
+    result.material = findUniforms(material, program);
+    // Samplers that the linker removed cost nothing, so what is left active is counted.
+    result.lookups = countLookups(fragment, units.samplers());
     return result;
 }
 

@@ -1,17 +1,11 @@
-// Program.h - linked programs, found by their text: materials of one form and one set of sizes
-// share them.
+// Program.h - a linked program and where it wants its uniforms.
 #pragma once
-#include "CompiledHooks.h"
 #include "MaterialUniforms.h"
 #include "Objects.h"
 
 #include <fbrdf/shaders/ShaderSource.h>
 
-#include <map>
-#include <memory>
 #include <string>
-#include <tuple>
-#include <unordered_map>
 #include <vector>
 
 namespace fbrdf::gl {
@@ -34,41 +28,13 @@ struct Program {
     LookupCount lookups;          ///< counted from what the linker left active
 };
 
-class ProgramCache {
-public:
-    explicit ProgramCache(DevicePtr device) : device_(std::move(device)) {}
+/// Throws Error(gl) with the compiler's log.
+Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& source);
 
-    /// Builds at first use. Throws Error(gl) with the compiler's log, the first time and every time
-    /// after (without compiling again).
-    const Program& find(const MaterialResources& material, const ProgramSpec& spec,
-                        const SurfaceOptions& surface);
-
-    /// Throws Error(input) for hooks that do not compile.
-    void check(const Hooks& hooks);
-
-private:
-    struct Text {
-        std::string vertex, fragment;
-        bool operator<(const Text& other) const
-        {
-            return std::tie(fragment, vertex) < std::tie(other.fragment, other.vertex);
-        }
-    };
-    struct Entry {
-        std::unique_ptr<Program> program;
-        std::string failure;
-    };
-    Entry& entryOf(const MaterialResources& material, const ProgramSpec& spec,
-                   const SurfaceOptions& surface);
-    std::unique_ptr<Program> build(const MaterialResources& material, const Text& text);
-    Object linked(const Text& text, const MaterialResources& material);
-    const Object& vertexShader(const std::string& text);
-
-    DevicePtr device_;
-    std::map<std::string, Object> vertexShaders_;  ///< by text
-    std::map<Text, Entry> entries_;
-    /// By material, specification and surface.
-    std::unordered_map<std::string, Entry*> shortcut_;
-};
+/// Compiles the fragment shader, links it with `vertexShader`, which may be deleted then, and finds
+/// the uniforms. Leaves the program current. Throws Error(gl) with the compiler's or the linker's
+/// log.
+Program linkedProgram(const DevicePtr& device, const MaterialResources& material,
+                      const Object& vertexShader, const std::string& fragment);
 
 }  // namespace fbrdf::gl

@@ -9,6 +9,28 @@ constexpr const char* kNoLists =
     "found lists of lights asked for, expected OpenGL 3.1, technique single and no limit of "
     "look-ups";
 
+/// True where some pass writes a surface of ours, which must then exist.
+bool needsSurfaces(const Plan& plan)
+{
+    return std::any_of(plan.passes.begin(), plan.passes.end(),
+                       [](const Pass& pass) { return pass.writes != Surface::target; });
+}
+
+/// Statistics are those of the worst item: a host wants to know what a draw may cost at most.
+void addPlan(DrawStats& stats, const Plan& plan)
+{
+    const int passes = static_cast<int>(plan.passes.size());
+    if (passes > stats.passes) {
+        stats.accumulation = colourFormatName(plan.accumulation);
+        stats.technique = plan.technique;
+    }
+    stats.error = {std::max(stats.error.relative, plan.error.relative),
+                   std::max(stats.error.absolute, plan.error.absolute),
+                   std::max(stats.error.recombination, plan.error.recombination)};
+    stats.passes = std::max(stats.passes, passes);
+    stats.drawCalls += passes;
+}
+
 }  // namespace
 
 Renderer::State::State(const DevicePtr& d)
@@ -82,44 +104,55 @@ std::vector<const Program*> Renderer::State::programsOf(const MaterialResources&
     return result;
 }
 
-Plan Renderer::State::planFor(const MaterialResources& material, const CompiledHooks* hooks,
-                              PlanRequest wanted, const DrawRequest* draw, std::string& whyReplaced)
+ReadyPlan Renderer::State::planOf(const Form& form, PlanRequest& wanted,
+                                  const Capabilities& capabilities, const DrawRequest* draw)
+{
+    ReadyPlan ready{planPasses(form, wanted, capabilities), nullptr, {}};
+    if (!draw || !needsSurfaces(ready.plan)) return ready;
+    const Target& target = draw->target;
+    // The driver knows only now whether surfaces of this size can be made.
+    ready.surfaces =
+        surfaces.find(target.framebuffer,
+                      {target.width, target.height, ready.plan.surfaces, draw->info.floatDepth});
+    if (ready.surfaces) return ready;
+    wanted.offscreen = false;
+    return {planPasses(form, wanted, capabilities), nullptr, {}};
+}
+
+ReadyPlan Renderer::State::planFor(const MaterialResources& material, const CompiledHooks* hooks,
+                                   PlanRequest wanted, const DrawRequest* draw,
+                                   std::string& whyReplaced)
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
     wanted.signs = material.hasSigns();
     wanted.recombination = material.lookUpError();
-    Plan plan = planPasses(material.form(), wanted, capabilities);
-    const auto isOffscreen = [](const Pass& pass) { return pass.writes != Surface::target; };
-    if (draw && std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen) &&
-        !surfaces.prepare(
-            {draw->target.width, draw->target.height, plan.surfaces, draw->info.floatDepth})) {
-        wanted.offscreen = false;
-        plan = planPasses(material.form(), wanted, capabilities);
-    }
-    if (plan.feasible()) return plan;
+    ReadyPlan ready = planOf(material.form(), wanted, capabilities, draw);
+    if (ready.plan.feasible()) return ready;
     device->logOnce(Severity::warning, "material '" + material.name() +
                                            "': " + techniqueName(wanted.technique) +
-                                           " replaced by single: " + plan.reason);
-    whyReplaced = plan.reason;
+                                           " replaced by single: " + ready.plan.reason);
+    whyReplaced = ready.plan.reason;
+    // `single` without a limit has a plan for every form, unless its tables need too many units.
     wanted.technique = Technique::single;
     wanted.maxLookups = 0;
-    plan = planPasses(material.form(), wanted, capabilities);
-    if (!plan.feasible())
+    ready = planOf(material.form(), wanted, capabilities, draw);
+    if (!ready.plan.feasible())
         device->logOnce(Severity::error,
-                        "material '" + material.name() + "' not drawn: " + plan.reason);
-    return plan;
+                        "material '" + material.name() + "' not drawn: " + ready.plan.reason);
+    return ready;
 }
 
 void Renderer::State::prepare(const MaterialResources& material, const SurfaceOptions& surface,
                               const DrawOptions& options, int lights)
 {
+    programs.evict();
     const StateGuard guard(*device);
     std::string whyReplaced;
-    const Plan plan =
-        planFor(material, surface.hooks,
-                request(options, lights, {ColourFormat::rgba32f, false, false, Transfer::linear}),
-                nullptr, whyReplaced);
-    programsOf(material, surface, plan, isClustered(options, static_cast<size_t>(lights)));
+    // An RGBA32F target needs no surfaces, and so no size, which is not known yet.
+    const TargetInfo floatTarget{ColourFormat::rgba32f, false, false, Transfer::linear};
+    const ReadyPlan ready = planFor(material, surface.hooks, request(options, lights, floatTarget),
+                                    nullptr, whyReplaced);
+    programsOf(material, surface, ready.plan, isClustered(options, static_cast<size_t>(lights)));
 }
 
 void Renderer::State::draw(Executor& executor, const Drawable& item, const Sphere& bounds,
@@ -127,45 +160,40 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
 {
     const MaterialResources& material = item.material;
     const DebugGroup group(*device, "fbrdf item " + material.name());
+    // An arbitrary frame is invisible in an isotropic material only.
     if (!isIsotropic(material.form()) && !item.mesh.hasTangents() && !item.surface.derivedTangent)
         device->logOnce(Severity::warning,
                         "material '" + material.name() +
                             "' is anisotropic, the mesh has neither tangents nor texture "
                             "coordinates");
-    // With lists one light stands for all.
+    // With clustered lights the plan is made for a single light: programs read the lists.
     EyeLights lights = draw.clustered
                            ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}, {}}
                            : lightsOf(bounds, draw, stats);
+    // A batch of lights is scissored to the pixels that any of them reaches.
     if (draw.options.technique == Technique::batched) putNeighboursTogether(lights, draw);
     PlanRequest wanted = request(draw.options, static_cast<int>(lights.vectors.size()), draw.info);
+    // Lists have no peaks: how many lights reach a pixel is not known here.
     if (!draw.clustered) {
         wanted.peaks = material.peaks();
         wanted.peaks->lights = lights.peaks;
     }
-    const Plan plan = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
-    const auto passPrograms = programsOf(material, item.surface, plan, draw.clustered);
-    stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, plan, passPrograms, lights));
-    const int passes = static_cast<int>(plan.passes.size());
-    if (passes > stats.passes) {
-        stats.accumulation = colourFormatName(plan.accumulation);
-        stats.technique = plan.technique;
-    }
-    stats.error = {std::max(stats.error.relative, plan.error.relative),
-                   std::max(stats.error.absolute, plan.error.absolute),
-                   std::max(stats.error.recombination, plan.error.recombination)};
-    stats.passes = std::max(stats.passes, passes);
-    stats.drawCalls += passes;
+    ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
+    ready.programs = programsOf(material, item.surface, ready.plan, draw.clustered);
+    stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, ready, lights));
+    addPlan(stats, ready.plan);
 }
 
 void Renderer::State::drawItem(Executor& executor, const Item& item, const DrawRequest& request,
                                DrawStats& stats)
 {
-    survive(stats, 1, [&] { drawObject(executor, drawableOf(item), request, stats); });
+    attempt(stats, 1, [&] { drawObject(executor, drawableOf(item), request, stats); });
 }
 
 void Renderer::State::drawObject(Executor& executor, const Drawable& object,
                                  const DrawRequest& request, DrawStats& stats)
 {
+    // Prepared items need no model matrix, so drawableOf does not check it.
     checkModel(object.model);
     draw(executor, object,
          worldBounds(reached(object.mesh.bounds(), object.surface.hooks), object.model), request,
@@ -202,6 +230,8 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
 {
     checkAlive();
     checkRequest(*device, target, view);
+    programs.evict();
+    surfaces.evict(target);
     DrawRequest request{target, view, options, {}, {}, {}};
     setLights(request, lights);
     DrawStats stats;
@@ -209,10 +239,12 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     stats.lightsUsed = static_cast<int>(request.lights.size());
     stats.lightsDropped = stats.lightsGiven - stats.lightsUsed;
 
+    // The guard comes before all that touches state, and ends after the executor.
     StateGuard guard(*device);
     const DebugGroup group(*device, "fbrdf draw");
     guard.setTarget(target);
     guard.setDepth(view.depth);
+    // The format is queried each time: a host may attach other buffers to the same framebuffer.
     request.info = targetInfo(*device, target);
     validate(this->request(options, stats.lightsUsed, request.info));
     if (options.maxLights < 0)
@@ -222,7 +254,7 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
     LightClusters clusters;
     cluster(request, clusters, frame, stats);
-    Executor executor(*device, frame, surfaces, guard);
+    Executor executor(*device, frame, guard);
     drawAll(executor, request, stats);
     return stats;
 }

@@ -1,5 +1,5 @@
-// RendererState.h - what a renderer keeps between calls, and how it draws: one item
-// (RendererState.cpp), the objects of a batch (Batches.cpp).
+// RendererState.h - what a renderer keeps between calls, and how it draws an item
+// (RendererState.cpp) or the objects of a batch (Batches.cpp).
 #pragma once
 #include "DrawRequest.h"
 #include "LibraryResources.h"
@@ -11,7 +11,7 @@ namespace fbrdf::gl {
 struct Renderer::State {
     DevicePtr device;
     ProgramCache programs;
-    Surfaces surfaces;
+    SurfacePool surfaces;
     ClusterBuffers clusterBuffers;
     BufferTexture instances;
 
@@ -27,18 +27,19 @@ struct Renderer::State {
                                            const SurfaceOptions& surface, const Plan& plan,
                                            bool clustered);
     /// Returns the plan asked for or, with a warning, the one that takes all lights in one pass.
-    /// draw: its target's surfaces are made ready; may be null.
-    Plan planFor(const MaterialResources& material, const CompiledHooks* hooks, PlanRequest wanted,
-                 const DrawRequest* draw, std::string& whyReplaced);
+    /// draw: whose target gets surfaces where the plan needs them; may be null. The programs are
+    /// left to programsOf.
+    ReadyPlan planFor(const MaterialResources& material, const CompiledHooks* hooks,
+                      PlanRequest wanted, const DrawRequest* draw, std::string& whyReplaced);
     /// Builds what every material needs, and so refuses one that GL cannot draw.
     void prepareFirst(const MaterialResources& material) { prepare(material, {}, {}, 1); }
     /// Builds what a draw will need.
     void prepare(const MaterialResources& material, const SurfaceOptions& surface,
                  const DrawOptions& options, int lights);
-    /// Whether lights go into lists: asked for, possible, and there are any.
+    /// True where lists of lights were asked for and are possible, and there are lights.
     bool isClustered(const DrawOptions& options, size_t lights);
 
-    /// Sets everything up for a draw, then drawAll(executor, request, stats).
+    /// Sets everything up for a draw, then calls drawAll(executor, request, stats).
     using DrawAll = std::function<void(Executor&, const DrawRequest&, DrawStats&)>;
     DrawStats draw(const Target& target, const View& view, const std::vector<Light>& lights,
                    const DrawOptions& options, const DrawAll& drawAll);
@@ -51,6 +52,9 @@ struct Renderer::State {
                    DrawStats& stats);
 
 private:
+    /// The plan and its surfaces; where those cannot be made, a plan without.
+    ReadyPlan planOf(const Form& form, PlanRequest& wanted, const Capabilities& capabilities,
+                     const DrawRequest* draw);
     void draw(Executor& executor, const Drawable& item, const Sphere& bounds,
               const DrawRequest& draw, DrawStats& stats);
     void cluster(DrawRequest& request, LightClusters& clusters, Frame& frame, DrawStats& stats);
@@ -63,14 +67,14 @@ private:
                    DrawStats& stats);
     void checkBatch(const Batch& batch) const;
     template <class Draw>
-    void survive(DrawStats& stats, int objects, Draw drawIt);
+    void attempt(DrawStats& stats, int objects, Draw drawIt);
 };
 
 void checkModel(const glm::mat4& model);
 
-/// What fails is left out, logged and counted.
+/// Draws `objects` objects; where that fails, they are left out, logged and counted.
 template <class Draw>
-void Renderer::State::survive(DrawStats& stats, int objects, Draw drawIt)
+void Renderer::State::attempt(DrawStats& stats, int objects, Draw drawIt)
 {
     try {
         drawIt();

@@ -2,23 +2,35 @@
 
 #include "UploadGuard.h"
 
-#include <fbrdf/base/Error.h>
+#include <fbrdf/base/Assert.h>
 
 namespace fbrdf::gl {
+namespace {
 
-bool Surfaces::prepare(const Format& format)
+/// OpenGL ES 2.0 has neither levels of textures nor sized formats, and promises 16 bits of depth.
+bool isOld(const Functions& gl)
 {
-    if (format == format_) return usable_;
-    format_ = format;
+    return gl.es != 0 && gl.es < 30;
+}
+
+}  // namespace
+
+Surfaces::Surfaces(DevicePtr device, const SurfaceFormat& format)
+    : device_(std::move(device)), format_(format)
+{
+    FBRDF_ASSERT(format.width, >, 0);
+    FBRDF_ASSERT(format.height, >, 0);
     const UploadGuard guard(*device_);
     createDepth();
     usable_ =
         create(accumulation_, "accumulation") && create(scratch_, "scratch") && create(sum_, "sum");
-    if (!usable_)
-        device_->log(Severity::warning, std::string("no ") + colourFormatName(format.colour) +
-                                            " surface of " + std::to_string(format.width) + "x" +
-                                            std::to_string(format.height) + " can be drawn to");
-    return usable_;
+    if (usable_) return;
+    // What was made before the failure would only take memory.
+    for (One* one : {&accumulation_, &scratch_, &sum_}) *one = One();
+    depth_.reset();
+    device_->log(Severity::warning, std::string("no ") + colourFormatName(format.colour) +
+                                        " surface of " + std::to_string(format.width) + "x" +
+                                        std::to_string(format.height) + " can be drawn to");
 }
 
 void Surfaces::createDepth()
@@ -26,12 +38,22 @@ void Surfaces::createDepth()
     const Functions& gl = device_->gl;
     depth_ = createObject(device_, ObjectKind::renderbuffer);
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-    // OpenGL ES 2.0 promises 16 bits only.
-    const bool old = gl.es != 0 && gl.es < 30;
-    const GLenum fixed = old ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
+    const GLenum fixed = isOld(gl) ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
     gl.RenderbufferStorage(GL_RENDERBUFFER, format_.floatDepth ? GL_DEPTH_COMPONENT32F : fixed,
                            format_.width, format_.height);
     label(*device_, ObjectKind::renderbuffer, depth_, "depth");
+}
+
+void Surfaces::allocate() const
+{
+    const Functions& gl = device_->gl;
+    const auto allocated = [&](GLint internal, GLenum type) {
+        gl.TexImage2D(GL_TEXTURE_2D, 0, internal, format_.width, format_.height, 0, GL_RGBA, type,
+                      nullptr);
+    };
+    if (format_.colour == ColourFormat::rgba32f) return allocated(GL_RGBA32F, GL_FLOAT);
+    if (format_.colour == ColourFormat::rgba16f) return allocated(GL_RGBA16F, GL_HALF_FLOAT);
+    allocated(isOld(gl) ? GL_RGBA : GL_RGBA8, GL_UNSIGNED_BYTE);
 }
 
 bool Surfaces::create(One& one, const std::string& name)
@@ -39,21 +61,13 @@ bool Surfaces::create(One& one, const std::string& name)
     const Functions& gl = device_->gl;
     one.texture = createObject(device_, ObjectKind::texture);
     gl.BindTexture(GL_TEXTURE_2D, one.texture.name());
+    // Each fragment reads the texel at its own place, so nothing is to be filtered.
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    const bool old = gl.es != 0 && gl.es < 30;  // neither levels nor sized formats
-    if (!old) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    if (format_.colour == ColourFormat::rgba32f)
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, format_.width, format_.height, 0, GL_RGBA,
-                      GL_FLOAT, nullptr);
-    else if (format_.colour == ColourFormat::rgba16f)
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, format_.width, format_.height, 0, GL_RGBA,
-                      GL_HALF_FLOAT, nullptr);
-    else
-        gl.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : GL_RGBA8, format_.width, format_.height, 0,
-                      GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    if (!isOld(gl)) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    allocate();
     label(*device_, ObjectKind::texture, one.texture, name);
     one.framebuffer = createObject(device_, ObjectKind::framebuffer);
     gl.BindFramebuffer(gl.drawFramebuffer(), one.framebuffer.name());
@@ -62,17 +76,15 @@ bool Surfaces::create(One& one, const std::string& name)
     gl.FramebufferRenderbuffer(gl.drawFramebuffer(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                depth_.name());
     label(*device_, ObjectKind::framebuffer, one.framebuffer, name);
+    // Whether a format can be drawn to is the driver's choice in OpenGL 2.1 and ES.
     return gl.CheckFramebufferStatus(gl.drawFramebuffer()) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-GLuint Surfaces::framebuffer(Surface surface) const
+const Surfaces::One& Surfaces::of(Surface surface) const
 {
-    return of(surface).framebuffer.name();
-}
-
-GLuint Surfaces::texture(Surface surface) const
-{
-    return of(surface).texture.name();
+    FBRDF_ASSERT(surface != Surface::target, ==, true);
+    if (surface == Surface::sum) return sum_;
+    return surface == Surface::scratch ? scratch_ : accumulation_;
 }
 
 }  // namespace fbrdf::gl

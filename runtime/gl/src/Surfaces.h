@@ -1,50 +1,50 @@
-// Surfaces.h - the accumulation, scratch and sum surfaces: RGBA32F or RGBA8, as large as the
-// target, one depth buffer for all.
+// Surfaces.h - the accumulation, scratch and sum surfaces of one target: as large as the target,
+// with one depth buffer for all.
 #pragma once
 #include "Objects.h"
 
 namespace fbrdf::gl {
 
+struct SurfaceFormat {
+    int width = 0, height = 0;
+    ColourFormat colour = ColourFormat::rgba32f;
+    bool floatDepth = false;  ///< as the target's: coarser depths would let fragments coincide
+
+    bool operator==(const SurfaceFormat& other) const
+    {
+        return fitsTargetOf(other) && colour == other.colour;
+    }
+    /// The same but for the colour, which the plan chooses.
+    bool fitsTargetOf(const SurfaceFormat& other) const
+    {
+        return width == other.width && height == other.height && floatDepth == other.floatDepth;
+    }
+};
+
 class Surfaces {
 public:
-    explicit Surfaces(DevicePtr device) : device_(std::move(device)) {}
+    /// Creates all three. Where the driver cannot draw to them it warns, and isUsable() is false.
+    Surfaces(DevicePtr device, const SurfaceFormat& format);
 
-    /// What the surfaces of a target have to be.
-    struct Format {
-        int width = 0, height = 0;
-        ColourFormat colour = ColourFormat::rgba32f;
-        bool floatDepth = false;  ///< as the target's: coarser depths would let fragments coincide
-        bool operator==(const Format& other) const
-        {
-            return width == other.width && height == other.height && colour == other.colour &&
-                   floatDepth == other.floatDepth;
-        }
-    };
-
-    /// Creates the surfaces, or does nothing if they already match. Returns false, after a warning,
-    /// where the driver cannot draw to them; it is not asked again for the same format.
-    bool prepare(const Format& format);
-
-    /// Framebuffer of any but the target.
-    GLuint framebuffer(Surface surface) const;
-    GLuint texture(Surface surface) const;
+    const SurfaceFormat& format() const { return format_; }
+    bool isUsable() const { return usable_; }
+    /// surface: not the target.
+    GLuint framebuffer(Surface surface) const { return of(surface).framebuffer.name(); }
+    GLuint texture(Surface surface) const { return of(surface).texture.name(); }
 
 private:
     struct One {
         Object texture, framebuffer;
     };
     void createDepth();
+    void allocate() const;
     bool create(One& one, const std::string& name);
-    const One& of(Surface surface) const
-    {
-        if (surface == Surface::sum) return sum_;
-        return surface == Surface::scratch ? scratch_ : accumulation_;
-    }
+    const One& of(Surface surface) const;
 
     DevicePtr device_;
+    SurfaceFormat format_;
     One accumulation_, scratch_, sum_;
     Object depth_;
-    Format format_;
     bool usable_ = false;
 };
 
