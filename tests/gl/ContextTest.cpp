@@ -1,4 +1,4 @@
-// fbrdf::headless: contexts and offscreen framebuffers.
+// The contexts and offscreen framebuffers of fbrdf::headless.
 #include <fbrdf/base/Error.h>
 #include <fbrdf/headless/Offscreen.h>
 
@@ -59,7 +59,7 @@ TEST_P(OffscreenTest, ReadsBackWhatItWasClearedTo)
         for (size_t i = 0; i < pixels.size(); i += 4) {
             EXPECT_EQ(pixels[i], 1.0f);
             EXPECT_EQ(pixels[i + 1], 0.0f);
-            EXPECT_NEAR(pixels[i + 2], 0.2f, 2e-4f);  // half an ulp of a half
+            EXPECT_NEAR(pixels[i + 2], 0.2f, 2e-4f);  // half an ulp of a half float
         }
     }
 }

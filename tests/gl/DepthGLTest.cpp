@@ -60,8 +60,8 @@ TEST_P(DepthMatch, EveryPassCoversWhatIsVisible)
             const size_t visible = covered(offscreen.readPixels());
             ASSERT_GT(visible, 300u);
             ASSERT_EQ(hooks.samples.size(), static_cast<size_t>(stats.drawCalls));
-            // Passes that lay depth, one a surface, also draw what a nearer fragment replaces
-            // later; all others must match exactly.
+            // The first pass of each surface also draws fragments that nearer ones replace later;
+            // all other passes must match exactly.
             int laying = 0;
             for (const GLuint samples : hooks.samples) {
                 laying += samples > visible ? 1 : 0;

@@ -1,4 +1,4 @@
-// OpenGL ES 3.0 and 2.0: the renderer in contexts of theirs, against the reference in double whose
+// The renderer in contexts of OpenGL ES 3.0 and 2.0, compared with the reference in double, whose
 // geometry a desktop context of the same driver interpolates.
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ protected:
         return referenceImage(material, geometry, lit, perspectiveView(), surface);
     }
 
-    /// The largest part of what the bound allows, over techniques.
+    /// The largest deviation of any technique, as a share of its bound.
     double worstShare(gl::Renderer& renderer, const Material& material, OffscreenFormat format,
                       const gl::MaterialOptions& materialOptions = {})
     {
@@ -148,7 +148,7 @@ TEST_F(Es, TakesHooksAndNormalMaps)
     gl::MeshData mesh = plain;
     mesh.extra.emplace_back(mesh.positions.size(), glm::vec4(0.0f, 0.0f, 0.25f, 0.0f));
     mesh.textureCoordinates.resize(mesh.positions.size());
-    for (Vec3f& position : mesh.positions) position.z -= 0.25f;  // which the hook takes back
+    for (Vec3f& position : mesh.positions) position.z -= 0.25f;  // the hook takes it back
     gl::Hooks hooks;
     hooks.vertex =
         "FBRDF_ATTRIBUTE vec4 fbrdfExtra0;\n"
@@ -184,7 +184,7 @@ TEST_F(Es, TakesHooksAndNormalMaps)
     EXPECT_LE(deviationOf(found, exact, {1e-3, 1.0 / 255.0}).share, 1.0);
 }
 
-/// State that a host may have and the renderer must change.
+/// Sets state that a host may have and the renderer must change.
 void setHostState(const GladGLContext& gl)
 {
     gl.Enable(GL_CULL_FACE);

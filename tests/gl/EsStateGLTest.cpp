@@ -1,5 +1,5 @@
-// OpenGL ES 3.0: whatever state the host has, the picture is the same, and the state is the host's
-// again after. What StateGLTest.cpp is for OpenGL.
+// In OpenGL ES 3.0 the picture is the same whatever state the host has, and the state is the host's
+// again after. StateGLTest.cpp tests this in OpenGL.
 #include "StateList.h"
 #include "StateScrambler.h"
 
@@ -46,11 +46,11 @@ protected:
         renderer_.reset();
         if (!context_) return;
         EXPECT_EQ(gl_.GetError(), GLenum(GL_NO_ERROR));
-        for (const std::string& line : log_)  // errors of the host's, that is of the scrambler's
+        for (const std::string& line : log_)  // the scrambler causes errors, as a host may
             EXPECT_EQ(line.find("GL error"), std::string::npos) << line;
     }
 
-    /// Scrambles, acts, compares; leaves defaults.
+    /// Scrambles the state, acts, compares the state, and leaves defaults.
     template <class Act>
     void expectKept(unsigned seed, Act act)
     {
@@ -61,7 +61,7 @@ protected:
         scrambler_->setDefaults();
     }
 
-    /// The same pixels from every state as from that of a new context.
+    /// Expects the same pixels from every state as from that of a new context.
     void expectUndisturbed(const gl::GpuMaterial& material, OffscreenFormat format,
                            const gl::DrawOptions& options)
     {
@@ -141,7 +141,7 @@ TEST_F(EsState, ADrawThatIsRefusedPutsBackWhatItFinds)
         });
 }
 
-// The tester: what is not put back shows.
+// The tester itself: state that is not put back shows.
 TEST_F(EsState, WhatAHostChangesIsSeen)
 {
     GLuint sampler = 0;

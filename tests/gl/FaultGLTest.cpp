@@ -1,5 +1,5 @@
-// Everything that can go wrong: each gives an error of the right kind with words that help, and the
-// next good call works.
+// Everything that can go wrong gives an error of the right kind with words that help, and the next
+// good call works.
 #include <gtest/gtest.h>
 
 #include "support/gl/ExpectError.h"
@@ -158,7 +158,7 @@ TEST_P(Fault, OutOfMemoryIsReported)
 {
     Hooks hooks(context().loader());
     gl::Renderer renderer(hooked(hooks));
-    // Told where the upload asks, after the host's own errors have been looked for.
+    // The error comes where the upload asks for one, after those of the host were looked for.
     hooks.errorAfter = 1;
     hooks.nextError = GL_OUT_OF_MEMORY;
     expectError(ErrorKind::gl, "out of memory", [&] { renderer.createMesh(sphereMesh(4)); });
@@ -199,7 +199,7 @@ TEST_P(Fault, ADrawSurvivesAShaderThatDoesNotCompile)
     hooks.corruptShaders = true;  // two-lookup needs programs that do not exist yet
     for (int frame = 0; frame < 3; ++frame)
         EXPECT_EQ(draw(renderer, item, testLights(3), {Technique::twoLookup}).itemsFailed, 1);
-    EXPECT_EQ(log.size(), 1u);  // said once, not every frame
+    EXPECT_EQ(log.size(), 1u);  // reported once, not every frame
     EXPECT_EQ(draw(renderer, item, testLights(1)).itemsFailed, 0);
     expectError(ErrorKind::gl, "compile",
                 [&] { renderer.prepare(*material, {Technique::twoLookup}, 3); });
@@ -256,7 +256,7 @@ TEST_P(Fault, ItemsThatCannotBeDrawnAreLeftOutAndCounted)
                                      testLights(2));
     EXPECT_EQ(stats.itemsFailed, 5);
     EXPECT_EQ(stats.drawCalls, 1);
-    EXPECT_EQ(log.size(), 3u);  // the same words are said once
+    EXPECT_EQ(log.size(), 3u);  // the same text is reported once
 }
 
 TEST_P(Fault, ViewsAndOptionsOutOfRangeAreRefused)
@@ -295,8 +295,8 @@ TEST_P(Fault, AnAnisotropicMaterialOnAMeshWithoutTangentsIsDrawnWithAWarning)
 
 INSTANTIATE_TEST_SUITE_P(Backends, Fault, ::testing::ValuesIn(allVariants()), variantName);
 
-// Run by ctest in a process whose driver says 2.0 (see CMakeLists.txt); elsewhere there is nothing
-// to see.
+// ctest runs this in a process whose driver reports 2.0 (see CMakeLists.txt); elsewhere it is
+// skipped.
 TEST(Driver, OfVersion20IsRefused)
 {
     const char* version = std::getenv("MESA_GL_VERSION_OVERRIDE");

@@ -1,5 +1,5 @@
-// How finely this driver filters, which the image tests' tolerances rest on: a ramp between two
-// texels, magnified 4096 times.
+// How finely this driver filters, on which the tolerances of the image tests rest: a ramp between
+// two texels is magnified 4096 times.
 #include <gtest/gtest.h>
 
 #include "support/gl/GlTest.h"
@@ -13,7 +13,7 @@ constexpr GLsizei kSteps = 4096;
 
 class Filter : public GlTest {
 protected:
-    /// Distinct values between texel 0 = black and texel 1 = white, and the value in the middle.
+    /// Counts the values between a black and a white texel, and reads the one in the middle.
     std::pair<size_t, float> ramp(GLint internalFormat)
     {
         const auto& g = gl();
@@ -52,8 +52,8 @@ protected:
     }
 };
 
-// What the runtime uploads tables as. Hardware may have 256 steps: then the image tests' tolerances
-// would have to say so.
+// The formats in which the runtime uploads tables. Hardware may filter in 256 steps; the image
+// tests would then need larger tolerances.
 TEST_P(Filter, IsFineForTheFormatsThatTheRuntimeUses)
 {
     for (const GLint format : {GL_RGB16, GL_RGB16F, GL_RGB32F}) {

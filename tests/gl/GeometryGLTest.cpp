@@ -1,5 +1,5 @@
-// Mirrored and stretched objects, hands of tangents, derived tangents, normal maps. Against the
-// CPU, or against a mesh that holds the same by itself.
+// Mirrored and stretched objects, handedness of tangents, derived tangents and normal maps are
+// compared with the CPU, or with a mesh whose own arrays contain the same.
 #include "GeometryTest.h"
 
 namespace fbrdf::test {

@@ -1,4 +1,4 @@
-// GeometryTest.h - the fixture of tests of what the host says of its geometry, and what they draw.
+// GeometryTest.h - the fixture of tests of the host's geometry, and the objects that they draw.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -14,16 +14,16 @@
 namespace fbrdf::test {
 
 constexpr int kSize = 48;
-// Against the reference: as in ImageGLTest.
+// The tolerance against the reference, as in ImageGLTest.
 constexpr double kAgainstReference = 1e-4;
-// The same geometry by other float operations, in tables of noise.
+// The same geometry comes from other float operations, in tables of noise.
 constexpr double kSameGeometry = 5e-4;
-// Derivatives are differences of neighbouring pixels: 24 bits less those of the coordinates.
+// Derivatives are differences of neighbouring pixels and have 24 bits less those of coordinates.
 constexpr double kDerived = 5e-3;
 // Where one thing is wrong, the picture is far off.
 constexpr double kNoticed = 0.1;
 
-/// Not symmetric in any direction of the tangent frame.
+/// A material that is not symmetric in any direction of the tangent frame.
 inline Material brushed()
 {
     return noiseMaterial(formPqpr(16, 0.5, 12), Storage::half);
@@ -147,7 +147,7 @@ private:
     GLuint map_ = 0;
 };
 
-/// Bumps, one a texel.
+/// A normal for each texel.
 inline std::vector<Vec3f> bumps()
 {
     std::vector<Vec3f> normals;

@@ -1,5 +1,5 @@
-// Vertex and shadow hooks of the host. Against the CPU, or against a mesh that holds the same by
-// itself.
+// Vertex and shadow hooks of the host are compared with the CPU, or with a mesh whose own arrays
+// contain the same.
 #include "GeometryTest.h"
 
 #include "support/gl/ExpectError.h"
@@ -15,7 +15,7 @@ class HostHooks : public Geometry {};
 
 constexpr const char* kSkin =
     "FBRDF_ATTRIBUTE vec4 fbrdfExtra0;\n"
-    "uniform vec4 bones[4];\n"  // columns of a bone beside the one that stays
+    "uniform vec4 bones[4];\n"  // columns of the bone that moves
     "void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 tangent)\n"
     "{\n"
     "    if (fbrdfExtra0.x > 0.5) {\n"
@@ -78,7 +78,7 @@ TEST_P(HostHooks, WhatAVertexHookMovesIsLitWhereItEndsUp)
     EXPECT_GT(*std::max_element(plain.pixels.begin(), plain.pixels.end()), 1.0f);
     for (const auto* given : {far.get(), said.get()})
         expectSame(lit(given, behind).pixels, plain.pixels, kSameGeometry);
-    EXPECT_EQ(lit(wrong.get(), behind).stats.lightsCulled, 1);  // a host that lies about reach
+    EXPECT_EQ(lit(wrong.get(), behind).stats.lightsCulled, 1);  // the reach of this hook is false
 }
 
 constexpr const char* kShadow =
@@ -99,7 +99,8 @@ TEST_P(HostHooks, AShadowHookKnowsEveryLightByItsPlace)
     };
     const auto shadow = renderer_->createHooks(hooks);
     auto lights = testLights(9);
-    lights[0].position.x = std::numeric_limits<float>::quiet_NaN();  // places are those given
+    lights[0].position.x =
+        std::numeric_limits<float>::quiet_NaN();  // it keeps its place all the same
     SurfaceReference surface;
     surface.shadow = [](size_t light, const Vec3d& position) {
         if (light == 1) return 0.0;
@@ -108,7 +109,7 @@ TEST_P(HostHooks, AShadowHookKnowsEveryLightByItsPlace)
     const Object object{sphereMesh(16), glm::mat4(1.0f), shadow.get()};
     const auto expected = reference(brushed(), object, surface, perspectiveView(), lights);
     gl::DrawOptions capped, clustered;
-    capped.maxLights = 8;  // sorts them
+    capped.maxLights = 8;  // a limit sorts the lights
     clustered.clustered = !GetParam().legacy;
     for (const gl::DrawOptions& options :
          {gl::DrawOptions{}, gl::DrawOptions{Technique::batched, 3},

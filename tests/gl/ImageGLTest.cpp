@@ -1,4 +1,4 @@
-// Images of every technique, form and number of lights against the CPU reference in double.
+// Images of every technique, form and number of lights are compared with the CPU reference.
 #include <gtest/gtest.h>
 
 #include "support/gl/CompareImages.h"
@@ -15,16 +15,16 @@ namespace fbrdf::test {
 namespace {
 
 constexpr int kSize = 64;
-// Against the reference: float geometry, exp2 and pow against double. Measured on llvmpipe: 2.4e-5,
-// in tables of noise, which are steeper than any material's.
+// The reference has geometry, exp2 and pow in double. On llvmpipe 2.4e-5 was measured, in tables of
+// noise, which are steeper than any material's.
 constexpr double kAgainstReference = 1e-4;
-// The same but for pixels below a hundredth of the mean, where the cosine of a float is all that
-// counts. Measured: 6.7e-6.
+// The same without pixels below a hundredth of the mean, where the rounding of the cosine
+// dominates. 6.7e-6 was measured.
 constexpr double kSinglePass = 1e-5, kDark = 1e-2;
-// Between techniques: up to 257 roundings in blending, and p(wo) applied before or after the
-// sum. Measured: 1.7e-6.
+// Techniques differ by up to 257 roundings in blending, and apply p(wo) before or after the sum.
+// 1.7e-6 was measured.
 constexpr double kBetweenTechniques = 2e-5;
-// The same sums in another order.
+// The same sums are added in another order.
 constexpr double kReordered = 2e-5;
 
 struct Scene {
@@ -97,7 +97,7 @@ void Image::compareTechniques(const Scene& scene, const std::vector<int>& lightC
         const auto toReference = compareImages(single, reference);
         EXPECT_TRUE(toReference.comparable);
         EXPECT_LT(toReference.maxRelative, kAgainstReference) << describe(toReference);
-        // Terms with signs cancel, and keep the error of what they were before.
+        // Terms with signs cancel, but their errors do not.
         const auto lit = compareImages(single, reference, kDark);
         EXPECT_TRUE(lit.maxRelative < kSinglePass || hasSigns(scene.material)) << describe(lit);
         worstReference_ = std::max(worstReference_, toReference.maxRelative);
@@ -254,7 +254,7 @@ TEST_P(Image, SeveralItemsShareTheTarget)
 
 INSTANTIATE_TEST_SUITE_P(Backends, Image, ::testing::ValuesIn(allVariants()), variantName);
 
-// The tester: an image with one light too few must not pass for the reference.
+// The tester itself: an image with one light too few must not pass for the reference.
 class WrongImage : public Image {};
 
 TEST_P(WrongImage, LosingALightIsNoticed)

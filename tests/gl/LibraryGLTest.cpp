@@ -1,4 +1,4 @@
-// Many materials: one program, one bind, one draw call against as many as there are objects.
+// Many materials in one draw call are compared with a draw call for each object.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kSize = 96;
 constexpr int kColumns = 25;
-// Equal arithmetic; compilers may order the products of two programs differently.
+// The arithmetic is equal, but compilers may order the products of two programs differently.
 constexpr double kRounding = 1e-5;
-// UNORM16 texels: separate textures may be filtered by other rounding than arrays.
+// Textures of UNORM16 texels may be filtered with other rounding than arrays of them.
 constexpr double kFiltering = 1e-3;
 
 std::vector<Material> noiseMaterials(const Form& form, Storage storage, int count)

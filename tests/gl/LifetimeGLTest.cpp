@@ -1,4 +1,4 @@
-// Objects are deleted, in any order; a lost context is not touched; renderers live side by side.
+// Objects are deleted in any order, a lost context is not touched, renderers exist side by side.
 #include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
@@ -165,7 +165,7 @@ TEST_P(Lifetime, RenderersInSeveralContextsDoNotDisturbEachOther)
         all.push_back(make(backend));
     const auto expected = draw(all[0]);
     for (int round = 0; round < 2; ++round)
-        for (One& one : all) EXPECT_EQ(draw(one), expected);  // one rasteriser behind all of them
+        for (One& one : all) EXPECT_EQ(draw(one), expected);  // all have the same rasteriser
     // A material of another context is refused, not drawn with.
     all[0].context.makeCurrent();
     const auto stats =

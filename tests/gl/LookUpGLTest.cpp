@@ -1,5 +1,5 @@
-// Maps recombined into parabolic and cube maps: against the tables in double, within the bound that
-// the interpolation error and the plan state.
+// Maps recombined into parabolic and cube maps are compared with the tables in double, within the
+// bound that follows from the interpolation error and the plan.
 #include <gtest/gtest.h>
 
 #include "support/gl/ExpectError.h"
@@ -34,7 +34,7 @@ Material lobes(const Form& form, Storage storage = Storage::half)
     return material;
 }
 
-/// Other directions than wi, wo and h.
+/// A form of other directions than wi, wo and h.
 Form otherDirections()
 {
     const DiscDomain disc = DiscDomain::fitting(16, 1.0);
@@ -61,7 +61,7 @@ protected:
         RendererTest::TearDown();
     }
 
-    /// The largest share of the bound, over techniques.
+    /// The largest deviation of any technique, as a share of its bound.
     double worstShare(gl::Renderer& renderer, const Material& material,
                       const gl::MaterialOptions& options, const gl::GpuMesh& mesh,
                       const std::vector<Technique>& techniques = {allTechniques().begin(),

@@ -1,4 +1,4 @@
-// Many lights: lists, culling, scissor and caps against all lights in one pass.
+// Lists of lights, culling, scissors and caps are compared with all lights in one pass.
 #include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace fbrdf::test {
 namespace {
 
 constexpr int kSize = 48;
-// The same terms in another order.
+// The same terms are added in another order.
 constexpr double kOrder = 1e-4;
 
 /// Small lights near the surface of what is drawn, a few of them without a radius.

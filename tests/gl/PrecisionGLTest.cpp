@@ -1,5 +1,5 @@
-// What the plan promises of precision: each technique, form, target and transfer against the CPU
-// reference in double.
+// The plan's promise of precision is checked for each technique, form, target and transfer, against
+// the CPU reference in double.
 #include <gtest/gtest.h>
 
 #include "support/gl/CompareImages.h"
@@ -58,7 +58,7 @@ TEST_P(Precision, HoldsInEveryFormTechniqueTargetAndTransfer)
     EXPECT_GT(worst, 0.3) << "a bound that nothing comes near says nothing";
 }
 
-// As OpenGL ES often has it: no blending in RGBA32F.
+// OpenGL ES often cannot blend in RGBA32F.
 TEST_P(Precision, HoldsWhereSumsAreHalves)
 {
     gl::RendererOptions options = rendererOptions();

@@ -1,4 +1,4 @@
-// Whatever state the host has: the picture is the same, and the state is the host's again after.
+// Whatever state the host has, the picture is the same, and the state is the host's again after.
 #include "StateTest.h"
 
 #include <fbrdf/base/Error.h>
@@ -17,7 +17,7 @@ constexpr unsigned kSeeds = 24;
 
 class State : public StateTest {
 protected:
-    /// Scrambles, acts, compares; leaves defaults.
+    /// Scrambles the state, acts, compares the state, and leaves defaults.
     template <class Act>
     void expectKept(unsigned seed, Act act)
     {
@@ -220,7 +220,7 @@ TEST_P(State, AnUnusedTextureUnitIsLeftAlone)
 
 INSTANTIATE_TEST_SUITE_P(Backends, State, ::testing::ValuesIn(allVariants()), variantName);
 
-// The tester: a host call that leaves something behind is noticed, and scrambling scrambles.
+// The tester itself: a host call that leaves something behind is noticed, and scrambling scrambles.
 class StateTester : public State {};
 
 TEST_P(StateTester, NoticesEveryKindOfChange)

@@ -1,5 +1,5 @@
-// StateList.h - GL state as a host may have set it: read all of it, scramble it, set it to
-// defaults.
+// StateList.h - reads GL state as a host may have set it, all that the runtime could touch and
+// more.
 #pragma once
 #include "support/gl/Gl.h"
 
@@ -13,16 +13,16 @@ namespace fbrdf::test {
 struct NamedState {
     const char* name;
     GLenum value;
-    int since = 21;    ///< version that knows it
-    int sinceEs = 99;  ///< version of OpenGL ES that does; 99: none
+    int since = 21;    ///< first version that knows it
+    int sinceEs = 99;  ///< first version of OpenGL ES that knows it; 99: none
 };
-/// The context is one of OpenGL ES, 3.0 or newer.
+/// True in a context of OpenGL ES, which must be 3.0 or newer.
 bool isEs(const GladGLContext& gl);
 
 /// Capabilities of glEnable that exist in this context.
 std::vector<NamedState> switches(const GladGLContext& gl, bool core);
 
-/// State by name; far more than the runtime says it touches.
+/// State by name; far more than the runtime claims to touch.
 using StateSnapshot = std::map<std::string, std::vector<double>>;
 StateSnapshot snapshot(const GladGLContext& gl, bool core);
 

@@ -1,4 +1,4 @@
-// The modes in which state is not put back: GL's defaults, and left as the README says.
+// The modes in which state is not put back: GL's defaults, or left as the call used it.
 #include "StateTest.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST_P(StateModes, AllDrawTheSamePicture)
     }
 }
 
-// What of the scrambled state the runtime touches is GL's default after; the rest is the host's.
+// State that the runtime touches is GL's default after; the rest is the host's.
 TEST_P(StateModes, DefaultsAreThoseOfANewContext)
 {
     Offscreen offscreen = makeOffscreen(kSize);
@@ -100,7 +100,7 @@ TEST_P(StateModes, DefaultsAreThoseOfANewContext)
     }
 }
 
-// README.md, "State": the names that a draw and the making of things may leave behind.
+// Renderer.h, "State": the names that a draw and the making of things may leave behind.
 const std::vector<std::string>& published()
 {
     static const std::vector<std::string> names = {

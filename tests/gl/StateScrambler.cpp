@@ -5,7 +5,7 @@
 namespace fbrdf::test {
 namespace {
 
-// Whose initial value is GL_TRUE.
+// True for the switches whose initial value is GL_TRUE.
 bool isOnAtFirst(GLenum name)
 {
     return name == GL_DITHER || name == GL_MULTISAMPLE;
@@ -13,7 +13,7 @@ bool isOnAtFirst(GLenum name)
 
 }  // namespace
 
-/// Random values, or the first of each choice: GL's initial one.
+/// Picks random values, or the first of each choice, which is GL's initial one.
 struct StateScrambler::Source {
     bool random = false;
     std::mt19937 engine;

@@ -6,7 +6,7 @@
 
 namespace fbrdf::test {
 
-/// Objects to bind, and setting state at random or to what a new context has.
+/// Has objects to bind, and sets state at random or to what a new context has.
 class StateScrambler {
 public:
     /// core: without fixed function, as OpenGL ES is.

@@ -1,4 +1,4 @@
-// StateTest.h - the fixture of tests that leave a context in any state, and look at what is left.
+// StateTest.h - the fixture of tests that set any state and look at what a call leaves of it.
 #pragma once
 #include "StateList.h"
 #include "StateScrambler.h"

@@ -14,8 +14,8 @@ namespace fbrdf::test {
 namespace {
 
 constexpr int kSize = 48;
-// One rounding of the target: half a step of 1/255; half an ulp of 11 bits, rounded towards 0 on
-// llvmpipe. A sum of two terms is blended once more.
+// The target rounds once: by half a step of 1/255, or half an ulp of 11 bits, which llvmpipe rounds
+// towards 0. A sum of two terms is blended once more.
 constexpr float kByteStep = 1.01f / 255.0f;
 constexpr float kHalfUlp = 1.01f / 1024.0f;
 
@@ -86,7 +86,7 @@ TEST_P(Targets, AreDrawnOverWhatIsBehindOnly)
         EXPECT_EQ(pixels[3], 0.0f);
         const size_t middle = 4 * (kSize / 2 * kSize + kSize / 2);
         EXPECT_EQ(pixels[middle + 3], 1.0f);
-        // Drawn again behind itself, nothing changes.
+        // The object drawn again behind itself changes nothing.
         glm::mat4 behind(1.0f);
         behind[3][2] = -3.0f;
         renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
@@ -214,7 +214,7 @@ TEST_P(Targets, MultisampledAddUpInPlace)
                   lights);
     const size_t middle = 4 * (kSize / 2 * kSize + kSize / 2);
     const float expected = plain.readPixels()[middle];
-    // Five blends in half floats, rounded towards 0, and other sample positions.
+    // There are five blends in half floats, rounded towards 0, and other sample positions.
     EXPECT_NEAR(resolved.readPixels()[middle], expected, 0.05f * expected);
     gl().DeleteFramebuffers(1, &framebuffer);
     gl().DeleteRenderbuffers(2, buffers);

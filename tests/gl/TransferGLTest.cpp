@@ -1,4 +1,4 @@
-// What is stored of the radiance: against the definition, in every kind of target.
+// What is stored of the radiance agrees with the definition in every kind of target.
 #include <fbrdf/base/Error.h>
 #include <fbrdf/plan/Transfer.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSize = 48;
 constexpr float kExposure = 0.125f;
-// pow of drivers is good to some 1e-5; sums come in another order.
+// The pow of drivers is good to some 1e-5, and sums are added in another order.
 constexpr double kCurve = 1e-4;
 constexpr double kByteStep = 0.51 / 255.0 + kCurve;
 

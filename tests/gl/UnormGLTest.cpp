@@ -1,5 +1,5 @@
-// Where no float can be drawn to: lights add up in RGBA8, scaled, against the reference in double
-// within the bound that the plan states.
+// Where no float can be drawn to, lights add up in RGBA8, scaled; the sum agrees with the reference
+// in double within the plan's bound.
 #include <gtest/gtest.h>
 
 #include "support/gl/GlTest.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSize = 32;
 
-/// A light above the viewer, and so on round: at about one distance from the sphere.
+/// Lights around the sphere, at about one distance, the first above the viewer.
 std::vector<Light> ring(int count, float brightest)
 {
     std::vector<Light> lights;
@@ -78,7 +78,7 @@ TEST_P(Unorm, SumsAreWithinWhatThePlanStates)
          {formPqp(8, 0.5), formPqpr(8, 0.5, 6), sumOf(formPqp(8, 0.5), formIo())})
         for (const Transfer transfer : {Transfer::linear, Transfer::srgb, Transfer::toneMap})
             for (const Technique technique : {Technique::batched, Technique::twoLookup}) {
-                // A curve is steepest at black: what four lights lose there is too much.
+                // A curve is steepest at black, where four lights lose too much.
                 const int lights = isCurved(transfer) ? 2 : 4;
                 const gl::DrawOptions options{technique, lights / 2};
                 const Result drawn =
@@ -116,7 +116,7 @@ TEST_P(Unorm, MoreLightsLoseMoreAndSaySo)
 TEST_P(Unorm, SumsThatWouldBeNoPictureAreReplacedWithTheReason)
 {
     gl::Renderer renderer(withoutFloatTargets());
-    // Steep tables: what a sum can be is far above what it is.
+    // In steep tables the sum that is possible is far above the one that occurs.
     const Result drawn = draw(renderer, noiseMaterial(formPqp(8, 0.5), Storage::half),
                               ring(12, 0.25f), {Technique::twoLookup});
     EXPECT_EQ(drawn.stats.technique, Technique::single);

@@ -2,6 +2,7 @@
 
 #include "UploadGuard.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 
 #include <algorithm>
@@ -15,9 +16,11 @@ void BufferTexture::update(size_t texels, size_t bytes, const void* data)
         throw Error(ErrorKind::gl, name_,
                     "found " + std::to_string(texels) + " texels, expected at most " +
                         std::to_string(device_->maxBufferTexels));
+    FBRDF_ASSERT(device_->capabilities.bufferTextures, ==, true);
     if (!texture_) create();
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     if (bytes > bytes_) {
+        // Doubling keeps the number of reallocations small while a scene grows.
         bytes_ = std::max(bytes, 2 * bytes_);
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_DRAW);
     }

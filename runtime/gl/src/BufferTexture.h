@@ -12,8 +12,8 @@ public:
     {
     }
 
-    /// Uploads; storage grows where it must and is never made anew otherwise. Leaves the array
-    /// buffer bound. Throws Error(gl) where a buffer texture cannot have so many texels.
+    /// Uploads the data. The storage grows where it is too small and never shrinks. Leaves the
+    /// array buffer bound. Throws Error(gl) where a buffer texture cannot have so many texels.
     void update(size_t texels, size_t bytes, const void* data);
     GLuint texture() const { return texture_.name(); }
 

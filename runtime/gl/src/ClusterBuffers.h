@@ -15,10 +15,12 @@ struct ClusterBuffers {
     {
     }
 
-    /// lightNumbers: of the lights that the lists were made from. Leaves the array buffer bound.
-    /// Throws Error(gl) where GL cannot hold the lists.
+    /// Uploads the lists. lightNumbers: for each light that the lists were made from, its place
+    /// among the lights of the draw. Leaves the array buffer bound. Throws Error(gl) where a buffer
+    /// texture is too small for the lists.
     void update(const LightClusters& clusters, const std::vector<int32_t>& lightNumbers)
     {
+        // The lists sort lights, and hooks must find them where the host has them.
         std::vector<int32_t> inOrder;
         for (const int32_t place : clusters.places)
             inOrder.push_back(lightNumbers[static_cast<size_t>(place)]);

@@ -11,7 +11,7 @@ namespace {
 // glGetError of a lost context never ends.
 constexpr int kMostErrors = 16;
 
-/// Without fixed function.
+/// True where the context has no fixed function.
 bool isCoreProfile(const Functions& gl)
 {
     if (gl.es) return true;
@@ -27,6 +27,7 @@ int glslVersion(const Functions& gl)
     const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_SHADING_LANGUAGE_VERSION));
     if (text) std::sscanf(text, "%d.%d", &major, &minor);
     const int version = 100 * major + minor;
+    // The newest version that our shaders are written in.
     for (const int supported : {450, 330, 150, 140})
         if (version >= supported) return supported;
     return 120;
@@ -41,14 +42,14 @@ bool isSoftware(const Functions& gl)
     return false;
 }
 
-/// vec4 uniforms of a fragment shader.
+/// The number of vec4 uniforms that a fragment shader may have.
 int uniformVectors(const Functions& gl)
 {
     return gl.es ? integer(gl, GL_MAX_FRAGMENT_UNIFORM_VECTORS)
                  : integer(gl, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS) / 4;
 }
 
-/// Half or float textures, filtered linearly.
+/// True where half or float textures exist and are filtered linearly.
 bool hasFloatTextures(const Functions& gl)
 {
     if (!gl.es) return gl.version >= 30 || gl.ARB_texture_float;
@@ -56,7 +57,7 @@ bool hasFloatTextures(const Functions& gl)
                            gl.hasExtension("GL_OES_texture_half_float_linear"));
 }
 
-/// RGBA32F textures, filtered linearly.
+/// True where RGBA32F textures exist and are filtered linearly.
 bool has32BitTextures(const Functions& gl)
 {
     if (!gl.es) return hasFloatTextures(gl);
@@ -64,7 +65,7 @@ bool has32BitTextures(const Functions& gl)
            (gl.es >= 30 || gl.hasExtension("GL_OES_texture_float"));
 }
 
-/// RGBA32F is drawn to and blended in.
+/// True where RGBA32F can be rendered to and blended.
 bool hasFloatTargets(const Functions& gl)
 {
     if (!gl.es) return gl.version >= 30 || (gl.ARB_texture_float && gl.ARB_color_buffer_float);
@@ -72,7 +73,7 @@ bool hasFloatTargets(const Functions& gl)
            gl.hasExtension("GL_EXT_float_blend");
 }
 
-/// RGBA16F is.
+/// True where RGBA16F can be rendered to and blended.
 bool hasHalfTargets(const Functions& gl)
 {
     return hasFloatTargets(gl) ||
@@ -109,9 +110,10 @@ Capabilities detected(const Functions& gl)
     return c;
 }
 
-/// Nobody can promise what is not there.
+/// The capabilities that a host asked for, less those that the context does not have.
 Capabilities granted(Capabilities wanted, const Capabilities& found)
 {
+    // Numbers are left to the host: a lower limit is safe, a higher one is its own risk.
     wanted.framebufferObjects = wanted.framebufferObjects && found.framebufferObjects;
     wanted.vertexArrays = wanted.vertexArrays && found.vertexArrays;
     wanted.debug = wanted.debug && found.debug;

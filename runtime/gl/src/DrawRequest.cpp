@@ -2,6 +2,7 @@
 
 #include "MeshResources.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 
 #include <glm/geometric.hpp>
@@ -87,8 +88,10 @@ bool isInvertible(const glm::mat4& model)
 void setLights(DrawRequest& request, const std::vector<Light>& lights)
 {
     const glm::dmat4 toEye(request.view.view);
+    // Linear targets store radiance itself, without exposure (Target::exposure).
     const bool exposed = request.target.transfer != Transfer::linear;
     for (size_t i = 0; i < lights.size(); ++i) {
+        // Numbers stay those of the host's list, invalid lights included: hooks receive them.
         if (!isValid(lights[i])) continue;
         Light light = lights[i];
         if (exposed) light.intensity *= request.target.exposure;
@@ -103,6 +106,7 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
     const LightSelection selection =
         selectLights(request.lights, bounds, request.options.maxLights);
     stats.lightsCulled += selection.culled;
+    // The item that loses most counts: lights that are not valid are lost by every item.
     stats.lightsDropped =
         std::max(stats.lightsDropped,
                  stats.lightsGiven - static_cast<int>(request.lights.size()) + selection.dropped);
@@ -130,7 +134,8 @@ void putNeighboursTogether(EyeLights& lights, const DrawRequest& request)
     lights = std::move(ordered);
 }
 
-/// A matrix stretches nothing by more than its Frobenius norm.
+/// A matrix stretches no vector by more than its Frobenius norm. The last factor is more than the
+/// float rounding of centre and radius.
 Sphere worldBounds(const Sphere& bounds, const glm::mat4& model)
 {
     const glm::dmat3 linear(model);
@@ -142,6 +147,7 @@ Sphere worldBounds(const Sphere& bounds, const glm::mat4& model)
 
 Sphere enclosing(const std::vector<Sphere>& spheres)
 {
+    FBRDF_ASSERT(spheres.size(), >, 0u);
     Vec3f low = spheres[0].centre, high = low;
     for (const Sphere& sphere : spheres) {
         low = glm::min(low, sphere.centre);

@@ -13,9 +13,10 @@ struct DrawRequest {
     const View& view;
     const DrawOptions& options;
     TargetInfo info;
-    std::vector<Light> lights;  ///< the valid ones, exposed: light is linear, so that is where
-                                ///< exposure costs nothing
-    EyeLights eye;              ///< of each
+    /// The valid ones. Their intensities are multiplied by the exposure: radiance is linear in
+    /// them, so there it costs nothing.
+    std::vector<Light> lights;
+    EyeLights eye;  ///< the same lights in eye space
     bool clustered = false;
 };
 
@@ -24,14 +25,14 @@ void checkRequest(const Device& device, const Target& target, const View& view);
 bool isInvertible(const glm::mat4& model);
 /// Fills in lights and eye from those that are valid.
 void setLights(DrawRequest& request, const std::vector<Light>& lights);
-/// All lights that reach the bounds, or the strongest of them; counts the others.
+/// Returns the lights that reach the bounds, or the strongest of them, and counts the others.
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats);
 
-/// In an order in which lights that reach the same pixels follow each other: batches of them are
-/// scissored.
+/// Sorts lights so that those that reach the same pixels follow each other: the scissor of a batch
+/// of lights is then small.
 void putNeighboursTogether(EyeLights& lights, const DrawRequest& request);
 
-/// bounds: object space.
+/// Bounds of an object in world space. bounds: in object space.
 Sphere worldBounds(const Sphere& bounds, const glm::mat4& model);
 Sphere enclosing(const std::vector<Sphere>& spheres);
 

@@ -19,8 +19,8 @@ struct Loader {
     throw Error(ErrorKind::gl, "OpenGL", what);
 }
 
-// What this library calls, and when. eglGetProcAddress returns a pointer for any name, so a pointer
-// proves nothing; but a null one proves that a call would crash.
+// The functions that this library calls, and in which contexts. eglGetProcAddress returns a pointer
+// for any name, so a pointer proves nothing; but a null one proves that a call would crash.
 #define FBRDF_NEEDS(when, name)                                                                  \
     if (when && !gl.name)                                                                        \
         fail("found no gl" #name " in a context of version " + std::to_string(gl.version / 10) + \
@@ -145,7 +145,7 @@ void checkNewer(const Functions& gl)
 }
 #undef FBRDF_NEEDS
 
-/// What OpenGL ES has that glad looks for in later desktop versions only.
+/// Finds the functions of OpenGL ES that glad looks for in later desktop versions only.
 void loadEmbedded(Functions& gl, const Loader& loader)
 {
     const auto find = [&loader](auto& function, const char* name) {

@@ -8,7 +8,7 @@ namespace fbrdf::gl {
 
 /// glad's table under a name of our own: the host may have another GladGLContext.
 struct Functions : GladGLContext {
-    int version = 0;  ///< 10 x major + minor; of OpenGL ES 21, the desktop version next to it
+    int version = 0;  ///< 10 x major + minor; 21 in OpenGL ES, the desktop version next to it
     int es = 0;       ///< 10 x major + minor of OpenGL ES; 0 on a desktop
     bool hasClipControl = false;
 

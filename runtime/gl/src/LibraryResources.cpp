@@ -1,5 +1,6 @@
 #include "LibraryResources.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
@@ -42,10 +43,11 @@ LibraryResources::LibraryResources(DevicePtr device, const std::vector<Material>
         places_[i].layer = members[places_[i].group].size();
         members[places_[i].group].push_back(&materials[i]);
     }
+    // Groups are made when their members are known: arrays cannot grow.
     for (const auto& group : members) groups_.push_back(made(group, check));
 }
 
-/// Why a material of the form has no others beside it; empty where it may.
+/// Why a material of the form must be alone in its group; empty where it need not.
 std::string LibraryResources::whyNotPacked(const Form& form) const
 {
     if (options_.lookUp != LookUp::native)
@@ -54,7 +56,7 @@ std::string LibraryResources::whyNotPacked(const Form& form) const
     return fbrdf::whyNotPacked(form, device_->capabilities);
 }
 
-/// Materials of the form that one group holds.
+/// The number of materials of the form that fit into one group.
 size_t LibraryResources::capacity(const Form& form) const
 {
     if (!whyNotPacked(form).empty()) return 1;
@@ -71,17 +73,21 @@ LibraryResources::Group LibraryResources::made(const std::vector<const Material*
     Group group{layoutOf(first), nullptr, members.size()};
     group.gpu = why.empty() ? std::make_unique<MaterialResources>(device_, members)
                             : std::make_unique<MaterialResources>(device_, first, options_);
+    // Throws while nothing refers to the group yet.
     check(*group.gpu);
     return group;
 }
 
 void LibraryResources::replace(size_t index, const Material& material, const Check& check)
 {
+    FBRDF_ASSERT(index, <, places_.size());
     checkMaterial(material, index);
     Place& place = places_[index];
     Group& group = groups_[place.group];
+    // The common case, an edited material, uploads one layer and compiles nothing.
     if (group.gpu->isPacked() && sameLayout(group.layout, material))
         return group.gpu->replaceLayer(place.layer, material);
+    // Made before the old one goes, so that a failure leaves the library as it was.
     Group replacement = made({&material}, check);
     if (group.members == 1) {
         group = std::move(replacement);

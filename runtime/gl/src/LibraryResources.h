@@ -9,17 +9,17 @@ namespace fbrdf::gl {
 
 class LibraryResources {
 public:
-    /// Called for what was made before anything refers to it; throws what refuses it.
+    /// Called for each group before anything refers to it; throws where GL cannot draw it.
     using Check = std::function<void(const MaterialResources&)>;
 
     /// Throws Error(input) for an invalid material, naming its index, Error(gl) where GL cannot
-    /// hold them.
+    /// store them.
     LibraryResources(DevicePtr device, const std::vector<Material>& materials,
                      const MaterialOptions& options, const Check& check);
 
     void replace(size_t index, const Material& material, const Check& check);
 
-    /// Where a material is: a layer of a group's arrays, 0 in a group of one.
+    /// The group of a material and its layer in the group's arrays; 0 in a group of one.
     struct Place {
         size_t group = 0;
         size_t layer = 0;
@@ -32,7 +32,7 @@ public:
 
 private:
     struct Group {
-        Material layout;  ///< its first material without texels
+        Material layout;  ///< the group's first material without its texels
         std::unique_ptr<MaterialResources> gpu;
         size_t members = 0;
     };

@@ -38,10 +38,12 @@ MaterialBinding::MaterialBinding(std::shared_ptr<const GpuMaterial> material, ui
     state_->material = std::move(material);
     state_->program = program;
     checkAlive(state_->device());
+    // Errors from before must not be blamed on the program.
     discardHostErrors(state_->device());
     state_->uniforms = findUniforms(state_->resources(), program);
     checkErrors(state_->device(), "binding of program " + std::to_string(program));
     const auto& scales = state_->uniforms.scales;
+    // Every term has a scale that the linker cannot remove where the functions are called.
     if (std::all_of(scales.begin(), scales.end(), [](GLint at) { return at < 0; }))
         throw Error(ErrorKind::gl, "binding of program " + std::to_string(program),
                     "found no uniform of material '" + state_->material->name() +
@@ -68,6 +70,7 @@ int MaterialBinding::apply(int firstUnit) const
                         " units to suffice");
     gl.UseProgram(state_->program);
     setUniforms(state_->resources(), state_->uniforms);
+    // Samplers are set each time: the host may have several materials for one program.
     int unit = firstUnit;
     for (size_t i = 0; i < tables.size(); ++i) {
         if (tables[i].sampler < 0) continue;

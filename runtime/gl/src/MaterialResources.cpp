@@ -2,6 +2,7 @@
 
 #include "UploadGuard.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
@@ -18,7 +19,7 @@ struct Format {
 
 constexpr GLenum kHalfFloatOes = 0x8D61;  // OES_texture_half_float: not GL_HALF_FLOAT
 
-/// ES 2.0 has no sized formats; ES takes three channels for three channels only.
+/// ES 2.0 has no sized formats, and ES stores three channels where three are uploaded.
 Format formatOf(TexelType type, const Functions& gl)
 {
     const bool old = gl.es != 0 && gl.es < 30;
@@ -31,7 +32,8 @@ Format formatOf(TexelType type, const Functions& gl)
     return {};
 }
 
-/// GLSL ES 1.00 has no index that varies: knots in uniforms become a texture, a look-up more.
+/// GLSL ES 1.00 cannot index uniforms by a value that varies: there knots become a texture, which
+/// costs one more look-up.
 Form drawnForm(Form form, const Capabilities& capabilities)
 {
     for (TableSpec& table : form.tables)
@@ -75,13 +77,14 @@ void checkTexels(const Capabilities& c, const Table& table, const TextureImage& 
                         std::to_string(limit));
 }
 
-/// Linear filtering between texel centres, nothing beyond the border, one level.
+/// Sets linear filtering between texel centres, clamping at the border, and a single level.
 void setSampling(const Functions& gl, GLenum target)
 {
     gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         gl.TexParameteri(target, axis, GL_CLAMP_TO_EDGE);
+    // ES 2.0 knows neither the third axis nor a largest level.
     if (!gl.hasVolumes()) return;
     gl.TexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
@@ -99,6 +102,7 @@ void upload(const Functions& gl, GLenum target, const TextureImage& image)
         return gl.TexImage3D(target, 0, format.internal, width, height, image.size[2], 0, GL_RGB,
                              format.type, texels);
     if (target == GL_TEXTURE_2D) return upload2d(target, texels);
+    // The faces follow each other in the image in the order of GL's enumerators.
     const size_t channel = image.type == TexelType::float32 ? sizeof(float) : sizeof(uint16_t);
     for (GLenum face = 0; face < 6; ++face)
         upload2d(
@@ -106,7 +110,7 @@ void upload(const Functions& gl, GLenum target, const TextureImage& image)
             texels + face * 3 * channel * static_cast<size_t>(width) * static_cast<size_t>(height));
 }
 
-/// A disc of gamma 1 is one already.
+/// A disc of gamma 1 is a parabolic map already.
 bool isParabolic(const Table& table)
 {
     const auto* disc = std::get_if<DiscDomain>(&table.domain);
@@ -124,6 +128,7 @@ MaterialResources::MaterialResources(DevicePtr device, const Material& material,
       hasSigns_(fbrdf::hasSigns(material)),
       scales_(material.scales)
 {
+    // Validated before the first upload, so that a refusal leaves nothing behind.
     validate(material, "material '" + name_ + "'");
     const UploadGuard guard(*device_);
     std::vector<double> errors(material.tables.size(), 0.0);
@@ -140,6 +145,7 @@ MaterialResources::MaterialResources(DevicePtr device, const Material& material,
         }
     }
     raisePeaks(material);
+    // Recombined texels may exceed those of the table by as much as the error.
     for (size_t i = 0; i < errors.size(); ++i) peaks_.tables[i] *= std::exp2(errors[i]);
     setLookUpError(errors);
     checkErrors(*device_, "material '" + name_ + "'");
@@ -149,6 +155,7 @@ TextureImage MaterialResources::imageOf(const Table& table, int index,
                                         const MaterialOptions& options)
 {
     const Capabilities& c = device_->capabilities;
+    // Recombining would only add an error to a map that is what was asked for.
     const bool asAsked =
         options.lookUp == LookUp::parabolic && options.mapSize == 0 && isParabolic(table);
     if (options.lookUp == LookUp::native || asAsked) return textureImage(table, c);
@@ -180,7 +187,8 @@ void MaterialResources::raisePeaks(const Material& material)
             peaks_.scales[t] = std::max(peaks_.scales[t], double(material.scales[t][c]));
 }
 
-/// Of a product the sum of its factors', of a sum of products the largest.
+/// The error of a product is at most the sum of its factors'; that of a sum of positive products is
+/// at most the largest of theirs.
 void MaterialResources::setLookUpError(const std::vector<double>& tableErrors)
 {
     for (const Term& term : form_.terms) {
@@ -194,6 +202,7 @@ void MaterialResources::setLookUpError(const std::vector<double>& tableErrors)
 void MaterialResources::addTexture(const Table& table, const TextureImage& image)
 {
     const Functions& gl = device_->gl;
+    // Refused by size first: some drivers report success for textures that do not exist.
     checkTexels(device_->capabilities, table, image);
     GpuTable result;
     result.texture = createObject(device_, ObjectKind::texture);
@@ -217,6 +226,7 @@ MaterialResources::MaterialResources(DevicePtr device, const std::vector<const M
       packed_(layers.size() * static_cast<size_t>(parameterLayout(form_).stride)),
       parameters_(device_, GL_RGBA32F, "material parameters")
 {
+    FBRDF_ASSERT(parameterLayout(form_).stride, >, 0);
     const UploadGuard guard(*device_);
     for (const Table& table : layers.front()->tables) addArray(table, layers.size());
     for (size_t i = 0; i < layers.size(); ++i) setLayer(i, *layers[i]);
@@ -234,7 +244,7 @@ void MaterialResources::addArray(const Table& table, size_t layers)
     const Functions& gl = device_->gl;
     TextureImage image = textureImage(table, device_->capabilities);
     checkTexels(device_->capabilities, table, image);
-    // The range of one layer may be [0, 1], that of the next may not.
+    // One layer may span [0, 1] and the next something else: all take their range from parameters.
     image.encoding.ranged = image.type == TexelType::unorm16;
     encodings_.push_back(image.encoding);
     GpuTable& made = tables_.back();
@@ -243,6 +253,7 @@ void MaterialResources::addArray(const Table& table, size_t layers)
     gl.BindTexture(made.target, made.texture.name());
     setSampling(gl, made.target);
     const Format format = formatOf(image.type, gl);
+    // Layers are filled one by one, as when a material is replaced later.
     gl.TexImage3D(made.target, 0, format.internal, image.size[0], image.size[1],
                   static_cast<GLsizei>(layers), 0, GL_RGB, format.type, nullptr);
     label(*device_, ObjectKind::texture, made.texture, name_ + ":" + table.name);
@@ -250,9 +261,11 @@ void MaterialResources::addArray(const Table& table, size_t layers)
 
 void MaterialResources::setLayer(size_t layer, const Material& material)
 {
+    FBRDF_ASSERT(material.tables.size(), ==, tables_.size());
     raisePeaks(material);
     const Functions& gl = device_->gl;
     const ParameterLayout layout = parameterLayout(form_);
+    FBRDF_ASSERT((layer + 1) * static_cast<size_t>(layout.stride), <=, packed_.size());
     const auto parameter = [&](int index) {
         return packed_.begin() + static_cast<std::ptrdiff_t>(layer) * layout.stride + index;
     };

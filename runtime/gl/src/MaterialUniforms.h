@@ -1,5 +1,5 @@
-// MaterialUniforms.h - where a linked program wants what a material holds, and setting it: for the
-// renderer's own programs and for those of a host.
+// MaterialUniforms.h - the uniforms of a material in a linked program, the renderer's own or one of
+// a host.
 #pragma once
 #include "MaterialResources.h"
 
@@ -18,7 +18,7 @@ struct MaterialUniforms {
 
 MaterialUniforms findUniforms(const MaterialResources& material, GLuint program);
 
-/// Ranges, knots and scales; textures are the caller's. The program must be current.
+/// Sets ranges, knots and scales; the caller binds the textures. The program must be current.
 void setUniforms(const MaterialResources& material, const MaterialUniforms& uniforms);
 
 }  // namespace fbrdf::gl

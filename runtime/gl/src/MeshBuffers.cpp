@@ -19,6 +19,7 @@ size_t sizeOf(const Functions& gl, GLuint buffer, const std::string& name)
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
     GLint size = 0;
     gl.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
+    // Sizes of 2 to 4 GB come back negative.
     return static_cast<size_t>(static_cast<GLuint>(size));
 }
 
@@ -33,6 +34,7 @@ void checkRange(const Functions& gl, const BufferArray& array, size_t count, siz
         failMesh("found " + name + " at offset " + std::to_string(array.offset) + " and stride " +
                  std::to_string(array.stride) + ", expected multiples of 4 and at least " +
                  std::to_string(bytes) + " bytes an element");
+    // The last element need not be followed by a whole stride.
     const size_t last = (count - 1) * stride + bytes;
     if (array.offset > size || last > size - array.offset)
         failMesh("found a buffer of " + std::to_string(size) + " bytes for " + name +
@@ -99,6 +101,7 @@ Sphere boundsIn(const Functions& gl, const BufferArray& array, uint32_t count)
     gl.GetBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(array.offset),
                         static_cast<GLsizeiptr>(bytes.size()), bytes.data());
     std::vector<Vec3f> positions(count);
+    // Elements need not be aligned to those of the vector.
     for (size_t i = 0; i < count; ++i)
         std::memcpy(&positions[i], &bytes[i * stride], sizeof(Vec3f));
     return boundsOf(positions);
@@ -138,6 +141,7 @@ MeshArrays hostArrays(const Device& device, const MeshBuffers& mesh)
         attributes[kExtra + k] = checkedArray(gl, mesh.extra[k], count, 4, name);
     }
     setIndices(device, mesh, arrays);
+    // Last, for reading back waits for the GPU.
     arrays.bounds = checkedBounds(device, mesh);
     return arrays;
 }

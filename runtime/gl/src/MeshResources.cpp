@@ -26,6 +26,7 @@ MeshResources::MeshResources(DevicePtr device, const MeshData& mesh) : device_(s
 MeshResources::MeshResources(DevicePtr device, const MeshBuffers& mesh) : device_(std::move(device))
 {
     const UploadGuard guard(*device_);
+    // The vertex array comes last: binding a buffer to look at it must not change it.
     arrays_ = hostArrays(*device_, mesh);
     bindVertexArray();
     if (vertexArray_) {
@@ -46,6 +47,7 @@ void MeshResources::bindVertexArray()
 void MeshResources::setAttributes() const
 {
     const Functions& gl = device_->gl;
+    // Without vertex arrays the host's attributes may be enabled, so missing ones are disabled.
     for (GLuint i = 0; i < kAttributeCount; ++i) {
         const MeshArrays::Array& array = arrays_.attributes[i];
         if (!has(i)) {
@@ -75,6 +77,7 @@ MeshBinding::MeshBinding(const MeshResources& mesh) : mesh_(mesh)
 {
     const Functions& gl = mesh.device_->gl;
     if (!mesh.hasTangents()) setMissingTangent();
+    // The vertex array knows all but the current value of a missing attribute.
     if (mesh.vertexArray_) {
         gl.BindVertexArray(mesh.vertexArray_.name());
         return;

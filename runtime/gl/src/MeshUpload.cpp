@@ -48,6 +48,7 @@ void check(const MeshData& mesh)
         if (array.size() != count)
             failMesh("found an extra array of " + std::to_string(array.size()) + ", expected " +
                      std::to_string(count));
+    // A wrong index would read beyond the arrays on the GPU, with whatever result.
     checkIndices(mesh);
 }
 
@@ -116,12 +117,14 @@ Sphere boundsOf(const std::vector<Vec3f>& positions)
         low = glm::min(low, position);
         high = glm::max(high, position);
     }
+    // The smallest sphere would cull little more and take far longer to find.
     const Vec3f centre = 0.5f * (low + high);
     return {centre, glm::distance(centre, high)};
 }
 
 MeshArrays uploadArrays(const DevicePtr& device, const MeshData& mesh, MeshStorage& storage)
 {
+    // Checked before anything is made, so that a refusal leaves nothing behind.
     check(mesh);
     if (!device->wideIndices)
         throw Error(ErrorKind::gl, "mesh",

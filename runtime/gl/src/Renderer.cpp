@@ -38,6 +38,7 @@ std::shared_ptr<GpuMaterial> Renderer::createMaterial(const Material& material,
         state_->device->log(Severity::warning, "material '" + resources->name() + "' has no " +
                                                    lookUpName(options.lookUp) +
                                                    " maps: " + resources->whyNotRecombined());
+    // A material that GL cannot draw is refused here, not in every draw.
     state_->prepareFirst(*resources);
     return std::make_shared<GpuMaterial>(resources);
 }
@@ -59,6 +60,7 @@ std::shared_ptr<GpuMesh> Renderer::createMesh(const MeshBuffers& mesh)
 std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)
 {
     state_->checkAlive();
+    // The negation also refuses a reach that is not a number.
     if (!(hooks.reach >= 0.0f) || hooks.shadowUniforms < 0)
         throw Error(ErrorKind::input, "hooks",
                     "found a negative reach or number of uniforms, expected 0 or more");

@@ -1,5 +1,7 @@
 #include "StateGuard.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 
 namespace fbrdf::gl {
@@ -12,8 +14,8 @@ struct Switch {
     int sinceEs = 99;        ///< version of OpenGL ES that knows it; 99: none
 };
 
-// Whatever could change or discard a fragment. Blend, depth and scissor are kept apart: they are
-// indexed in newer versions.
+// All that could change or discard a fragment. Blending, depth and scissor are kept apart, because
+// newer versions index them.
 constexpr Switch kSwitches[] = {
     {GL_CULL_FACE, 21, false, 20},
     {GL_STENCIL_TEST, 21, false, 20},
@@ -65,7 +67,7 @@ void set(const Functions& gl, GLenum name, bool on)
     on ? gl.Enable(name) : gl.Disable(name);
 }
 
-// Only draw buffer 0 is drawn to, and an unindexed call would change all of them.
+// Only draw buffer 0 is drawn to, and a call without an index would change all of them.
 void setFirst(const Functions& gl, GLenum name, bool on, int indexedSince)
 {
     if (gl.version < indexedSince) return set(gl, name, on);
@@ -80,6 +82,7 @@ StateGuard::StateGuard(const Device& device)
       mode_(device.state),
       colourMasks_(4 * static_cast<size_t>(device.drawBuffers), GL_TRUE)
 {
+    // Queries may stall a driver that works in a thread of its own; two modes do without.
     if (mode_ == StateMode::restore) {
         saveBindings();
         saveFixed();
@@ -94,6 +97,7 @@ StateGuard::~StateGuard()
         if (device_.capabilities.vertexArrays) gl_.BindVertexArray(0);
         return;
     }
+    // Textures first: this moves the active unit, which restoreTextures puts back as well.
     restoreTextures();
     for (const GLenum name : switches_) gl_.Enable(name);
     restoreFixed();
@@ -180,6 +184,7 @@ void StateGuard::disableAll()
 
 void StateGuard::setFixed()
 {
+    // Other draw buffers of the host's framebuffer are not ours to write.
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     for (int i = 1; i < device_.drawBuffers; ++i)
         gl_.ColorMaski(static_cast<GLuint>(i), GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -284,6 +289,7 @@ void StateGuard::setScissor(const PixelRect* rect)
     if (!scissorSet_ && mode_ == StateMode::restore)
         gl_.version >= 41 ? gl_.GetIntegeri_v(GL_SCISSOR_BOX, 0, scissorBox_)
                           : gl_.GetIntegerv(GL_SCISSOR_BOX, scissorBox_);
+    // The box is saved when it is first changed: most draws never do.
     scissorSet_ = true;
     setScissorBox({rect->x, rect->y, rect->width, rect->height});
 }
@@ -298,9 +304,12 @@ void StateGuard::setScissorBox(const PixelRect& box) const
 
 void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
 {
+    FBRDF_ASSERT(unit, >=, 0);
+    FBRDF_ASSERT(device_.firstTextureUnit + unit, <, device_.capabilities.maxTextureUnits);
     const GLenum name = GL_TEXTURE0 + static_cast<GLenum>(device_.firstTextureUnit + unit);
     gl_.ActiveTexture(name);
     const auto isSaved = [name](const SavedUnit& u) { return u.unit == name; };
+    // A pass may bind a unit that an earlier one has saved already.
     if (std::none_of(units_.begin(), units_.end(), isSaved)) {
         units_.push_back(mode_ == StateMode::restore ? savedUnit(name) : SavedUnit{name});
         if (gl_.hasSamplers()) gl_.BindSampler(name - GL_TEXTURE0, 0);
@@ -308,8 +317,8 @@ void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
     gl_.BindTexture(target, texture);
 }
 
-// OpenGL ES 3.0 always does. Only where it is needed: hooks of the host may read cube maps of its
-// own.
+// OpenGL ES 3.0 always filters so. It is enabled only where our maps need it, because hooks of the
+// host may read cube maps of its own.
 void StateGuard::filterAcrossEdges()
 {
     if (seamlessSet_ || gl_.es || !device_.capabilities.seamlessCubes) return;

@@ -1,5 +1,5 @@
-// StateGuard.h - what becomes of the state that a draw touches (StateMode). The list is in
-// README.md; a test randomises it.
+// StateGuard.h - what becomes of the state that a draw touches (StateMode). Renderer.h lists it,
+// and a test randomises it.
 #pragma once
 #include "Device.h"
 
@@ -24,11 +24,11 @@ public:
     void setTarget(const Target& target);
     /// Sets depth range, clear value and clip control; the depth function is a pass's.
     void setDepth(const DepthOptions& depth);
-    /// Limits drawing to the pixels given; nullptr: to nothing but the viewport.
+    /// Limits drawing to the pixels given; null: to the viewport only.
     void setScissor(const PixelRect* rect);
     /// Binds to a unit (counted from the device's first), saving what was there at first touch.
     void bindTexture(int unit, GLenum target, GLuint texture);
-    /// Where the context can, cube maps are filtered across the edges of their faces.
+    /// Makes cube maps be filtered across the edges of their faces, where the context can.
     void filterAcrossEdges();
 
 private:

@@ -27,7 +27,7 @@ GLint parameter(const Functions& gl, GLenum attachment, GLenum name)
     return value;
 }
 
-/// The name under which the first draw buffer of a window is queried.
+/// The attachment by which the first draw buffer of a window is queried.
 GLenum queriedName(const Functions& gl, GLenum drawBuffer)
 {
     if (gl.es) return drawBuffer;
@@ -84,6 +84,7 @@ TargetInfo targetInfo(const Device& device, const Target& target)
     info.format = gl.has(30, 30) ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
     info.floatDepth = gl.has(30, 30) && isFloat(gl, depthAttachment(framebuffer));
     info.transfer = target.transfer;
+    // Multisampled edges would read texels of a surface that nothing was drawn to.
     info.multisampled = integer(gl, GL_SAMPLES) > 1;
     return info;
 }

@@ -1,4 +1,4 @@
-// TargetInfo.h - what the host's framebuffer is.
+// TargetInfo.h - the format of the host's framebuffer.
 #pragma once
 #include "Device.h"
 
@@ -11,8 +11,8 @@ struct TargetInfo {
     Transfer transfer = Transfer::linear;
 };
 
-/// Of the bound draw framebuffer. Throws Error(gl) where it cannot be drawn to: incomplete, without
-/// a colour buffer or without depth.
+/// Describes the draw framebuffer that is bound. Throws Error(gl) where it cannot be drawn to:
+/// incomplete, without a colour buffer or without depth.
 TargetInfo targetInfo(const Device& device, const Target& target);
 
 }  // namespace fbrdf::gl

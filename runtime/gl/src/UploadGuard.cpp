@@ -3,7 +3,7 @@
 namespace fbrdf::gl {
 namespace {
 
-// In the order in which versions know them: unpackStates() says how many do.
+// In the order in which versions have introduced them: unpackStates() returns how many exist.
 constexpr GLenum kUnpack[] = {GL_UNPACK_ALIGNMENT,   GL_UNPACK_ROW_LENGTH,  GL_UNPACK_SKIP_ROWS,
                               GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_IMAGE_HEIGHT,
                               GL_UNPACK_SWAP_BYTES,  GL_UNPACK_LSB_FIRST};
@@ -29,9 +29,11 @@ GLuint unsignedOf(GLint value)
 UploadGuard::UploadGuard(const Device& device) : device_(device), gl_(device.gl)
 {
     if (device.state == StateMode::restore) save();
+    // Images are packed tightly; GL's default alignment would skip bytes of RGB rows.
     for (size_t i = 0; i < unpackStates(); ++i)
         gl_.PixelStorei(kUnpack[i], kUnpack[i] == GL_UNPACK_ALIGNMENT ? 1 : 0);
     setTransfer();
+    // With an unpack buffer bound, pointers would be taken for offsets into it.
     if (gl_.hasUnpackBuffer()) gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 

@@ -8,7 +8,7 @@ namespace fbrdf::gl {
 
 /// Saves what an upload touches (StateMode::restore) and sets what it needs: unpacking, pixel
 /// transfer, the unpack buffer. The destructor puts back what was saved, GL's defaults, or nothing,
-/// as StateGuard does.
+/// as StateMode demands.
 class UploadGuard {
 public:
     explicit UploadGuard(const Device& device);
@@ -27,7 +27,7 @@ private:
     const Device& device_;
     const Functions& gl_;
     GLint unpack_[kUnpackStates] = {4};  // alignment, then zeros: GL's defaults
-    std::vector<GLfloat> transfer_;      // as saved; what is set are GL's defaults
+    std::vector<GLfloat> transfer_;      // as saved; GL's defaults are set meanwhile
     GLint unpackBuffer_ = 0, texture2d_ = 0, texture3d_ = 0, textureCube_ = 0, textureArray_ = 0,
           textureBuffer_ = 0, arrayBuffer_ = 0, elementBuffer_ = 0, vertexArray_ = 0,
           framebuffer_ = 0, renderbuffer_ = 0;
