@@ -119,6 +119,19 @@ TEST_P(Eviction, AMaterialReleasedBeforeTheNextOfItsFormNeedsNoCompiler)
     EXPECT_TRUE(log.empty());
 }
 
+// Without light every form is black and needs the same program, whatever tables it has.
+TEST_P(Eviction, AProgramMadeForAFormOfMoreTablesDrawsOneOfFewer)
+{
+    const Offscreen target = makeOffscreen(kSize);
+    for (const Material& material :
+         {everythingMaterial(), noiseMaterial(formHdio(2, 2, 2), Storage::log8)}) {
+        const auto gpu = renderer_->createMaterial(material);
+        const auto stats = renderer_->draw({target.framebuffer(), kSize, kSize}, perspectiveView(),
+                                           {{gpu.get(), mesh_.get()}}, {});
+        EXPECT_EQ(stats.itemsFailed, 0);
+    }
+}
+
 size_t heapInUse()
 {
     return mallinfo2().uordblks;
@@ -182,7 +195,8 @@ TEST_P(Eviction, SurfacesOfTargetsThatAreGoneAreDeleted)
         EXPECT_GT(alive("Framebuffers"), surfaces.at("Framebuffers"));
     }
     draw(makeOffscreen(kSize), *material);  // needs no surface
-    EXPECT_EQ(hooks_->alive, surfaces);
+    for (const char* kind : {"Framebuffers", "Renderbuffers", "Textures"})
+        EXPECT_EQ(alive(kind), surfaces.at(kind)) << kind;
 }
 
 TEST_P(Eviction, TargetsThatAlternateKeepTheirSurfaces)

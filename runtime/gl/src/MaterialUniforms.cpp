@@ -25,8 +25,10 @@ void setUniforms(const MaterialResources& material, const MaterialUniforms& unif
 {
     const Functions& gl = material.device()->gl;
     for (size_t i = 0; i < uniforms.tables.size(); ++i) {
-        const GpuTable& table = material.tables()[i];
         const MaterialUniforms::OfTable& at = uniforms.tables[i];
+        // A program whose text uses few tables may have been found for a form that has more.
+        if (at.lower < 0 && at.extent < 0 && at.knots < 0) continue;
+        const GpuTable& table = material.tables()[i];
         if (at.lower >= 0) gl.Uniform3fv(at.lower, 1, glm::value_ptr(table.lower));
         if (at.extent >= 0) gl.Uniform3fv(at.extent, 1, glm::value_ptr(table.extent));
         if (at.knots >= 0)
