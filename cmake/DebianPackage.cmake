@@ -13,7 +13,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The trigger makes the loader aware of the libraries, as those of Debian's own packages do.
 file(WRITE ${CMAKE_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/debian/triggers)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libglm-dev, libopenimageio-dev, libpng-dev, nlohmann-json3-dev, pkg-config")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libglm-dev, libopenexr-dev, libpng-dev")
 if(TARGET osgFbrdf)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${FBRDF_OSG_LIBRARY_DIR})
   set(CPACK_DEBIAN_PACKAGE_RECOMMENDS openscenegraph)

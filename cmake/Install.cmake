@@ -1,5 +1,5 @@
 # What `cmake --install` leaves: programs, libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg).
-# Without components it gives brdf, plan, shaders, runtime and c; io needs OpenImageIO, osg OpenSceneGraph.
+# Without components it gives brdf, plan, shaders, runtime and c; io needs OpenEXR and libpng, osg OpenSceneGraph.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(FBRDF_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fbrdf)
@@ -17,7 +17,7 @@ function(fbrdf_export set)
 endfunction()
 
 fbrdf_export(Core fbrdf_base fbrdf_brdf fbrdf_plan fbrdf_shaders fbrdf_runtime fbrdf_c)
-fbrdf_export(Io fbrdf_io)
+fbrdf_export(Io fbrdf_pictures fbrdf_io)
 if(TARGET osgFbrdf)
   fbrdf_export(Osg osgFbrdf fbrdf_osg)
 endif()

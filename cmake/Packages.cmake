@@ -1,9 +1,8 @@
-# Debian's packages, found once. OpenImageIO's CMake config is broken in Debian 12 (it names a folder that does not
-# exist), so pkg-config finds it.
+# Debian's packages, found once.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
-pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
+find_package(OpenEXR 3.1 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
@@ -21,6 +20,11 @@ endif()
 if(FBRDF_VIEWER OR FBRDF_TESTS)
   find_package(OpenGL REQUIRED COMPONENTS EGL)
   pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET GLOBAL osmesa)
+endif()
+if(FBRDF_VIEWER OR FBRDF_TESTS)
+  # Pictures of the sample app, and an independent reader for the tests. OpenImageIO's CMake config is broken in Debian 12
+  # (it names a folder that does not exist), so pkg-config finds it.
+  pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
 endif()
 if(FBRDF_TESTS)
   find_package(GTest REQUIRED)

@@ -7,7 +7,7 @@ log=${2:?usage: install-packages.sh build|tests LOGFILE}
 
 packages=(
   g++ cmake ninja-build pkg-config ccache python3 python3-glad
-  libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libpng-dev
+  libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libpng-dev libopenexr-dev
   libglm-dev libglfw3-dev libimgui-dev libegl-dev libegl1 libgl1-mesa-dri libosmesa6-dev
   libopenimageio-dev
 )

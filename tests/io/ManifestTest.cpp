@@ -2,7 +2,6 @@
 // of 16 bits, and every damaged field or picture refused.
 #include "FormJson.h"
 #include "Manifest.h"
-#include "Png.h"
 
 #include "io/Expect.h"
 #include "io/FileBytes.h"
@@ -10,6 +9,7 @@
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/pictures/Png.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

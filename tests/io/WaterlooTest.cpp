@@ -1,6 +1,5 @@
 // WaterlooTest.cpp - the maps of 2001 as published, against an evaluation that shares no code with
 // the library but the decoding of PNG.
-#include "Png.h"
 
 #include "io/Expect.h"
 #include "io/FileBytes.h"
@@ -8,6 +7,7 @@
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/pictures/Png.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // WaterlooWriterTest.cpp - materials into the layout of 2001: what it holds comes back, what it
 // cannot hold is refused, cube faces agree with the published ones.
-#include "Png.h"
 #include "Waterloo.h"
 
 #include "io/Expect.h"
@@ -11,6 +10,7 @@
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/pictures/Png.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,9 +2,7 @@
 
 #include "Html.h"
 
-#include <fbrdf/base/Error.h>
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <fbrdf/pictures/Png.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,20 +25,9 @@ void Picture::set(int x, int y, const Vec3d& colour)
 
 std::vector<uint8_t> pngOf(const Picture& picture)
 {
-    std::vector<uint8_t> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto writer = OIIO::ImageOutput::create("png");
-    OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    const bool written =
-        writer && writer->set_ioproxy(&memory) && writer->open("picture.png", spec) &&
-        writer->write_image(OIIO::TypeDesc::UINT8, picture.rgba.data()) && writer->close();
-    if (!written)
-        throw Error(ErrorKind::output, "report",
-                    "found no PNG encoder that writes to memory: " +
-                        (writer ? writer->geterror() : OIIO::geterror()) +
-                        ", expected OpenImageIO's");
-    return bytes;
+    const std::vector<uint16_t> codes(picture.rgba.begin(), picture.rgba.end());
+    const std::string bytes = encodePng({picture.width, picture.height, 4, 8, codes}, "report");
+    return {bytes.begin(), bytes.end()};
 }
 
 std::string dataUri(const Picture& picture)

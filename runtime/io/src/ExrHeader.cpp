@@ -182,11 +182,6 @@ ExrPart readHeader(Cursor& cursor, bool multiPart)
     return part;
 }
 
-int linesPerChunk(const ExrPart& part)
-{
-    return part.compression == zip ? 16 : 1;
-}
-
 void checkChunk(const ExrPart& part, size_t partIndex, int chunk, bool multiPart, Cursor cursor)
 {
     const size_t start = cursor.position;
@@ -238,6 +233,11 @@ const ExrAttribute* ExrPart::find(const std::string& name) const
     const auto found = std::find_if(attributes.begin(), attributes.end(),
                                     [&](const ExrAttribute& a) { return a.name == name; });
     return found == attributes.end() ? nullptr : &*found;
+}
+
+int linesPerChunk(const ExrPart& part)
+{
+    return part.compression == zip ? 16 : 1;
 }
 
 bool looksLikeExr(const std::string& bytes)

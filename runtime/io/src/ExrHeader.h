@@ -16,15 +16,18 @@ struct ExrAttribute {
 struct ExrPart {
     std::vector<ExrAttribute> attributes;
     int width = 0, height = 0;
-    int firstLine = 0;  ///< y of the data window's first line
-    int channels = 0;   ///< 1 ("Y") or 3 ("R", "G", "B")
-    bool half = false;  ///< all channels half; otherwise all float
-    int compression = 0;
+    int firstLine = 0;    ///< y of the data window's first line
+    int channels = 0;     ///< 1 ("Y") or 3 ("R", "G", "B")
+    bool half = false;    ///< all channels half; otherwise all float
+    int compression = 0;  ///< none, rle, zips or zip: 0 to 3
 
     const ExrAttribute* find(const std::string& name) const;
 };
 
-/// First bytes of every OpenEXR file.
+/// Scan lines that one chunk of the part has, but for the last.
+int linesPerChunk(const ExrPart& part);
+
+/// True for the first bytes of an OpenEXR file.
 bool looksLikeExr(const std::string& bytes);
 
 /// Headers of all parts, at most 64. Accepts what a material needs: scan lines, half or float,

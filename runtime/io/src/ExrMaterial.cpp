@@ -1,13 +1,13 @@
 #include "ExrMaterial.h"
 
 #include "Codes.h"
-#include "ExrCodec.h"
-#include "Files.h"
+#include "ExrHeader.h"
+#include "ExrPixels.h"
 #include "FormJson.h"
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
-#include <fbrdf/base/OutputFile.h>
+#include <fbrdf/pictures/Exr.h>
 
 #include <cstring>
 #include <set>
@@ -25,50 +25,13 @@ constexpr char kVersion[] = "fbrdf:version", kForm[] = "fbrdf:form", kScales[] =
 constexpr char kUnitsValue[] = "1/sr", kColorSpaceValue[] = "lin_rec709";
 // OpenEXR allows names of 255 bytes.
 constexpr size_t kMaxKey = 200;
+// A form is a few kilobytes; parsing takes some thirty times the bytes of hostile JSON.
+constexpr size_t kMaxForm = 1 << 20;
+// Decoded tables take at most this much more than their file, or a sum that honest materials of
+// nearly constant tables reach: 32 MiB are 16 tables of 1024 x 512 texels.
+constexpr size_t kMaxRatio = 12, kAlwaysDecoded = size_t(32) << 20;
 
-ExrValue textValue(const std::string& name, const std::string& text)
-{
-    ExrValue value;
-    value.name = name;
-    value.text = text;
-    return value;
-}
-
-ExrValue integerValue(const std::string& name, int integer)
-{
-    ExrValue value;
-    value.kind = ExrValue::Kind::integer;
-    value.name = name;
-    value.integer = integer;
-    return value;
-}
-
-ExrValue tripleValue(const std::string& name, const std::array<int, 3>& integers)
-{
-    ExrValue value;
-    value.kind = ExrValue::Kind::integers;
-    value.name = name;
-    value.integers.assign(integers.begin(), integers.end());
-    return value;
-}
-
-ExrValue realValue(const std::string& name, double real)
-{
-    ExrValue value;
-    value.kind = ExrValue::Kind::real;
-    value.name = name;
-    value.real = real;
-    return value;
-}
-
-ExrValue floatsValue(const std::string& name, const std::vector<Vec3f>& triples)
-{
-    ExrValue value;
-    value.kind = ExrValue::Kind::floats;
-    value.name = name;
-    for (const Vec3f& v : triples) value.floats.insert(value.floats.end(), {v.x, v.y, v.z});
-    return value;
-}
+using Attributes = std::vector<std::pair<std::string, ExrValue>>;
 
 std::string keyedName(const char* prefix, const std::string& key, const std::string& where)
 {
@@ -79,19 +42,57 @@ std::string keyedName(const char* prefix, const std::string& key, const std::str
     return prefix + key;
 }
 
-std::vector<ExrValue> materialValues(const Material& material, const std::string& where)
+// OpenEXR's library ends a text at its first zero byte; nothing is to be lost silently.
+const std::string& checkedText(const std::string& text, const std::string& name,
+                               const std::string& where)
 {
-    const std::string form =
-        jsonFromForm(material.form).dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::vector<ExrValue> values = {
-        integerValue(kVersion, kFormatVersion),   textValue(kForm, form),
-        floatsValue(kScales, material.scales),    textValue(kUnits, kUnitsValue),
-        textValue(kColorSpace, kColorSpaceValue), textValue(kName, material.name)};
-    for (const auto& [key, text] : material.notes)
-        values.push_back(textValue(keyedName(kNote, key, where), text));
+    if (text.find('\0') != std::string::npos)
+        throw Error(ErrorKind::usage, where,
+                    name + ": found a text with a zero byte, expected none");
+    return text;
+}
+
+std::vector<float> floatsOf(const std::vector<Vec3f>& triples)
+{
+    std::vector<float> floats;
+    for (const Vec3f& v : triples) floats.insert(floats.end(), {v.x, v.y, v.z});
+    return floats;
+}
+
+// The colour space stands near the beginning, where looksLikeExrMaterial finds it.
+Attributes materialAttributes(const Material& material, const std::string& where)
+{
+    Attributes attributes = {
+        {kVersion, kFormatVersion},
+        {kUnits, std::string(kUnitsValue)},
+        {kColorSpace, std::string(kColorSpaceValue)},
+        {"Software", std::string("fbrdf " FBRDF_VERSION)},
+        {kName, checkedText(material.name, kName, where)},
+        {kForm, jsonFromForm(material.form).dump(-1, ' ', false, Json::error_handler_t::replace)},
+        {kScales, floatsOf(material.scales)}};
+    for (const auto& [key, text] : material.notes) {
+        const std::string name = keyedName(kNote, key, where);
+        attributes.emplace_back(name, checkedText(text, name, where));
+    }
     for (const auto& [key, number] : material.errors)
-        values.push_back(realValue(keyedName(kError, key, where), number));
-    return values;
+        attributes.emplace_back(keyedName(kError, key, where), number);
+    return attributes;
+}
+
+Attributes tableAttributes(const Table& table)
+{
+    const auto triple = [](const Vec3f& v) { return std::array<float, 3>{v.x, v.y, v.z}; };
+    Attributes attributes = {{kStorage, std::string(storageName(table.storage))},
+                             {kLower, triple(table.lower)},
+                             {kUpper, triple(table.upper)}};
+    if (table.storage == Storage::log8) {
+        attributes.emplace_back(kStride, table.log8.stride);
+        attributes.emplace_back(kOffset, table.log8.offset);
+        attributes.emplace_back(kStart, table.log8.start);
+    }
+    if (!table.unsupported.empty())
+        attributes.emplace_back(kUnsupported, runsOfMarks(table.unsupported));
+    return attributes;
 }
 
 // Part names must be unique and not empty; those of tables need not be.
@@ -113,14 +114,6 @@ ExrImage imageFromTable(const Table& table, const std::string& name)
     image.height = size[1] * size[2];
     image.channels = table.channels;
     image.half = table.storage != Storage::float32;
-    image.values = {textValue(kStorage, storageName(table.storage)),
-                    floatsValue(kLower, {table.lower}), floatsValue(kUpper, {table.upper})};
-    if (table.storage == Storage::log8)
-        image.values.insert(image.values.end(), {tripleValue(kStride, table.log8.stride),
-                                                 tripleValue(kOffset, table.log8.offset),
-                                                 tripleValue(kStart, table.log8.start)});
-    if (!table.unsupported.empty())
-        image.values.push_back(textValue(kUnsupported, runsOfMarks(table.unsupported)));
     image.pixels = table.texels;
     if (bytesPerChannel(table.storage) == 1) {
         const std::vector<uint16_t> codes = codesOfTable(table);
@@ -148,10 +141,10 @@ public:
         if (a.size != 4) fail(a, std::to_string(a.size) + " bytes, expected 4");
         return value<int>(a.offset);
     }
-    /// OpenImageIO writes three floats as a vector, nine as a matrix, other counts as an array.
+    /// floatvector, or what the first fbrdf wrote: three floats as v3f, nine as m33f.
     std::vector<float> floats(const char* name, size_t count) const
     {
-        const ExrAttribute& a = attribute(name, {"v3f", "m33f", "floatvector"}, 4);
+        const ExrAttribute& a = attribute(name, {"floatvector", "v3f", "m33f"}, 4);
         if (a.size != 4 * count)
             fail(a, std::to_string(a.size / 4) + " numbers, expected " + std::to_string(count));
         std::vector<float> numbers;
@@ -219,8 +212,11 @@ void checkVersion(const PartReader& reader)
 
 void readDescription(const std::string& bytes, const PartReader& reader, Material& material)
 {
-    const std::string where = reader.where() + ": " + kForm;
-    const Json json = parseJson(reader.text(kForm), where);
+    const std::string where = reader.where() + ": " + kForm, text = reader.text(kForm);
+    if (text.size() > kMaxForm)
+        throw Error(ErrorKind::input, where,
+                    "found " + std::to_string(text.size()) + " bytes, expected at most 2^20");
+    const Json json = parseJson(text, where);
     material.form = formFromJson(JsonField(json, where));
     const std::vector<float> scales = reader.floats(kScales, 3 * material.form.terms.size());
     for (size_t t = 0; t < material.form.terms.size(); ++t)
@@ -234,8 +230,7 @@ void readDescription(const std::string& bytes, const PartReader& reader, Materia
     }
 }
 
-Table readTable(const std::string& bytes, size_t index, const TableSpec& spec,
-                const PartReader& reader)
+Table readTable(ExrPixels& pixels, size_t index, const TableSpec& spec, const PartReader& reader)
 {
     const auto size = domainSize(spec.domain);
     const ExrPart& part = reader.part();
@@ -264,7 +259,7 @@ Table readTable(const std::string& bytes, size_t index, const TableSpec& spec,
         table.unsupported = marksFromRuns(reader.text(kUnsupported), texelCount(spec.domain),
                                           reader.where() + ": " + kUnsupported);
     checkCoding(table, reader.where());
-    table.texels = readExrPixels(bytes, index, part, reader.where());
+    table.texels = pixels.read(index, part, reader.where());
     if (bytesPerChannel(table.storage) == 1) decodeTexels(table, reader.where());
     return table;
 }
@@ -279,28 +274,18 @@ std::string partWhere(const std::string& where, const ExrPart& part, size_t inde
     return text;
 }
 
-bool sameTable(const Table& a, const Table& b)
+// Tables that no honest file of this size could hold: deflate shrinks zeros a thousandfold.
+void checkDecodedSize(const std::vector<ExrPart>& parts, size_t fileSize, const std::string& where)
 {
-    return a.storage == b.storage && a.channels == b.channels && a.lower == b.lower &&
-           a.upper == b.upper && a.texels == b.texels && a.log8.stride == b.log8.stride &&
-           a.log8.offset == b.log8.offset && a.log8.start == b.log8.start &&
-           a.unsupported == b.unsupported;
-}
-
-// OpenEXR's own stream does not report a disk that is full on closing, so the file is read again.
-void verify(const Material& material, const std::string& temporary, const std::string& path)
-{
-    Material stored;
-    try {
-        stored = readExrMaterial(readFile(temporary), temporary);
-    } catch (const Error& error) {
-        throw Error(ErrorKind::output, path,
-                    std::string("cannot be read back after writing: ") + error.what());
-    }
-    bool same = stored.scales == material.scales && stored.tables.size() == material.tables.size();
-    for (size_t k = 0; same && k < stored.tables.size(); ++k)
-        same = sameTable(stored.tables[k], material.tables[k]);
-    if (!same) throw Error(ErrorKind::output, path, "reads back different after writing");
+    size_t decoded = 0;
+    for (const ExrPart& part : parts)
+        decoded += static_cast<size_t>(part.width) * static_cast<size_t>(part.height) *
+                   static_cast<size_t>(part.channels) * sizeof(float);
+    const size_t most = kMaxRatio * fileSize + kAlwaysDecoded;
+    if (decoded > most)
+        throw Error(ErrorKind::input, where,
+                    "found texels of " + std::to_string(decoded) + " bytes in a file of " +
+                        std::to_string(fileSize) + ", expected at most " + std::to_string(most));
 }
 
 }  // namespace
@@ -313,6 +298,7 @@ bool looksLikeExrMaterial(const std::string& beginning)
 Material readExrMaterial(const std::string& bytes, const std::string& where)
 {
     const std::vector<ExrPart> parts = scanExr(bytes, where);
+    checkDecodedSize(parts, bytes.size(), where);
     const PartReader first(bytes, parts[0], partWhere(where, parts[0], 0, bytes));
     checkVersion(first);
     Material material;
@@ -321,28 +307,27 @@ Material readExrMaterial(const std::string& bytes, const std::string& where)
         throw Error(ErrorKind::input, where,
                     "found " + std::to_string(parts.size()) + " parts, expected one for each of " +
                         std::to_string(material.form.tables.size()) + " tables");
+    ExrPixels pixels(bytes, where);
     for (size_t k = 0; k < parts.size(); ++k)
         material.tables.push_back(
-            readTable(bytes, k, material.form.tables[k],
+            readTable(pixels, k, material.form.tables[k],
                       PartReader(bytes, parts[k], partWhere(where, parts[k], k, bytes))));
     validate(material, where);
     return material;
 }
 
-void writeExrMaterial(const Material& material, const std::string& path)
+std::string encodeExrMaterial(const Material& material, const std::string& where)
 {
     std::vector<ExrImage> images;
     std::set<std::string> taken;
     for (size_t k = 0; k < material.tables.size(); ++k) {
-        checkStorable(material.tables[k], ErrorKind::usage, path);
+        checkStorable(material.tables[k], ErrorKind::usage, where);
         images.push_back(imageFromTable(material.tables[k], partName(material.form, k, taken)));
+        if (k == 0) images[0].attributes = materialAttributes(material, where);
+        const Attributes table = tableAttributes(material.tables[k]);
+        images[k].attributes.insert(images[k].attributes.end(), table.begin(), table.end());
     }
-    const std::vector<ExrValue> values = materialValues(material, path);
-    images[0].values.insert(images[0].values.end(), values.begin(), values.end());
-    OutputFile file(path);
-    writeExr(file.temporary(), images, path);
-    verify(material, file.temporary(), path);
-    file.commit();
+    return encodeExr(images, where);
 }
 
 }  // namespace fbrdf

@@ -23,7 +23,9 @@ bool looksLikeExrMaterial(const std::string& beginning);
 /// `bytes`: the whole file. Throws Error(input) naming `where`, the part and the field or byte.
 Material readExrMaterial(const std::string& bytes, const std::string& where);
 
-/// Throws Error(output), or Error(usage) for texels that their storage cannot hold.
-void writeExrMaterial(const Material& material, const std::string& path);
+/// Bytes of the whole file; the same material gives the same bytes. Throws Error(usage) that names
+/// `where` for what a file cannot hold: texels that are not of their storage, keys above 200 bytes,
+/// zero bytes in texts.
+std::string encodeExrMaterial(const Material& material, const std::string& where);
 
 }  // namespace fbrdf

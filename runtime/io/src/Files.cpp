@@ -2,9 +2,6 @@
 
 #include <fbrdf/base/Error.h>
 
-#include <stdlib.h>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -46,22 +43,6 @@ std::string readBeginning(const std::string& path, size_t count)
     file.read(bytes.data(), static_cast<std::streamsize>(count));
     bytes.resize(static_cast<size_t>(file.gcount()));
     return bytes;
-}
-
-TemporaryFolder::TemporaryFolder()
-{
-    std::error_code error;
-    const fs::path folder = fs::temp_directory_path(error);
-    path_ = ((error ? fs::path("/tmp") : folder) / "fbrdf-XXXXXX").string();
-    if (!::mkdtemp(path_.data()))
-        throw Error(ErrorKind::output, path_,
-                    std::string("cannot be made: ") + std::strerror(errno));
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-    std::error_code error;
-    fs::remove_all(path_, error);
 }
 
 }  // namespace fbrdf

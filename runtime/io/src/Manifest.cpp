@@ -3,11 +3,11 @@
 #include "Codes.h"
 #include "Files.h"
 #include "FormJson.h"
-#include "Png.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/brdf/Half.h>
+#include <fbrdf/pictures/Png.h>
 
 #include <algorithm>
 #include <cmath>

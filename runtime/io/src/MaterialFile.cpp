@@ -5,33 +5,55 @@
 #include "Manifest.h"
 #include "Waterloo.h"
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/OutputFile.h>
 
 #include <filesystem>
 
 namespace fbrdf {
 namespace {
 
-// Enough to recognise each format: OpenEXR headers begin with the attributes that are looked for.
-constexpr size_t kBeginning = 4096;
+namespace fs = std::filesystem;
+
+// Enough to recognise each format: no description of 2001 is longer, and docs/format.md puts what
+// marks a .fbrdf within as much.
+constexpr size_t kBeginning = kMaxWaterlooDescription + 1;
+
+enum class Kind { none, exr, manifest, waterloo };
 
 bool isFolder(const std::string& path)
 {
     std::error_code error;
-    return std::filesystem::is_directory(path, error);
+    return fs::is_directory(path, error);
+}
+
+Kind kindOf(const std::string& path)
+{
+    if (isFolder(path)) return holdsWaterloo(path) ? Kind::waterloo : Kind::none;
+    const std::string beginning = readBeginning(path, kBeginning);
+    if (looksLikeExrMaterial(beginning)) return Kind::exr;
+    if (looksLikeManifest(beginning)) return Kind::manifest;
+    return looksLikeWaterloo(beginning) ? Kind::waterloo : Kind::none;
+}
+
+Material readAs(Kind kind, const std::string& path)
+{
+    FBRDF_ASSERT((kind == Kind::none), ==, false);
+    if (kind == Kind::exr) return readExrMaterial(readFile(path), path);
+    if (kind == Kind::manifest) return readManifest(readFile(path), path);
+    return readWaterloo(path);
 }
 
 }  // namespace
 
 Material readMaterial(const std::string& path)
 {
-    if (isFolder(path)) return readWaterloo(path);
-    const std::string bytes = readFile(path), beginning = bytes.substr(0, kBeginning);
-    if (looksLikeExrMaterial(beginning)) return readExrMaterial(bytes, path);
-    if (looksLikeManifest(beginning)) return readManifest(bytes, path);
-    // Nothing else is called .txt: the reader can say which line is wrong.
-    if (looksLikeWaterloo(path) || std::filesystem::path(path).extension() == ".txt")
-        return readWaterloo(path);
+    const Kind kind = kindOf(path);
+    if (kind != Kind::none) return readAs(kind, path);
+    // Nothing else is a folder or called .txt: the reader can say what is wrong with it.
+    if (isFolder(path) || fs::path(path).extension() == ".txt") return readWaterloo(path);
+    readFile(path);  // for what is missing or no file
     throw Error(ErrorKind::input, path,
                 "found another kind of file, expected a .fbrdf, the NAME.txt of factor maps of "
                 "2001, or a JSON manifest of fbrdf");
@@ -39,17 +61,21 @@ Material readMaterial(const std::string& path)
 
 bool isMaterialFile(const std::string& path)
 {
-    if (isFolder(path)) return looksLikeWaterloo(path);
-    const std::string beginning = readBeginning(path, kBeginning);
-    return looksLikeExrMaterial(beginning) || looksLikeManifest(beginning) ||
-           looksLikeWaterloo(path);
+    return kindOf(path) != Kind::none;
+}
+
+std::optional<Material> readIfMaterial(const std::string& path)
+{
+    const Kind kind = kindOf(path);
+    if (kind == Kind::none) return std::nullopt;
+    return readAs(kind, path);
 }
 
 void writeMaterial(const Material& material, const std::string& path)
 {
     validate(material, path);
-    const std::string extension = std::filesystem::path(path).extension().string();
-    if (extension == ".fbrdf") return writeExrMaterial(material, path);
+    const std::string extension = fs::path(path).extension().string();
+    if (extension == ".fbrdf") return writeFile(path, encodeExrMaterial(material, path));
     if (extension == ".json") return writeManifest(material, path);
     if (extension == ".txt") return writeWaterloo(material, path);
     throw Error(ErrorKind::usage, path,
@@ -65,10 +91,8 @@ Material materialFromFileBytes(const std::string& bytes, const std::string& wher
 
 std::string materialFileBytes(const Material& material)
 {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("material.fbrdf");
-    writeMaterial(material, path);
-    return readFile(path);
+    validate(material, "material");
+    return encodeExrMaterial(material, "material");
 }
 
 }  // namespace fbrdf

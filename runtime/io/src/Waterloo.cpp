@@ -2,10 +2,10 @@
 
 #include "Codes.h"
 #include "Files.h"
-#include "Png.h"
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/pictures/Png.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A description is four short lines; what is longer is something else.
-constexpr size_t kMaxDescription = 4096;
 constexpr int kMaxSize = 4096;
 
 struct Description {
@@ -105,7 +103,7 @@ Description parseDescription(const Lines& lines)
 Description readDescription(const std::string& path)
 {
     const std::string bytes = readFile(path);
-    if (bytes.size() > kMaxDescription)
+    if (bytes.size() > kMaxWaterlooDescription)
         throw Error(ErrorKind::input, path,
                     "found " + std::to_string(bytes.size()) + " bytes, expected at most 4096");
     return parseDescription(linesOf(bytes, path));
@@ -113,14 +111,7 @@ Description readDescription(const std::string& path)
 
 bool isDescription(const std::string& path)
 {
-    const std::string bytes = readBeginning(path, kMaxDescription + 1);
-    if (bytes.empty() || bytes.size() > kMaxDescription) return false;
-    try {
-        parseDescription(linesOf(bytes, path));
-        return true;
-    } catch (const Error&) {
-        return false;
-    }
+    return looksLikeWaterloo(readBeginning(path, kMaxWaterlooDescription + 1));
 }
 
 std::vector<std::string> filesIn(const std::string& folder, const std::string& ending)
@@ -219,10 +210,20 @@ void addSpecular(Material& material, const std::string& base, int index)
 
 }  // namespace
 
-bool looksLikeWaterloo(const std::string& path)
+bool looksLikeWaterloo(const std::string& beginning)
 {
-    std::error_code error;
-    return fs::is_directory(path, error) ? !descriptionsIn(path).empty() : isDescription(path);
+    if (beginning.empty() || beginning.size() > kMaxWaterlooDescription) return false;
+    try {
+        parseDescription(linesOf(beginning, "description"));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+bool holdsWaterloo(const std::string& folder)
+{
+    return !descriptionsIn(folder).empty();
 }
 
 Material readWaterloo(const std::string& path)

@@ -32,8 +32,15 @@ inline DiscDomain waterlooDomain(int size)
 /// Smallest map whose border of 1/16 leaves half a texel: below it, filtering would read outside.
 constexpr int kMinWaterlooSize = 8;
 
-/// True for a description file, or a folder that holds one.
-bool looksLikeWaterloo(const std::string& path);
+/// A description is four short lines; what is longer is something else.
+constexpr size_t kMaxWaterlooDescription = 4096;
+
+/// True for the bytes of a description. `beginning`: the file's first bytes, at least
+/// kMaxWaterlooDescription + 1 of them where it is longer.
+bool looksLikeWaterloo(const std::string& beginning);
+
+/// True for a folder with a description in it.
+bool holdsWaterloo(const std::string& folder);
 
 /// `path`: NAME.txt, `alpha`, or a folder that holds just one of them. Throws Error(input).
 Material readWaterloo(const std::string& path);

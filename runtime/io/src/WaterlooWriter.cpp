@@ -1,9 +1,9 @@
 #include "Codes.h"
-#include "Png.h"
 #include "Waterloo.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/OutputFile.h>
+#include <fbrdf/pictures/Png.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // MaterialFile.h - materials on disk: .fbrdf (multi-part OpenEXR), the 2001 Waterloo layout, PNG +
-// JSON. The only part of the runtime that sees OpenImageIO; engines that make materials from memory
-// do not link it.
+// JSON. docs/format.md describes the .fbrdf and the JSON exactly.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 
+#include <optional>
 #include <string>
 
 namespace fbrdf {
@@ -12,8 +12,12 @@ namespace fbrdf {
 /// manifest NAME.json, recognised by content. Throws Error(input) with file and part.
 Material readMaterial(const std::string& path);
 
-/// True when the file looks like one that readMaterial reads, by its first bytes.
+/// True when the file looks like one that readMaterial reads, by its first bytes. False for what is
+/// missing or cannot be read.
 bool isMaterialFile(const std::string& path);
+
+/// readMaterial of a path for which isMaterialFile is true, nothing for any other.
+std::optional<Material> readIfMaterial(const std::string& path);
 
 /// Writes by extension: .fbrdf, .txt (2001 layout; only forms it can hold), .json (manifest + one
 /// PNG a map). Files appear whole or not at all. Throws Error(output), or Error(usage) for a form
@@ -24,8 +28,8 @@ void writeMaterial(const Material& material, const std::string& path);
 /// with `where`, which stands for a path, and part.
 Material materialFromFileBytes(const std::string& bytes, const std::string& where);
 
-/// The bytes that writeMaterial writes to a .fbrdf. Throws as it does: OpenImageIO writes several
-/// parts to files only, so there is one for a moment, in the folder for temporary files.
+/// The bytes that writeMaterial writes to a .fbrdf. Throws Error(input) for a material that is not
+/// valid, Error(usage) for one that the format cannot hold.
 std::string materialFileBytes(const Material& material);
 
 }  // namespace fbrdf

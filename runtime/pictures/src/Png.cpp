@@ -1,5 +1,6 @@
-#include "Png.h"
+#include <fbrdf/pictures/Png.h>
 
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 
 #include <png.h>
@@ -98,13 +99,19 @@ bool readRows(const Reader& reader, png_bytepp rows)
     return true;
 }
 
+int colourType(int channels)
+{
+    return channels == 1   ? PNG_COLOR_TYPE_GRAY
+           : channels == 3 ? PNG_COLOR_TYPE_RGB
+                           : PNG_COLOR_TYPE_RGB_ALPHA;
+}
+
 bool writeAll(const Writer& writer, const PngImage& image, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
-                 static_cast<png_uint_32>(image.height), image.bits,
-                 image.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 static_cast<png_uint_32>(image.height), image.bits, colourType(image.channels),
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(writer.png, writer.info);
     png_write_image(writer.png, rows);
     png_write_end(writer.png, nullptr);
@@ -143,6 +150,11 @@ PngImage describe(const Reader& reader, const std::string& where)
 
 std::string encodePng(const PngImage& image, const std::string& where)
 {
+    FBRDF_ASSERT((image.bits == 8 || image.bits == 16), ==, true);
+    FBRDF_ASSERT((image.channels == 1 || image.channels == 3 || image.channels == 4), ==, true);
+    FBRDF_ASSERT(image.codes.size(), ==,
+                 static_cast<size_t>(image.width) * static_cast<size_t>(image.height) *
+                     static_cast<size_t>(image.channels));
     std::vector<png_byte> bytes;  // the higher byte of 16 bits comes first
     for (const uint16_t code : image.codes) {
         if (image.bits == 16) bytes.push_back(static_cast<png_byte>(code >> 8));
