@@ -13,10 +13,8 @@ namespace fbrdf::viewer {
 MaterialSlot::MaterialSlot(const std::string& spec, FitOptions options)
     : name_(spec), options_(std::move(options))
 {
-    if (isMaterialFile(spec))
-        material_ = readMaterial(spec);
-    else
-        source_ = openSource(spec);
+    material_ = readIfMaterial(spec);
+    if (!material_) source_ = openSource(spec);
 }
 
 const Material& MaterialSlot::material()

@@ -4,10 +4,13 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/MaterialSource.h>
 #include <fbrdf/sources/Model.h>
 #include <fbrdf/sources/OpenSource.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace fbrdf {
 namespace {
@@ -38,30 +41,11 @@ bool mustBeFile(const std::string& spec)
     return spec.substr(0, spec.find(':')).find_first_of("./\\") != std::string::npos;
 }
 
-/// A pipe can be read only once, so it is not asked whether it is a material.
-bool isMaterial(const std::string& path)
-{
-    std::error_code ignored;
-    return !std::filesystem::is_fifo(path, ignored) && isMaterialFile(path);
-}
-
-Source sourceOfMaterial(const std::string& path)
-{
-    const auto material = std::make_shared<const Material>(readMaterial(path));
-    Source source;
-    source.name = material->name;
-    source.format = "material";
-    source.description = describe(material->form);
-    source.isotropic = isIsotropic(material->form);
-    source.evaluate = [material](const Vec3d& wo, const Vec3d& wi) {
-        return evaluate<double>(*material, wo, wi);
-    };
-    return source;
-}
-
 Source openFile(const FileSpec& spec, const SourceOptions& options)
 {
-    if (spec.choice.empty() && isMaterial(spec.path)) return sourceOfMaterial(spec.path);
+    if (spec.choice.empty())
+        if (std::optional<Material> material = readIfMaterial(spec.path))
+            return sourceOfMaterial(std::make_shared<const Material>(std::move(*material)));
     const auto file = std::make_shared<const InputFile>(spec.path);
     const Format& format = formatOf(*file);
     if (!spec.choice.empty() && !format.takesChoice)
@@ -77,6 +61,19 @@ Source openFile(const FileSpec& spec, const SourceOptions& options)
 
 }  // namespace
 
+Source sourceOfMaterial(std::shared_ptr<const Material> material)
+{
+    Source source;
+    source.name = material->name;
+    source.format = "material";
+    source.description = describe(material->form);
+    source.isotropic = isIsotropic(material->form);
+    source.evaluate = [material = std::move(material)](const Vec3d& wo, const Vec3d& wi) {
+        return evaluate<double>(*material, wo, wi);
+    };
+    return source;
+}
+
 Source openSource(const std::string& spec, const SourceOptions& options)
 {
     const FileSpec file = fileSpecOf(spec);
@@ -89,7 +86,8 @@ Source openSource(const std::string& spec, const SourceOptions& options)
 std::vector<std::string> materialsOf(const std::string& spec)
 {
     const FileSpec chosen = fileSpecOf(spec);
-    if (chosen.path.empty() || (chosen.choice.empty() && isMaterial(chosen.path))) return {spec};
+    if (chosen.path.empty() || (chosen.choice.empty() && isMaterialFile(chosen.path)))
+        return {spec};
     const auto file = std::make_shared<const InputFile>(chosen.path);
     const Format& format = formatOf(*file);
     if (!format.rows) return {spec};

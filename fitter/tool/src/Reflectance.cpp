@@ -2,7 +2,11 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/MaterialSource.h>
 #include <fbrdf/sources/OpenSource.h>
+
+#include <optional>
+#include <utility>
 
 namespace fbrdf::tool {
 
@@ -17,11 +21,15 @@ Reflectance openReflectance(const std::string& spec, const SourceOptions& option
                             Precision precision)
 {
     Reflectance opened;
-    opened.source = openSource(spec, options);
-    opened.brdf = opened.source.evaluate;
-    if (opened.source.format != "material") return opened;
-    opened.material = std::make_shared<const Material>(readMaterial(spec));
-    if (precision == Precision::shader) opened.brdf = shaderFunction(opened.material);
+    if (std::optional<Material> material = readIfMaterial(spec)) {
+        opened.material = std::make_shared<const Material>(std::move(*material));
+        opened.source = sourceOfMaterial(opened.material);
+    } else {
+        opened.source = openSource(spec, options);
+    }
+    opened.brdf = opened.material && precision == Precision::shader
+                      ? shaderFunction(opened.material)
+                      : opened.source.evaluate;
     return opened;
 }
 
