@@ -56,7 +56,8 @@ std::string raw(const T& value)
     return std::string(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// True when the bytes read as a material; fails the test unless they do or say why in one line.
+/// True when the bytes read as a material; fails the test unless they do or give
+/// the reason in one line.
 bool readsOrRefuses(const std::string& bytes)
 {
     try {

@@ -1,4 +1,4 @@
-// MarksTest.cpp - marks of texels that no sample supports: through every format that holds them.
+// MarksTest.cpp - marks of texels that no sample supports go through every format that has them.
 #include "Codes.h"
 #include "io/Expect.h"
 #include "io/TestMaterials.h"

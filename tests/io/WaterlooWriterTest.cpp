@@ -1,5 +1,5 @@
-// WaterlooWriterTest.cpp - materials into the layout of 2001: what it holds comes back, what it
-// cannot hold is refused, cube faces agree with the published ones.
+// WaterlooWriterTest.cpp - materials into the layout of 2001: what fits it comes back, what does
+// not is refused, cube faces agree with the published ones.
 #include "Waterloo.h"
 
 #include "io/Expect.h"

@@ -34,7 +34,7 @@ TEST(Peer, NamesAreUniqueAndFound)
 // kSane: the maps of 2001, in steps of 1/255, reach 0.15 on a dull plastic; all others less.
 constexpr double kSane = 0.2;
 
-// Each with an answer is sane on a material that all can hold well.
+// Every peer with an answer is sane on a material that all can represent well.
 TEST(Peer, EachHoldsADullMaterial)
 {
     const Source source = openSource("ggx:alpha=0.5,f0=0.04,kd=0.3/0.2/0.1");

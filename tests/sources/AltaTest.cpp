@@ -10,7 +10,7 @@ using namespace fbrdf::test;
 
 namespace {
 
-constexpr double kFloat = 1e-6;  // directions are held as float
+constexpr double kFloat = 1e-6;  // directions are stored as float
 
 std::string alta(const std::string& dim, const std::string& in, const std::string& out,
                  const std::string& rows)

@@ -1,4 +1,4 @@
-// Formats whose files do not say the unit of their angles: ASTM E1392 and headerless text.
+// Formats whose files do not name the unit of their angles: ASTM E1392 and headerless text.
 #include "ReaderTest.h"
 
 #include <fbrdf/brdf/HalfDifference.h>

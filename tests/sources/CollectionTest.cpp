@@ -1,4 +1,4 @@
-// Files that hold many materials: the neural nets and the NPF tables. Reference values of the real
+// Files of many materials: the neural nets and the NPF tables. Reference values of the real
 // files: the data sets' own parse.py.
 #include "ReaderTest.h"
 #include "support/DataDir.h"

@@ -7,7 +7,7 @@ using namespace fbrdf::test;
 
 namespace {
 
-// kFloat: unit vectors and values are held as float.
+// kFloat: unit vectors and values are stored as float.
 constexpr float kFloat = 1e-6f;
 constexpr double kDegree = kPi / 180.0;
 

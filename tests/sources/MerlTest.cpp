@@ -13,7 +13,7 @@ namespace {
 constexpr int kH = 5, kD = 6, kP = 8;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// What the synthetic table holds in a cell and channel, in 1/sr.
+/// Value of the synthetic table in a cell and channel, in 1/sr.
 double valueOf(size_t cell, int channel)
 {
     return 0.01 * double(cell + 1) + channel;

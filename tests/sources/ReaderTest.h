@@ -80,7 +80,7 @@ inline void expectReference(const Source& source, const Vec3d (&expected)[kRefer
     }
 }
 
-/// Native bytes of a number, as little-endian formats hold it.
+/// Native bytes of a number, as little-endian formats store it.
 template <class T>
 void append(std::string& bytes, T value)
 {
@@ -159,7 +159,7 @@ inline Outcome outcomeOf(const std::string& spec, const SourceOptions& options =
     }
 }
 
-/// Expects Error(input) whose message holds `part`.
+/// Expects Error(input) whose message contains `part`.
 inline void expectInputError(const std::string& spec, const std::string& part)
 {
     const Outcome outcome = outcomeOf(spec);

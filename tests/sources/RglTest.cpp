@@ -49,7 +49,7 @@ std::string tensorFile(const std::vector<Field>& fields)
     return head + data;
 }
 
-/// What a small file holds: P x T slices, rgb nodes by a function of (slice, channel, x, y).
+/// The content of a small file: P x T slices, rgb nodes by a function of (slice, channel, x, y).
 struct Small {
     std::vector<float> phi{0.0f};
     std::vector<float> theta{0.0f, 0.8f, 1.57f};
@@ -107,7 +107,7 @@ Field& named(std::vector<Field>& fields, const std::string& name)
 }
 
 const Vec3d kWo(0.0, 0.6, 0.8), kWi(0.6, 0.0, 0.8);
-// kFloat: the file holds float.
+// kFloat: the file stores float.
 constexpr double kFloat = 1e-6;
 
 }  // namespace

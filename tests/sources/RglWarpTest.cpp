@@ -9,7 +9,7 @@ using Point = fbrdf::Vec2<double>;
 
 namespace {
 
-// kFloat: densities and their integrals are held as float.
+// kFloat: densities and their integrals are stored as float.
 constexpr double kFloat = 1e-6;
 // kRoundTrip: where a density is 50 times below its mean, an error of float in the integral moves
 // the point 50 times as far.

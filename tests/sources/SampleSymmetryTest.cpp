@@ -37,7 +37,7 @@ std::vector<Sample> spread(const Function& f, size_t count)
     return samples;
 }
 
-/// As a goniometer takes them, the sample turned by each of the azimuths, in degrees.
+/// Samples as a goniometer takes them, with the material turned by each of the azimuths (degrees).
 std::vector<Sample> onGrid(const Function& f, const std::vector<double>& turns)
 {
     constexpr double kDegree = kPi / 180.0;
@@ -94,7 +94,7 @@ TEST(SampleSymmetry, OnePlaneOfIncidenceIsIsotropicUnlessItsSidesDiffer)
     EXPECT_TRUE(areIsotropic(onGrid(model(kPlastic), {40.0, 220.0})));
     // Brush marks across the plane of incidence: what is left of it is not what is right of it.
     EXPECT_FALSE(areIsotropic(onGrid(model(kBrushedPlastic), {35.0})));
-    std::vector<Sample> within;  // the plane alone tells nothing
+    std::vector<Sample> within;  // the plane alone decides nothing
     for (const Sample& s : onGrid(model(kPlastic), {0.0}))
         if (std::abs(s.wo.y) < 1e-4f) within.push_back(s);
     EXPECT_GT(within.size(), 50u);

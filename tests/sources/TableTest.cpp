@@ -15,14 +15,14 @@ namespace {
 
 constexpr size_t kSide = 288, kCells = kSide * kSide;
 constexpr double kDegree = kPi / 180.0;
-constexpr double kFloat = 1e-5;  // tables hold float, and four angles are mixed
+constexpr double kFloat = 1e-5;  // tables store float, and four angles are mixed
 
 Vec3d at(double theta, double phi)
 {
     return directionFromAngles(theta * kDegree, phi * kDegree);
 }
 
-/// What the synthetic UTIA table holds: linear in both zenith angles, a step in the azimuths.
+/// A cell of the synthetic UTIA table: linear in both zenith angles, a step in the azimuths.
 double utiaValue(size_t light, size_t view, size_t channel)
 {
     return 1.0 + double(light / 48) + 0.5 * double(view / 48) + 0.01 * double(light % 48) +
@@ -82,7 +82,7 @@ void expectUtia(const Source& source)
     // Half-way in every angle: the values are linear there.
     const double expected = 1 + 2.5 + 0.5 * 3.5 + 0.01 * 2.5 + 0.001 * 12.5;
     EXPECT_NEAR(source.evaluate(at(52.5, 93.75), at(37.5, 18.75)).x, expected, kFloat);
-    // Across azimuth 0, and held beyond 75 degrees.
+    // Values are interpolated across azimuth 0 and constant beyond 75 degrees.
     const double across = 0.5 * (utiaValue(96 + 47, 0, 0) + utiaValue(96, 0, 0));
     EXPECT_NEAR(source.evaluate(at(0, 0), at(30, -3.75)).x, across, kFloat);
     EXPECT_NEAR(source.evaluate(at(0, 0), at(85, 0)).x, utiaValue(240, 0, 0), kFloat);

@@ -102,8 +102,8 @@ struct Bounds {
     double lower, upper;
 };
 
-// Where a parameter says nothing (the f0 of a lobe of scale 0) it would run off; a mirror's width
-// cannot be told from samples, and would run off to 0.
+// A parameter without effect (the f0 of a lobe of scale 0) would run off, and so would the width of
+// a mirror, which samples do not determine.
 Bounds boundsOf(int parameter)
 {
     if (parameter < kDiffuse) return {-20.0, 5.0};

@@ -1,4 +1,4 @@
-// Collection.h - one material out of a file that holds many, by row or by name.
+// Collection.h - one material out of a file of many, by row or by name.
 #pragma once
 #include "Formats.h"
 
@@ -6,7 +6,7 @@ namespace fbrdf {
 
 struct Chosen {
     size_t row = 0;
-    std::string name;  ///< as materials.txt says, else "FILE#row"
+    std::string name;  ///< from materials.txt, or else "FILE#row"
 };
 
 /// Finds the row that the request asks for. Names are the lines of materials.txt beside the file,

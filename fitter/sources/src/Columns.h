@@ -2,7 +2,7 @@
 // Directions are wo_x,wo_y,wo_z and wi_x,wi_y,wi_z (any length), or theta_i,phi_i,theta_o,phi_o in
 // degrees: zenith angle and azimuth of wi and wo, both away from the surface, in the frame of
 // Conventions.h. Values are r,g,b or one `value`, in 1/sr; without the cosine, or times cos theta_o
-// when SourceOptions::cosine says so. `weight` is optional; further columns are skipped unread.
+// with SourceOptions::cosine. `weight` is optional; further columns are skipped unread.
 #pragma once
 #include "InputFile.h"
 #include "SampleRow.h"

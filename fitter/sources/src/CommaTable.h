@@ -1,5 +1,5 @@
 // CommaTable.h - tables of comma-separated numbers under a line of names, as measurement groups
-// publish them. Each reader says which columns it needs; the others are not looked at.
+// publish them. Each reader names the columns that it needs; the others are skipped.
 #pragma once
 #include "InputFile.h"
 #include "Text.h"

@@ -1,4 +1,5 @@
-// InputFile.h - the bytes of a file that is being read, held or mapped, whichever suits its size.
+// InputFile.h - the bytes of a file that is being read: in memory or mapped, whichever suits its
+// size.
 #pragma once
 #include <fbrdf/base/Error.h>
 
@@ -23,7 +24,7 @@ public:
     const std::string& path() const { return path_; }
     std::string_view bytes() const { return view_; }
     size_t size() const { return view_.size(); }
-    /// Says that a range of bytes is not needed for now: of a mapped file its memory is given back,
+    /// Releases a range of bytes that is not needed for now: a mapped file gives its memory back,
     /// so that reading once through a file takes no more than a block.
     void release(size_t first, size_t count) const;
     /// Name without folder and extension.

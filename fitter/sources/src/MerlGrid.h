@@ -17,7 +17,7 @@ public:
 
     size_t size() const { return cos_h_.size() * cos_d_.size() * cos_p_.size(); }
     const std::array<int, 3>& cells() const { return cells_; }
-    /// As SampleStream::geometry.
+    /// The value of SampleStream::geometry.
     std::string key() const;
 
     /// Pair at the centre of a cell, phi_h = 0. May lie below the horizon.

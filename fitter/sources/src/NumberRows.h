@@ -11,9 +11,9 @@ namespace fbrdf {
 void parseNumbers(const InputFile& file, size_t line, const std::vector<std::string_view>& words,
                   std::vector<double>& numbers);
 
-/// Rows of theta_i, phi_i, theta_o, phi_o whose unit the file does not say. They are radians unless
-/// a zenith angle is above pi, which no direction has in radians; then all are degrees. A scan in
-/// degrees without one angle above 3.14 degrees does not exist.
+/// Rows of theta_i, phi_i, theta_o, phi_o of a file that does not name the unit. They are radians
+/// unless a zenith angle is above pi, which no direction has in radians; then all are degrees. A
+/// scan in degrees without one angle above 3.14 degrees does not exist.
 class AngleRows {
 public:
     void add(double theta_i, double phi_i, double theta_o, double phi_o, const Vec3d& f);

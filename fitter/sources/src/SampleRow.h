@@ -1,4 +1,4 @@
-// SampleRow.h - from what a row of a file says to a Sample, with every row accounted for.
+// SampleRow.h - from the numbers in a row of a file to a Sample, with every row accounted for.
 #pragma once
 #include <fbrdf/sources/Source.h>
 

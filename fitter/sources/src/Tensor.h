@@ -3,7 +3,7 @@
 // uint16 length of its name, the name, uint16 number of dimensions, uint8 type, uint64 offset of
 // its data from the start of the file, uint64 for each dimension; data in C order (last dimension
 // contiguous). Types 1 to 11: u8 i8 u16 i16 u32 i32 u64 i64 f16 f32 f64.
-// From the comments of the database's reader, powitacq (Dupuy and Jakob 2018).
+// The layout follows the comments of the database's reader, powitacq (Dupuy and Jakob 2018).
 #pragma once
 #include "InputFile.h"
 

@@ -105,7 +105,7 @@ bool parseNumber(std::string_view text, double& value)
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size()) return false;
-    if (error == std::errc::result_out_of_range)  // strtod tells infinity from zero
+    if (error == std::errc::result_out_of_range)  // strtod distinguishes overflow from underflow
         value = std::strtod(std::string(text).c_str(), nullptr);
     return error == std::errc() || error == std::errc::result_out_of_range;
 }

@@ -12,7 +12,7 @@ public:
     explicit LineReader(std::string_view text);
     /// False at the end. The line comes without its end and may be blank.
     bool next(std::string_view& line);
-    /// As next, but skips blank lines and those that start with '#'.
+    /// Does what next does, but skips blank lines and those that start with '#'.
     bool nextData(std::string_view& line);
     /// Number of the line that was read last, from 1.
     size_t number() const { return number_; }
@@ -51,7 +51,7 @@ bool parseInteger(std::string_view text, long long& value);
 /// "'text'", cut to a length that suits a message, with unprintable bytes shown as '?'.
 std::string quoted(std::string_view text);
 
-/// True when the first kilobytes hold no byte that text does not have.
+/// True when the first kilobytes have no byte that does not occur in text.
 bool looksLikeText(std::string_view bytes);
 
 }  // namespace fbrdf

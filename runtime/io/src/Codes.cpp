@@ -11,7 +11,8 @@ namespace fbrdf {
 namespace {
 
 constexpr int kLastCode = 255, kLastUnorm16 = 65535;
-// Differences of UNORM16 lie within +-65535; rounding and the two spare codes add less than again.
+// Differences of UNORM16 lie within +-65535; rounding and the two spare codes add less than as
+// much again.
 constexpr int64_t kMaxOffset = 2 * kLastUnorm16;
 
 [[noreturn]] void failInput(const std::string& where, const std::string& what)

@@ -15,12 +15,12 @@ constexpr char kMagic[] = {'\x76', '\x2f', '\x31', '\x01'};
 constexpr uint32_t kVersion = 2, kLongNames = 0x400, kMultiPart = 0x1000;
 constexpr size_t kMaxName = 255, kMaxAttributes = 4096, kMaxParts = 64;
 constexpr int kMaxLines = 1 << 24;  // Form.cpp: no table has more texels
-// Deflate cannot shrink by more than 1032:1 (zlib's "Technical Details"); run lengths less.
+// Deflate shrinks by at most 1032:1 (zlib's "Technical Details"), run lengths by less.
 constexpr size_t kMaxRatio = 1032;
 
 enum Compression { none = 0, runLength = 1, zipOneLine = 2, zip = 3 };
 
-/// Little-endian values at a position that never passes the end.
+/// Reads little-endian values at a position that never passes the end of the file.
 class Cursor {
 public:
     Cursor(const std::string& bytes, const std::string& where) : bytes_(bytes), where_(where) {}
@@ -49,7 +49,7 @@ public:
     int32_t i32() { return static_cast<int32_t>(u32()); }
     int u8() { return static_cast<int>(integer(1)); }
 
-    /// A name that ends with a zero byte; empty ends a list.
+    /// Reads a name up to its zero byte. An empty name is the end of a list.
     std::string name()
     {
         const size_t end = bytes_.find('\0', position);
@@ -129,7 +129,7 @@ void readChannels(ExrPart& part, Cursor cursor)
         if (!names.empty() && channelType != type)
             cursor.fail("found channels of half and float, expected one type");
         type = channelType;
-        cursor.u32();  // pLinear and padding
+        cursor.u32();  // pLinear and its padding mean nothing here
         const int32_t xSampling = cursor.i32(), ySampling = cursor.i32();
         if (xSampling != 1 || ySampling != 1)
             cursor.fail("found a subsampled channel, expected none");

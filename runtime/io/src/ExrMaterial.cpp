@@ -42,7 +42,7 @@ std::string keyedName(const char* prefix, const std::string& key, const std::str
     return prefix + key;
 }
 
-// OpenEXR's library ends a text at its first zero byte; nothing is to be lost silently.
+// OpenEXR's library ends a text at its first zero byte; what follows must not be lost silently.
 const std::string& checkedText(const std::string& text, const std::string& name,
                                const std::string& where)
 {
@@ -95,7 +95,7 @@ Attributes tableAttributes(const Table& table)
     return attributes;
 }
 
-// Part names must be unique and not empty; those of tables need not be.
+// Part names must be unique and not empty; names of tables need be neither.
 std::string partName(const Form& form, size_t index, std::set<std::string>& taken)
 {
     const std::string& table = form.tables[index].name;
@@ -141,7 +141,8 @@ public:
         if (a.size != 4) fail(a, std::to_string(a.size) + " bytes, expected 4");
         return value<int>(a.offset);
     }
-    /// floatvector, or what the first fbrdf wrote: three floats as v3f, nine as m33f.
+    /// Reads a floatvector, or one of the types that the first fbrdf wrote for three and nine
+    /// floats: v3f and m33f.
     std::vector<float> floats(const char* name, size_t count) const
     {
         const ExrAttribute& a = attribute(name, {"floatvector", "v3f", "m33f"}, 4);
@@ -264,7 +265,7 @@ Table readTable(ExrPixels& pixels, size_t index, const TableSpec& spec, const Pa
     return table;
 }
 
-// The file holds part names only for people. They may hold anything, but errors are one line.
+// Part names are for people and may be any bytes, but an error is one line.
 std::string partWhere(const std::string& where, const ExrPart& part, size_t index,
                       const std::string& bytes)
 {
@@ -274,7 +275,7 @@ std::string partWhere(const std::string& where, const ExrPart& part, size_t inde
     return text;
 }
 
-// Tables that no honest file of this size could hold: deflate shrinks zeros a thousandfold.
+// Refuses tables that no honest file of this size contains: deflate shrinks zeros a thousandfold.
 void checkDecodedSize(const std::vector<ExrPart>& parts, size_t fileSize, const std::string& where)
 {
     size_t decoded = 0;

@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Far above any material (a 64 x 16 + 16 x 16 table is 4 KB), far below what exhausts memory.
+// This is far above any material (the tables of hdio have some 4 KB) and far below what exhausts
+// memory.
 constexpr uintmax_t kMaxFileBytes = uintmax_t(256) << 20;
 
 }  // namespace

@@ -158,7 +158,7 @@ size_t JsonField::size() const
 
 int JsonField::integer() const
 {
-    // Comparing as double: any JSON integer, signed or not, is in range or plainly out of it.
+    // As double any JSON integer, signed or not, is in the range of int or plainly out of it.
     if (!value_->is_number_integer() || std::abs(value_->get<double>()) > INT_MAX)
         fail("an integer");
     return value_->get<int>();

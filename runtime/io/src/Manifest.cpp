@@ -36,7 +36,7 @@ Vec3f tripleFromJson(const JsonField& json)
     return v;
 }
 
-/// Smallest and largest texel of each channel: what the 16-bit codes of half and float span.
+/// Smallest and largest texel of each channel, which the 16-bit codes of half and float span.
 struct Range {
     Vec3f lower{0.0f}, upper{0.0f};
 };
@@ -91,7 +91,8 @@ std::vector<uint16_t> unorm16Codes(const Table& table)
     return codes;
 }
 
-// log8: its 16-bit integers, and how to make 8 bits of them again.
+// Sets the texels of a log8 table from its 16-bit sums. Throws unless 8-bit differences add up to
+// them.
 void decodeLog8(Table& table, const std::vector<uint16_t>& codes, const std::string& where)
 {
     checkCoding(table, where);
@@ -172,7 +173,7 @@ void expectText(const JsonField& json, const char* expected)
     if (json.text() != expected) json.fail(std::string("'") + expected + "'");
 }
 
-// A manifest names files beside itself, never a path: it may come from anywhere.
+// A manifest may come from anywhere, so it may name files beside itself but no path.
 std::string mapPath(const JsonField& json, const std::string& manifest)
 {
     const std::string name = json.text();
@@ -249,7 +250,7 @@ void readNotes(const JsonField& json, Material& material)
             material.notes[key] = JsonField(value, json.where() + "/notes/" + key).text();
     if (json.has("errors"))
         for (const auto& [key, value] : json.at("errors").object().items())
-            material.errors[key] =  // JSON has no word for a number that is none
+            material.errors[key] =  // JSON writes a number that is not finite as null
                 value.is_null() ? double(NAN)
                                 : JsonField(value, json.where() + "/errors/" + key).number();
 }

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Enough to recognise each format: no description of 2001 is longer, and docs/format.md puts what
-// marks a .fbrdf within as much.
+// These first bytes are enough to recognise each format: no description of 2001 is longer, and
+// docs/format.md puts the mark of a .fbrdf within them.
 constexpr size_t kBeginning = kMaxWaterlooDescription + 1;
 
 enum class Kind { none, exr, manifest, waterloo };
@@ -51,9 +51,9 @@ Material readMaterial(const std::string& path)
 {
     const Kind kind = kindOf(path);
     if (kind != Kind::none) return readAs(kind, path);
-    // Nothing else is a folder or called .txt: the reader can say what is wrong with it.
+    // A folder or a .txt can only be meant as the layout of 2001, whose reader knows what is wrong.
     if (isFolder(path) || fs::path(path).extension() == ".txt") return readWaterloo(path);
-    readFile(path);  // for what is missing or no file
+    readFile(path);  // throws for what is missing or not a regular file
     throw Error(ErrorKind::input, path,
                 "found another kind of file, expected a .fbrdf, the NAME.txt of factor maps of "
                 "2001, or a JSON manifest of fbrdf");

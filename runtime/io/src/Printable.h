@@ -1,4 +1,4 @@
-// Printable.h - text of a file inside a message: errors are one line, whatever a file holds.
+// Printable.h - text of a file inside a message, which stays one line whatever the text is.
 #pragma once
 #include <string>
 

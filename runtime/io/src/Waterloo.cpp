@@ -51,7 +51,7 @@ Lines linesOf(const std::string& bytes, const std::string& where)
     return lines;
 }
 
-// `count` finite numbers >= 0 and nothing else.
+// True when the line is `count` finite numbers >= 0 and nothing else.
 bool parseNumbers(const std::string& line, size_t count, float* numbers)
 {
     const char* at = line.c_str();
@@ -157,7 +157,7 @@ std::string descriptionOf(const std::string& path)
     return found[0];
 }
 
-// NAME of the maps: that of the description, or, beside `alpha`, of the one pair NAMEp, NAMEq.
+// The maps have the NAME of the description or, beside `alpha`, that of the one pair NAMEp, NAMEq.
 std::string baseOf(const std::string& description)
 {
     const fs::path path(description);

@@ -12,10 +12,11 @@
 namespace fbrdf {
 namespace {
 
-// A map that is warped towards the highlight loses it in fewer texels; 64 is what was published.
+// A map that is warped towards the highlight would lose it in fewer texels; the published maps have
+// 64.
 constexpr int kMinResampled = 64;
 
-/// What the layout holds of a material; tables that are not there are null.
+/// The tables of a material that the layout has a place for; null where there is none.
 struct Parts {
     const Table *p = nullptr, *q = nullptr, *s = nullptr;
     Vec3f alpha{1.0f}, specular{1.0f};
@@ -85,7 +86,7 @@ bool isPublishedKind(const Table& table)
            table.lower == Vec3f(0.0f) && table.upper == Vec3f(1.0f);
 }
 
-/// F as float over the layout's domain, not yet rounded to 8 bits; three channels.
+/// A table's F as float over the layout's domain, not yet rounded to 8 bits, in three channels.
 Table resampled(const Table& table)
 {
     const auto& disc = std::get<DiscDomain>(table.domain);
@@ -119,8 +120,8 @@ void multiply(Table& table, const Vec3f& factor)
         table.texels[i] *= factor[static_cast<int>(i % 3)];
 }
 
-/// The map in 8 bits, filling [0, 1] in every channel, and what to multiply it by. Maps as
-/// published stay as they are.
+/// The map in 8 bits, filling [0, 1] in every channel, and the factor that this takes out. Maps
+/// that are in the published layout already stay as they are.
 Table normalized(const Table& table, Vec3f& gauge)
 {
     gauge = Vec3f(1.0f);
@@ -147,7 +148,7 @@ Table specularMap(const Parts& parts, const std::string& path)
     return quantized(map, Storage::linear8);
 }
 
-// The layout knows colour maps only: one channel becomes three equal ones.
+// The layout has only colour maps: one channel becomes three equal ones.
 std::string pngFromCodes(int size, const std::vector<uint16_t>& codes, const std::string& where)
 {
     PngImage image{size, size, 3, 8, codes};
@@ -171,7 +172,8 @@ Vec3d faceDirection(int face, double s, double t)
     }
 }
 
-// Below the horizon the nearest direction on it, so that filtering across the horizon sees no step.
+// A direction below the horizon becomes the nearest one on it, so that filtering across the horizon
+// sees no step.
 Vec3d raisedToHorizon(Vec3d direction)
 {
     if (direction.z < 0.0) direction.z = 0.0;

@@ -114,7 +114,7 @@ Vec3d rotated(const Vec3d& w, double angle)
     return {c * w.x - s * w.y, s * w.x + c * w.y, w.z};
 }
 
-/// The same without what tells the tangent from other directions.
+/// The same without the parameters that distinguish the tangent.
 ModelValues withoutDirection(ModelValues values)
 {
     const std::pair<const char*, const char*> twins[] = {

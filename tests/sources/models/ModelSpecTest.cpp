@@ -1,4 +1,4 @@
-// ModelSpecTest.cpp - specifications of models: what is accepted, and what each error says.
+// ModelSpecTest.cpp - specifications of models: what is accepted, and the text of each error.
 #include <models/NearestName.h>
 
 #include <fbrdf/base/Error.h>

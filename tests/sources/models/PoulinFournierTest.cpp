@@ -93,7 +93,7 @@ TEST(PoulinFournier, DiffuseHalfCylindersHaveTheirClosedFormFromAbove)
     // height = spacing = 1: period 2, integral of cos^2 psi over (-pi/2, pi/2) is pi/2.
     const Source source = makeModelSource("poulin-fournier:kd=1,ks=0,height=1,spacing=1");
     EXPECT_NEAR(source.evaluate(kNormal, kNormal).x, 0.25 * kPi / kPi, 1e-12);
-    // And of a 60 degree arc: period 2 sin(60), (psi + sin psi cos psi) / 2 on both sides.
+    // The same for a 60 degree arc: period 2 sin(60), (psi + sin psi cos psi) / 2 on both sides.
     const double arc = kPi / 3.0;
     const double expected = (arc + std::sin(arc) * std::cos(arc)) / (2.0 * std::sin(arc)) / kPi;
     for (const char* height : {"0.5", "-0.5"})

@@ -1,6 +1,6 @@
 // Alta.cpp - text data of the ALTA library (Belcour, Barla, Pacanowski: "ALTA: a BRDF analysis
 // library", MAM 2014).
-// Header lines "#KEY value": #DIM nX nY, #PARAM_IN and #PARAM_OUT say what the columns are, #VS how
+// Header lines "#KEY value": #DIM nX nY, #PARAM_IN and #PARAM_OUT name the columns, #VS how
 // many columns of confidence follow (not read); other keys are for people. Then one row a sample:
 // nX coordinates, nY values, radians, white space. L is the light (wi), V the view (wo), both away
 // from the surface; h and d are Rusinkiewicz' half and difference vectors, where ALTA's d is that
@@ -12,8 +12,8 @@
 //              mirror); CARTESIAN (V, then L)
 //   PARAM_OUT  INV_STERADIAN (1/sr), INV_STERADIAN_COSINE_FACTOR (times cos theta_V, divided out
 //              here), RGB_COLOR (linear), XYZ_COLOR (to linear sRGB)
-// From the documentation of ALTA's `params` class. A file that does not declare both is refused: a
-// cosine is not to be guessed.
+// This follows the documentation of ALTA's `params` class. A file that does not declare both is
+// refused: a cosine is not to be guessed.
 #include "Formats.h"
 #include "NumberRows.h"
 

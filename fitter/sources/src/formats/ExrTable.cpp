@@ -10,7 +10,7 @@
 //              to the right from 0 to 360 degrees, theta_o downwards from 0 to 90. The string
 //              attribute "fbrdf:theta_i" lists the zenith angles of the tiles in degrees,
 //              comma-separated, top first; wi is at azimuth 0, away from the surface like wo.
-// Values are at pixel centres. A slice and a lat-long table hold isotropic materials and have
+// Values are at pixel centres. Slices and lat-long tables are of isotropic materials and have
 // samples only; a pixel of a lat-long tile weighs sin theta_o, its share of the sphere.
 #include "Formats.h"
 #include "formats/ExrImage.h"

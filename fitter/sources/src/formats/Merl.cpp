@@ -4,8 +4,8 @@
 // cosine; a negative value in any channel means that the cell was not measured. wi is their `in`,
 // the light: it makes no difference in tables of 180 phi_d cells, which take reciprocity for
 // granted. Tables of 360 cells cover the full circle. Cells and look-up: MerlGrid.h.
-// From the comments and code of BRDFRead.cpp, distributed with the database; full-circle tables
-// from the notes of the perceptual-quality set of Lavoue et al. 2021.
+// This follows the comments and code of BRDFRead.cpp, distributed with the database; full-circle
+// tables from the notes of the perceptual-quality set of Lavoue et al. 2021.
 //
 // `evaluate` takes the nearest cell, as BRDFRead.cpp does, and where that cell is not valid the
 // next valid one at smaller theta_d: cells at the horizon are often marked invalid although a part
@@ -22,14 +22,14 @@ namespace {
 
 constexpr size_t kHeader = 3 * sizeof(int32_t);
 constexpr std::array<double, 3> kScale = {1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0};
-/// No table has more cells along an axis; keeps the products below far from overflow.
+/// No table has more cells along an axis; the bound keeps the products below far from overflow.
 constexpr int32_t kMostCells = 1 << 16;
 constexpr int kFullCircle = 360;
 
 struct MerlTable {
     MerlGrid grid;
-    std::vector<Vec3f> f;      ///< one a cell; cells that are not valid hold what evaluate returns
-    std::vector<char> marked;  ///< one a cell: 1 where the file says "not measured"
+    std::vector<Vec3f> f;      ///< for each cell; what evaluate returns where the cell is not valid
+    std::vector<char> marked;  ///< for each cell: 1 where the file marks it as not measured
 };
 
 std::array<int32_t, 3> countsOf(const InputFile& file)

@@ -4,7 +4,7 @@
 // wavelength in um, theta_i, phi_i, theta_r, phi_r in degrees, f_r in 1/sr without the cosine, then
 // 15 ratios of the Mueller matrix, which are not read. Both directions point away from the surface;
 // a negative theta_i means azimuth + 180. From the README of the data set and the header line,
-// which spells its columns "lambda,thetai,phi,thetar,phir". A file holds several laser lines:
+// which spells its columns "lambda,thetai,phi,thetar,phir". A file has several laser lines:
 // FILE@0.532 takes one, the whole file all of them.
 #include "CommaTable.h"
 #include "Formats.h"
@@ -18,7 +18,7 @@
 namespace fbrdf {
 namespace {
 
-/// Half of what tells two laser lines apart in a table with three decimals.
+/// Half of the least difference between two laser lines in a table with three decimals.
 constexpr double kSameLine = 5e-4;
 
 /// Wavelength in um, 0 for all.

@@ -6,9 +6,9 @@
 //   s = inverse of the vndf warp at (u(theta_m), v(phi_m - phi_i)), v(phi_m) where anisotropic,
 //   f cos(theta_o) = max(0, rgb(s)) ndf(u, v) / (4 sigma(u(theta_i), v(phi_i)))
 // interpolated over (phi_i, theta_i): the stored value includes the cosine of wo, taken out here.
-// A phi_i that covers a half or a quarter of the circle holds material of that symmetry, and wi is
-// turned into it. Spectra become linear sRGB (Spectrum.h) before the interpolation; values are
-// clamped at 0 after it. From powitacq's code comments and README, and Mitsuba's `measured`.
+// A phi_i that covers a half or a quarter of the circle belongs to a material of that symmetry, and
+// wi is turned into it. Spectra become linear sRGB (Spectrum.h) before the interpolation; values
+// are clamped at 0 after it. From powitacq's code comments and README, and Mitsuba's `measured`.
 //
 // The samples are the nodes of the file: for each (phi_i, theta_i) the h x w nodes of s, where the
 // values are as measured, negatives included.
@@ -252,7 +252,7 @@ std::shared_ptr<const RglData> readData(const InputFile& file, const TensorField
     return data;
 }
 
-/// What the file says of itself, as one line; empty when it says nothing.
+/// The file's own description as one line; empty when there is none.
 std::string ownDescription(const InputFile& file, const TensorFields& fields)
 {
     constexpr int kBytes = 1;  // type of text: unsigned bytes

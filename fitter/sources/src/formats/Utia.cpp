@@ -1,8 +1,9 @@
 // Utia.cpp - UTIA's BRDF database in .bin files: float64 (as published) or float32, little endian,
 // without a header, one plane of 288 x 288 cells for R, G and B; UtiaTable.h has the grid. wi is
 // their i (light), wo their v (view), both away from the surface; linear RGB without the cosine.
-// From the readers published with the database (TBDRF.cpp, as told by ALTA's plugin data_utia) and
-// by Sztrajman (brdf_read.py). The scale is the database's own; no such file was at hand.
+// This follows the readers published with the database (TBDRF.cpp, by way of ALTA's plugin
+// data_utia) and by Sztrajman (brdf_read.py). The scale is the database's own; no such file was at
+// hand.
 #include "Formats.h"
 #include "formats/UtiaTable.h"
 
@@ -26,7 +27,7 @@ std::vector<Vec3f> readPlanes(std::string_view bytes)
     return cells;
 }
 
-/// A file of that size that holds something else would hold numbers like 1e-200 and 1e250.
+/// Anything else in a file of that size would read as numbers like 1e-200 and 1e250.
 void requirePlausible(const InputFile& file, const std::vector<Vec3f>& cells)
 {
     constexpr float kLargest = 1e6f;

@@ -45,7 +45,8 @@ BrdfFunction make(const ModelValues& values)
 
 }  // namespace
 
-// Ranges hold every published fit with room; the defaults are the paper's blue-rubber, red channel.
+// The ranges contain every published fit with room; the defaults are the paper's blue-rubber, red
+// channel.
 Model abcModel()
 {
     return {"abc",

@@ -117,7 +117,8 @@ BrdfFunction make(const ModelValues& values)
     return Disney(values);
 }
 
-// Not only without anisotropy: the narrowest highlights are held at one width in both directions.
+// Besides materials without anisotropy these are the narrowest highlights, whose width is clamped
+// to the same least value in both directions.
 bool isotropic(const ModelValues& values)
 {
     const Roughness alpha = Disney(values).alpha;

@@ -1,7 +1,8 @@
 // Physical optics of a Gaussian random surface: the directional diffuse part of He et al. 1991.
 //
 // What is simplified, and why:
-// - The specular spike (Eq. 72) is a delta function, which no table of f can hold: it is left out.
+// - The specular spike (Eq. 72) is left out: it is a delta function, for which a table of f has no
+// place.
 // - |F|^2 is Schlick's approximation at theta_d instead of complex, polarised Fresnel.
 // - G (Eq. 76) for unpolarised light: s and p of either ray span the plane normal to it, so
 //   (s_r.k_i)^2 + (p_r.k_i)^2 = |k_r x k_i|^2, the quotient cancels, and with |wi + wo| =

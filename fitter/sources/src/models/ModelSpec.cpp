@@ -1,4 +1,4 @@
-// From "NAME:key=value,key=value" to values.
+// Parses "NAME:key=value,key=value".
 #include "../Text.h"
 #include "NearestName.h"
 

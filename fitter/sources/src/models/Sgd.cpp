@@ -35,7 +35,7 @@ double masking(const Channel& m, double theta)
     const double x = theta - m.theta0;
     if (x <= 0.0) return 1.0;
     // In logs: the published c reach 1e109 and k 855. Where e^power overflows the masking is 0 long
-    // since; held at e^700 so that Lambda = 0 does not meet infinity.
+    // since; clamped to e^700 so that Lambda = 0 does not meet infinity.
     const double power = std::exp(std::log(m.c) + m.k * std::log(x));
     return std::clamp(1.0 - m.Lambda * std::expm1(std::min(700.0, power)), 0.0, 1.0);
 }
@@ -66,8 +66,8 @@ BrdfFunction make(const ModelValues& values)
 
 }  // namespace
 
-// Ranges hold every published fit (100 materials x 3 channels) with room; the defaults are the
-// paper's blue-rubber, red channel.
+// The ranges contain every published fit (100 materials x 3 channels) with room; the defaults are
+// the paper's blue-rubber, red channel.
 Model sgdModel()
 {
     return {"sgd",

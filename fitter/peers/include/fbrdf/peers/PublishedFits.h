@@ -10,7 +10,7 @@ namespace fbrdf {
 /// One row of a table of parameters: column name to value.
 using ParameterRow = std::map<std::string, double>;
 
-/// The row of `material` in a CSV file whose first column holds names; empty when there is no such
+/// The row of `material` in a CSV file whose first column is the name; empty when there is no such
 /// file or no such row. Throws Error(input) naming file and line for a row that does not fit its
 /// header.
 ParameterRow publishedRow(const std::string& path, const std::string& material);

@@ -13,7 +13,7 @@ struct SourceOptions {
 };
 
 /// Opens a file (recognised by content, then by extension) or an analytic model
-/// "name:key=value,...". A file that holds several data sets takes a choice after its path:
+/// "name:key=value,...". A file of several data sets takes a choice after its path:
 /// FILE@0.532 (a wavelength in um), FILE#name or FILE#row (a material of a collection). Materials
 /// (.fbrdf, the 2001 layout) are sources with `evaluate`. Throws Error(usage) for an unknown model
 /// or a parameter out of range, Error(input) for a file that is missing or invalid.

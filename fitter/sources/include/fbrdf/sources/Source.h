@@ -1,5 +1,5 @@
 // Source.h - reflectance from anywhere: scattered samples, a function, or both.
-// Samples are either held (`samples`) or made when asked for (`stream`); forEachBlock serves both.
+// Samples are in memory (`samples`) or made when asked for (`stream`); forEachBlock serves both.
 // Conventions: runtime/brdf/include/fbrdf/brdf/Conventions.h. Every reader turns its file's own
 // into these.
 #pragma once
@@ -27,8 +27,8 @@ struct SampleReport {
     uint64_t invalid = 0;       ///< dropped: marked by the file as not measured (MERL's negatives)
     uint64_t negative = 0;      ///< kept, for the fitter to censor: a channel below 0
     uint64_t zero = 0;          ///< kept, for the fitter to censor: a channel that is exactly 0
-    uint64_t outOfGamut =
-        0;  ///< spectra whose linear sRGB has a negative channel (also counted in `negative`)
+    /// Spectra whose linear sRGB has a negative channel; they count in `negative` as well.
+    uint64_t outOfGamut = 0;
 
     SampleReport& operator+=(const SampleReport& other);
 };
@@ -61,21 +61,21 @@ struct Source {
     bool isotropic = false;       ///< known to be unchanged by a rotation about the normal
     bool exact = false;           ///< samples or stream are values of `evaluate`, without noise
     std::vector<Sample> samples;  ///< empty when streamed, or when only a function
-    SampleStream stream;          ///< empty when `samples` holds them, or when only a function
+    SampleStream stream;          ///< empty when all are in `samples`, or when only a function
     SampleReport report;          ///< of `samples`; of a stream see reportOf
     /// f(wo, wi) for any unit pair, 0 below the horizon; empty when only samples are known. Safe to
     /// call from threads.
     std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate;
 };
 
-/// True when the source has samples of its own, held or streamed.
+/// True when the source has samples of its own, in memory or streamed.
 bool hasSamples(const Source& source);
 
 /// Visits every usable sample once, in order, in blocks of at most kSampleBlock.
 void forEachBlock(const Source& source, const SampleVisitor& visit);
 constexpr size_t kSampleBlock = 65536;
 
-/// The source's report: known at once for held samples, one pass over the rows for a stream.
+/// The source's report: known at once for samples in memory, a pass over all rows for a stream.
 SampleReport reportOf(const Source& source);
 
 }  // namespace fbrdf
