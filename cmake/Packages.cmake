@@ -21,11 +21,9 @@ if(FBRDF_VIEWER OR FBRDF_TESTS)
   find_package(OpenGL REQUIRED COMPONENTS EGL)
   pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET GLOBAL osmesa)
 endif()
-if(FBRDF_VIEWER OR FBRDF_TESTS)
-  # Pictures of the sample app, and an independent reader for the tests. OpenImageIO's CMake config is broken in Debian 12
-  # (it names a folder that does not exist), so pkg-config finds it.
-  pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
-endif()
 if(FBRDF_TESTS)
   find_package(GTest REQUIRED)
+  # An independent reader and writer of pictures. Its CMake config is broken in Debian 12 (it names a folder that does
+  # not exist), so pkg-config finds it.
+  pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
 endif()
