@@ -1,6 +1,7 @@
+#include "formats/RglWarp.h"
+
 #include <gtest/gtest.h>
 
-#include <RglWarp.h>
 #include <cmath>
 
 using fbrdf::RglWarp;
