@@ -1,6 +1,7 @@
 // own_shaders.cpp - an engine that draws by itself, here by tracing rays to a sphere: its shader
 // contains the GLSL functions of a material, and fbrdf binds the maps. Usage: as glfw_host.
 #include <fbrdf/gl/MaterialBinding.h>
+#include <fbrdf/gl/Renderer.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/plan/LightVectors.h>
 
@@ -60,9 +61,7 @@ void writePicture(const std::string& path, int width, int height)
 void show(GLFWwindow* window, const std::string& file, int frames, const std::string& picture)
 {
     fbrdf::gl::RendererOptions options;
-    options.load = [](void*, const char* name) {
-        return reinterpret_cast<void*>(glfwGetProcAddress(name));
-    };
+    options.load = [](void*, const char* name) { return (void*)glfwGetProcAddress(name); };
     fbrdf::gl::Renderer renderer(options);
     const auto material = renderer.createMaterial(fbrdf::readMaterial(file));
     // [readme]
