@@ -156,11 +156,11 @@ TEST_P(CApiGL, MapsAreRecombinedOnRequest)
     const float error = fbrdf_gpu_material_look_up_error(gpuMaterial.get());
     EXPECT_GT(error, 0.0f);
     EXPECT_LT(error, 0.25f);
-    EXPECT_STREQ(fbrdf_gpu_material_why_native(gpuMaterial.get()), "");
+    EXPECT_STREQ(fbrdf_gpu_material_why_not_recombined(gpuMaterial.get()), "");
     EXPECT_TRUE(lines.empty());
     // A material that replaces it is looked up in the same way.
     ASSERT_EQ(fbrdf_gpu_material_replace(gpuMaterial.get(), plain.get()), FBRDF_RESULT_OK);
-    EXPECT_NE(std::string(fbrdf_gpu_material_why_native(gpuMaterial.get())).find("angles"),
+    EXPECT_NE(std::string(fbrdf_gpu_material_why_not_recombined(gpuMaterial.get())).find("angles"),
               std::string::npos);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].severity, FBRDF_SEVERITY_WARNING);
@@ -177,7 +177,7 @@ TEST_P(CApiGL, MapsAreRecombinedOnRequest)
         gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
         FBRDF_RESULT_OK);
     EXPECT_EQ(fbrdf_gpu_material_look_up_error(gpuMaterial.get()), 0.0f);
-    EXPECT_STREQ(fbrdf_gpu_material_why_native(nullptr), "");
+    EXPECT_STREQ(fbrdf_gpu_material_why_not_recombined(nullptr), "");
     EXPECT_EQ(fbrdf_gpu_material_look_up_error(nullptr), 0.0f);
 }
 
@@ -350,6 +350,84 @@ TEST_P(CApiGL, HooksMoveVerticesAndShadeLights)
     given.shadow = "nonsense";
     EXPECT_EQ(hooks.create(fbrdf_hooks_create, renderer.get(), &given), FBRDF_RESULT_ERROR_INPUT);
     EXPECT_TRUE(hooks);
+}
+
+/// A triangle that covers the view: position and normal of a corner side by side, 16-bit indices
+/// behind two others.
+class HostBuffers {
+public:
+    explicit HostBuffers(const GladGLContext& gl) : gl_(gl)
+    {
+        const float corners[18] = {-2, -2, 0, 0, 0, 1, 4, -2, 0, 0, 0, 1, -2, 4, 0, 0, 0, 1};
+        const uint16_t indices[5] = {7, 7, 0, 1, 2};
+        gl_.GenBuffers(2, buffers_);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+        gl_.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
+        gl_.BufferData(GL_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, 0);
+    }
+    ~HostBuffers() { gl_.DeleteBuffers(2, buffers_); }
+    HostBuffers(const HostBuffers&) = delete;
+    HostBuffers& operator=(const HostBuffers&) = delete;
+
+    fbrdf_mesh_buffers_desc desc() const
+    {
+        auto result = abi::describe<fbrdf_mesh_buffers_desc>();
+        result.vertex_count = result.index_count = 3;
+        result.positions = {0, buffers_[0], 24};
+        result.normals = {12, buffers_[0], 24};
+        result.index_buffer = buffers_[1];
+        result.index_offset = 4;
+        result.index_type = FBRDF_INDEX_UINT16;
+        return result;
+    }
+
+private:
+    const GladGLContext& gl_;
+    GLuint buffers_[2] = {};
+};
+
+TEST_P(CApiGL, BuffersOfTheHostAreDrawnWhereTheyAre)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    abi::Material material;
+    abi::GpuMaterial gpuMaterial;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+    ASSERT_EQ(material.create(plain_material, &desc.log), FBRDF_RESULT_OK);
+    ASSERT_EQ(
+        gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
+        FBRDF_RESULT_OK);
+    const HostBuffers buffers(gl());
+    const float bounds[4] = {0.0f, 0.0f, 0.0f, 6.0f};
+    for (const float* given : {bounds, static_cast<const float*>(nullptr)}) {
+        fbrdf_mesh_buffers_desc triangle = buffers.desc();
+        triangle.bounds = given;
+        abi::Mesh mesh;
+        ASSERT_EQ(mesh.create(fbrdf_mesh_create_from_buffers, renderer.get(), &triangle),
+                  FBRDF_RESULT_OK);
+        Offscreen offscreen = makeOffscreen(kSize);
+        ASSERT_EQ(plain_draw_mesh(renderer.get(), gpuMaterial.get(), mesh.get(),
+                                  offscreen.framebuffer(), kSize, nullptr, nullptr),
+                  FBRDF_RESULT_OK);
+        expectPlainPicture(offscreen.readPixels());
+    }
+    EXPECT_TRUE(lines.empty());
+    const auto expectRefused = [&](fbrdf_result expected, const fbrdf_mesh_buffers_desc& wrong) {
+        abi::Mesh mesh;
+        EXPECT_EQ(mesh.create(fbrdf_mesh_create_from_buffers, renderer.get(), &wrong), expected);
+    };
+    fbrdf_mesh_buffers_desc wrong = buffers.desc();
+    wrong.index_type = 2;
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, wrong);
+    wrong = buffers.desc();
+    wrong.tangent_components = 2;
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, wrong);
+    wrong = buffers.desc();
+    wrong.positions.buffer = 0;
+    expectRefused(FBRDF_RESULT_ERROR_INPUT, wrong);
 }
 
 /// The quad of plain.c is at depth 1/2, between both clear values.

@@ -134,7 +134,7 @@ TEST_P(CApiLibrary, ABatchIsOneDrawCall)
     auto stats = abi::describe<fbrdf_draw_stats>();
     const auto two = picture(&stats);
     EXPECT_EQ(stats.draw_calls, 1u);
-    EXPECT_STREQ(fbrdf_library_why_apart(library_.get()), "");
+    EXPECT_STREQ(fbrdf_library_why_not_packed(library_.get()), "");
     ASSERT_EQ(fbrdf_library_replace(library_.get(), 1, materials_[0].get()), FBRDF_RESULT_OK);
     EXPECT_NE(picture(), two);
     ASSERT_EQ(fbrdf_library_replace(library_.get(), 1, materials_[1].get()), FBRDF_RESULT_OK);
@@ -211,7 +211,7 @@ TEST_P(CApiLibrary, WrongArgumentsAreResultsAndLogLines)
     EXPECT_EQ(fbrdf_library_replace(library_.get(), 0, nullptr), FBRDF_RESULT_ERROR_ARGUMENT);
     EXPECT_EQ(lines_.size(), 4u);
     EXPECT_EQ(fbrdf_library_replace(nullptr, 0, materials_[0].get()), FBRDF_RESULT_ERROR_ARGUMENT);
-    EXPECT_STREQ(fbrdf_library_why_apart(nullptr), "");
+    EXPECT_STREQ(fbrdf_library_why_not_packed(nullptr), "");
     Offscreen offscreen = makeOffscreen(kSize);
     fbrdf_draw_desc draw = drawDesc(offscreen);
     auto batch = abi::describe<fbrdf_batch_desc>();

@@ -31,9 +31,9 @@ public:
 
 using Structs =
     ::testing::Types<fbrdf_table, fbrdf_material_desc, fbrdf_renderer_desc, fbrdf_gpu_material_desc,
-                     fbrdf_mesh_desc, fbrdf_hooks_desc, fbrdf_light, fbrdf_item, fbrdf_depth_desc,
-                     fbrdf_draw_desc, fbrdf_draw_stats, fbrdf_instance, fbrdf_batch_desc,
-                     fbrdf_glsl_desc>;
+                     fbrdf_mesh_desc, fbrdf_buffer_array, fbrdf_mesh_buffers_desc, fbrdf_hooks_desc,
+                     fbrdf_light, fbrdf_item, fbrdf_depth_desc, fbrdf_draw_desc, fbrdf_draw_stats,
+                     fbrdf_instance, fbrdf_batch_desc, fbrdf_glsl_desc>;
 TYPED_TEST_SUITE(CApiVersions, Structs);
 
 TYPED_TEST(CApiVersions, OlderCallersHaveZerosInWhatTheyLack)
@@ -64,6 +64,8 @@ TEST(CApiVersion, FirstSizesStay)
     EXPECT_EQ(kFirstSize<fbrdf_renderer_desc>, 52u);
     EXPECT_EQ(kFirstSize<fbrdf_gpu_material_desc>, 12u);
     EXPECT_EQ(kFirstSize<fbrdf_mesh_desc>, 48u);
+    EXPECT_EQ(kFirstSize<fbrdf_buffer_array>, 16u);
+    EXPECT_EQ(kFirstSize<fbrdf_mesh_buffers_desc>, 168u);
     EXPECT_EQ(kFirstSize<fbrdf_hooks_desc>, 44u);
     EXPECT_EQ(kFirstSize<fbrdf_light>, 52u);
     EXPECT_EQ(kFirstSize<fbrdf_item>, 80u);

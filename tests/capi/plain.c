@@ -61,9 +61,9 @@ static void identity(float matrix[16])
     matrix[0] = matrix[5] = matrix[10] = matrix[15] = 1.0f;
 }
 
-static fbrdf_result draw(fbrdf_renderer* renderer, const fbrdf_gpu_material* material,
-                         const fbrdf_mesh* mesh, uint32_t framebuffer, int32_t size,
-                         const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats)
+fbrdf_result plain_draw_mesh(fbrdf_renderer* renderer, const fbrdf_gpu_material* material,
+                             const fbrdf_mesh* mesh, uint32_t framebuffer, int32_t size,
+                             const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats)
 {
     fbrdf_item item;
     memset(&item, 0, sizeof item);
@@ -114,7 +114,7 @@ fbrdf_result plain_draw_with_depth(fbrdf_load_function load, void* user, fbrdf_l
         result = fbrdf_gpu_material_create(renderer, material, NULL, &gpu_material);
     if (result == FBRDF_RESULT_OK) result = quad(renderer, &mesh);
     if (result == FBRDF_RESULT_OK)
-        result = draw(renderer, gpu_material, mesh, framebuffer, size, depth, stats);
+        result = plain_draw_mesh(renderer, gpu_material, mesh, framebuffer, size, depth, stats);
     fbrdf_renderer_release(renderer); /* in any order */
     fbrdf_mesh_release(mesh);
     fbrdf_gpu_material_release(gpu_material);

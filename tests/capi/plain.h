@@ -17,6 +17,11 @@ fbrdf_result plain_draw_with_depth(fbrdf_load_function load, void* user, fbrdf_l
                                    uint32_t framebuffer, int32_t size,
                                    const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats);
 
+/* One draw of a mesh with one directional light along -z; depth and stats may be NULL. */
+fbrdf_result plain_draw_mesh(fbrdf_renderer* renderer, const fbrdf_gpu_material* material,
+                             const fbrdf_mesh* mesh, uint32_t framebuffer, int32_t size,
+                             const fbrdf_depth_desc* depth, fbrdf_draw_stats* stats);
+
 /* The material of plain_draw: an hdio whose tables are constant, so that f = 1/4 R, 1/2 G, 1 B. */
 fbrdf_result plain_material(const fbrdf_log* log, fbrdf_material** out);
 

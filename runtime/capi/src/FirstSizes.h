@@ -27,6 +27,8 @@ FBRDF_FIRST_SIZE(fbrdf_material_desc, name, name);
 FBRDF_FIRST_SIZE(fbrdf_renderer_desc, no_debug_labels, reserved);
 FBRDF_FIRST_SIZE(fbrdf_gpu_material_desc, map_size, map_size);
 FBRDF_FIRST_SIZE(fbrdf_mesh_desc, indices, reserved);
+FBRDF_FIRST_SIZE(fbrdf_buffer_array, stride, stride);
+FBRDF_FIRST_SIZE(fbrdf_mesh_buffers_desc, tangent_components, tangent_components);
 FBRDF_FIRST_SIZE(fbrdf_hooks_desc, reach, reserved);
 FBRDF_FIRST_SIZE(fbrdf_light, outer_angle, outer_angle);
 FBRDF_FIRST_SIZE(fbrdf_item, model, reserved);

@@ -44,7 +44,7 @@ fbrdf_result fbrdf_gpu_material_replace(fbrdf_gpu_material* gpu_material,
     });
 }
 
-const char* fbrdf_gpu_material_why_native(const fbrdf_gpu_material* gpu_material)
+const char* fbrdf_gpu_material_why_not_recombined(const fbrdf_gpu_material* gpu_material)
 {
     return gpu_material ? gpu_material->gpu->whyNotRecombined().c_str() : "";
 }

@@ -28,7 +28,7 @@ fbrdf_result fbrdf_library_replace(fbrdf_library* library, uint32_t index,
     });
 }
 
-const char* fbrdf_library_why_apart(const fbrdf_library* library)
+const char* fbrdf_library_why_not_packed(const fbrdf_library* library)
 {
     return library ? library->gpu->whyNotPacked().c_str() : "";
 }

@@ -22,7 +22,7 @@ FBRDF_API fbrdf_result fbrdf_library_replace(fbrdf_library* library, uint32_t in
                                              const fbrdf_material* material);
 /* Why materials are drawn one by one; "" where all are packed. The text lives until a material is
  * replaced or the library is released. "" for NULL. */
-FBRDF_API const char* fbrdf_library_why_apart(const fbrdf_library* library);
+FBRDF_API const char* fbrdf_library_why_not_packed(const fbrdf_library* library);
 FBRDF_API void fbrdf_library_release(fbrdf_library* library);
 
 typedef struct fbrdf_instance {

@@ -32,7 +32,7 @@ typedef struct fbrdf_glsl_desc {
  *       a vec3
  *   uniform vec4 fbrdfLights[3 * max_lights];  uniform int fbrdfLightCount;
  *       what the engine sets, see fbrdf_light_vectors
- * The snippets that they need are included. *text lives until the material is replaced or
+ * The snippets are included. *text lives until the material is replaced or
  * released. */
 FBRDF_API fbrdf_result fbrdf_gpu_material_glsl(fbrdf_gpu_material* gpu_material,
                                                const fbrdf_glsl_desc* desc, const char** text);

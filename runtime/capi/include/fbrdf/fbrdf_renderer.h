@@ -68,14 +68,14 @@ FBRDF_API fbrdf_result fbrdf_gpu_material_replace(fbrdf_gpu_material* gpu_materi
                                                   const fbrdf_material* material);
 /* Why maps stayed native although the descriptor asked for others; "" where none did. The text
  * lives until the material is replaced or released. "" for NULL. */
-FBRDF_API const char* fbrdf_gpu_material_why_native(const fbrdf_gpu_material* gpu_material);
+FBRDF_API const char* fbrdf_gpu_material_why_not_recombined(const fbrdf_gpu_material* gpu_material);
 /* How far a product of recombined maps may be from that of the tables, |log2|; draws include it in
  * their error. 0 for NULL. */
 FBRDF_API float fbrdf_gpu_material_look_up_error(const fbrdf_gpu_material* gpu_material);
 FBRDF_API void fbrdf_gpu_material_release(fbrdf_gpu_material* gpu_material);
 
-/* The buffers of one set of triangles. Lives until it is released; draws name it, and it must live
- * until they return. */
+/* The triangles of one object: buffers of its own, or those of the host. Lives until it is
+ * released; draws name it, and it must live until they return. */
 typedef struct fbrdf_mesh fbrdf_mesh;
 
 /* Triangles in object space. Arrays are copied. */
@@ -95,6 +95,36 @@ typedef struct fbrdf_mesh_desc {
 } fbrdf_mesh_desc;
 FBRDF_API fbrdf_result fbrdf_mesh_create(fbrdf_renderer* renderer, const fbrdf_mesh_desc* desc,
                                          fbrdf_mesh** out);
+
+/* 32-bit floats in a buffer object of the host, one element for each vertex. */
+typedef struct fbrdf_buffer_array {
+    uint64_t offset; /* bytes before the first element */
+    uint32_t buffer; /* the buffer object; 0: the mesh has no such array */
+    uint32_t stride; /* bytes from one element to the next; 0: they follow each other */
+} fbrdf_buffer_array;
+typedef enum fbrdf_index_type { FBRDF_INDEX_UINT32 = 0, FBRDF_INDEX_UINT16 = 1 } fbrdf_index_type;
+/* Buffer objects of the host, bound where they are. Nothing is copied: what the host writes into
+ * them later is drawn, and the mesh must not be drawn after the host has deleted one of them. */
+typedef struct fbrdf_mesh_buffers_desc {
+    uint32_t struct_size;
+    uint32_t vertex_count;                  /* indices are below it */
+    fbrdf_buffer_array positions, normals;  /* three floats each */
+    fbrdf_buffer_array tangents;            /* tangent_components floats each; may be missing */
+    fbrdf_buffer_array texture_coordinates; /* two floats each; may be missing */
+    fbrdf_buffer_array extra[4];            /* four floats each, for vertex hooks; may be missing */
+    uint64_t index_offset;                  /* bytes before the first index */
+    /* Centre x, y, z and radius of a sphere around all positions, before vertex hooks move them:
+     * lights are culled by it, so it must stay true when positions change. NULL: the positions are
+     * read back once, which waits for the GPU; OpenGL ES cannot, and needs it. */
+    const float* bounds;
+    uint32_t index_buffer;
+    uint32_t index_count;        /* three a triangle, counter-clockwise seen from outside */
+    uint32_t index_type;         /* fbrdf_index_type */
+    uint32_t tangent_components; /* 4: the last is the handedness, as in glTF; 3: none; 0: 4 */
+} fbrdf_mesh_buffers_desc;
+FBRDF_API fbrdf_result fbrdf_mesh_create_from_buffers(fbrdf_renderer* renderer,
+                                                      const fbrdf_mesh_buffers_desc* desc,
+                                                      fbrdf_mesh** out);
 FBRDF_API void fbrdf_mesh_release(fbrdf_mesh* mesh);
 
 /* GLSL of the host in the programs of its objects. Lives until it is released; draws name it, and
