@@ -12,9 +12,9 @@
 namespace fbrdf::bench {
 namespace {
 
-class Bench {
+class Comparison {
 public:
-    explicit Bench(const Options& options)
+    explicit Comparison(const Options& options)
         : options_(options), rig_(options), variants_(chosen(options.only))
     {
     }
@@ -100,7 +100,7 @@ private:
 
 Measurement measure(const Options& options)
 {
-    return Bench(options).measured();
+    return Comparison(options).measured();
 }
 
 }  // namespace fbrdf::bench

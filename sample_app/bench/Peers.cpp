@@ -89,7 +89,7 @@ Vec3d merlFiltered(const TextureImage& image, const Vec3d& wo, const Vec3d& wi)
 
 PeerMap factorMap(const Material& material, const std::string& sampler, const std::string& name)
 {
-    for (const Table& table : material.tables)
+    for (const fbrdf::Table& table : material.tables)
         if (table.name == name) return {sampler, textureImage(table, {}), false};
     return {};
 }

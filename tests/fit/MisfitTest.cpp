@@ -151,7 +151,6 @@ TEST(Misfit, NoisyDataOfAFormThatHoldsThemAreHeld)
 
 Sample sampleAt(double theta_i, double phi_i, double theta_o, double phi_o)
 {
-    constexpr double kDegree = kPi / 180.0;
     return {Vec3f(directionFromAngles(theta_o * kDegree, phi_o * kDegree)),
             Vec3f(directionFromAngles(theta_i * kDegree, phi_i * kDegree)), Vec3f(1.0f)};
 }

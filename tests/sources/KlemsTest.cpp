@@ -10,8 +10,6 @@ using namespace fbrdf::test;
 
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-
 std::string ring(double theta, int phis, double lower, double upper)
 {
     const auto text = [](double v) { return std::to_string(v); };

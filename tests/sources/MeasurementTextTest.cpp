@@ -9,7 +9,6 @@ namespace {
 
 // kFloat: unit vectors and values are stored as float.
 constexpr float kFloat = 1e-6f;
-constexpr double kDegree = kPi / 180.0;
 
 Source read(const std::string& text, const std::string& name = "a.txt")
 {

@@ -40,7 +40,6 @@ std::vector<Sample> spread(const Function& f, size_t count)
 /// Samples as a goniometer takes them, with the material turned by each of the azimuths (degrees).
 std::vector<Sample> onGrid(const Function& f, const std::vector<double>& turns)
 {
-    constexpr double kDegree = kPi / 180.0;
     std::vector<Sample> samples;
     for (const double turn : turns)
         for (int i = 0; i <= 75; i += 15)

@@ -14,7 +14,6 @@ using namespace fbrdf::test;
 namespace {
 
 constexpr size_t kSide = 288, kCells = kSide * kSide;
-constexpr double kDegree = kPi / 180.0;
 constexpr double kFloat = 1e-5;  // tables store float, and four angles are mixed
 
 Vec3d at(double theta, double phi)

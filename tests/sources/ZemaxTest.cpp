@@ -6,8 +6,6 @@ using namespace fbrdf::test;
 
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-
 std::string zemax(const std::string& blocks, const std::string& content = "Monochrome",
                   const std::string& type = "BRDF")
 {

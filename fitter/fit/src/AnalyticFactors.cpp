@@ -11,9 +11,9 @@
 namespace fbrdf {
 namespace {
 
-constexpr double kGamma = 0.5;       // of q's map: texels where the highlight is
+constexpr double kLobeGamma = 0.5;   // of q's map: texels where the highlight is
 constexpr int kAngleKnots = 32;      // knots over theta_i, theta_o of T
-constexpr int kKnots = 64;           // of a uniform array over one angle
+constexpr int kCurveKnots = 64;      // of a uniform array over one angle
 constexpr double kSmallest = 1e-12;  // a factor's logarithm must be finite
 constexpr double kGrazing = 1e-3;    // the knot at the horizon stands for this cosine
 
@@ -82,19 +82,20 @@ TableSpec curve(const std::string& name, const Axis& axis)
 
 TableSpec lobeTable(int size)
 {
-    return {"q", DiscDomain::fitting(size, kGamma), false};
+    return {"q", DiscDomain::fitting(size, kLobeGamma), false};
 }
 
-const std::vector<Angle> kThetaI{Angle::theta_i}, kThetaO{Angle::theta_o}, kThetaD{Angle::theta_d},
-    kBothAngles{Angle::theta_i, Angle::theta_o};
+const std::vector<Angle> kOfThetaI{Angle::theta_i}, kOfThetaO{Angle::theta_o},
+    kOfThetaD{Angle::theta_d}, kBothAngles{Angle::theta_i, Angle::theta_o};
 
 // Ward 1992, Eq. 5: q is the Gaussian, p is 1 / sqrt(cos), and D is the Lambertian.
 Material wardFactors(const ModelValues& values, int size)
 {
     const double ax = values.at("alpha_x").x, ay = values.at("alpha_y").x;
     Material m;
-    m.form.tables = {lobeTable(size), curve("p", cosineAxis(kKnots)), curve("D", cosineAxis(2))};
-    m.form.terms = {{{{1, kThetaO}, {0, Direction::h}, {1, kThetaI}}}, {{{2, kThetaI}}}};
+    m.form.tables = {lobeTable(size), curve("p", cosineAxis(kCurveKnots)),
+                     curve("D", cosineAxis(2))};
+    m.form.terms = {{{{1, kOfThetaO}, {0, Direction::h}, {1, kOfThetaI}}}, {{{2, kOfThetaI}}}};
     m.tables.push_back(discTable(m.form.tables[0], [=](const Vec3d& h) {
         const double z = std::max(h.z, kGrazing), x = h.x / (ax * z), y = h.y / (ay * z);
         return Vec3d(std::exp(-x * x - y * y));
@@ -118,10 +119,10 @@ Material ashikhminShirleyFactors(const ModelValues& values, int size)
     const double nu = values.at("nu").x, nv = values.at("nv").x;
     const Vec3d ks = values.at("ks");
     Material m;
-    m.form.tables = {lobeTable(size), curve("r", {kKnots, {}}), pairTable("T"),
-                     curve("d", cosineAxis(kKnots))};
-    m.form.terms = {{{{0, Direction::h}, {1, kThetaD}, {2, kBothAngles}}},
-                    {{{3, kThetaO}, {3, kThetaI}}}};
+    m.form.tables = {lobeTable(size), curve("r", {kCurveKnots, {}}), pairTable("T"),
+                     curve("d", cosineAxis(kCurveKnots))};
+    m.form.terms = {{{{0, Direction::h}, {1, kOfThetaD}, {2, kBothAngles}}},
+                    {{{3, kOfThetaO}, {3, kOfThetaI}}}};
     m.tables.push_back(discTable(m.form.tables[0], [=](const Vec3d& h) {
         const double s = h.x * h.x + h.y * h.y;
         const double n = s > 0.0 ? (nu * h.x * h.x + nv * h.y * h.y) / s : 0.0;

@@ -16,7 +16,6 @@ namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // drawn from a source that is only a function
 constexpr size_t kProbeSamples = 200000;     // that sample errors are computed on
-constexpr size_t kTestSamples = 65536;       // docs/method.md, section Errors: the uniform test set
 constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
 
 // The cost of the solution with the options of the job's last steps; of a stream on a part of it.
@@ -114,7 +113,7 @@ SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& f
         holdOut(job, fitted.material.form, fitted.smoothness, job.folds, held);
         return held.errors;
     }
-    const auto test = samplesAt(source, uniformPairs(kTestSamples, 0), job.options.threads);
+    const auto test = samplesAt(source, uniformPairs(kUniformTestPairs, 0), job.options.threads);
     return sampleErrors(test, evaluateAt(fitted.material, test, job.options.threads),
                         job.traits.floor);
 }

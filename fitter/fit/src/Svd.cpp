@@ -28,7 +28,7 @@ constexpr double kHorizon = 0.03;
 constexpr double kFilledWeight = 1e-4;
 constexpr int kIterations = 8, kSpare = 8;  // of the start: vectors beside those asked for
 constexpr int kSweeps = 24;                 // of the alternating least squares
-constexpr double kGamma = 0.5;
+constexpr double kDiscGamma = 0.5;
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -50,7 +50,7 @@ std::vector<Axis> differenceAxes(int size)
 
 DiscDomain discOf(int size)
 {
-    return DiscDomain::fitting(size / 2, kGamma);
+    return DiscDomain::fitting(size / 2, kDiscGamma);
 }
 
 // A vector by its angles from a pole.

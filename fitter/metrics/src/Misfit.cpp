@@ -12,7 +12,6 @@
 namespace fbrdf {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 using Edges = std::array<double, 6>;  // degrees
 constexpr Edges kEdgesH{0, 3, 10, 25, 50, 90}, kEdgesD{0, kRetroAngle, 20, 45, 70, 90};
 constexpr size_t kSide = kEdgesH.size() - 1, kRegions = kSide * kSide;
@@ -57,7 +56,7 @@ uint64_t cellOf(const HalfDifference& a, size_t region, bool withAzimuth)
     return key * kRegions + region;
 }
 
-struct Sums {
+struct Residuals {
     double count = 0, sum = 0, squares = 0;
 
     void add(double r)
@@ -73,7 +72,7 @@ struct Sums {
 struct Products {
     double samples = 0, sum = 0, pairs = 0;
 
-    void add(const Sums& cell)
+    void add(const Residuals& cell)
     {
         if (cell.count < 2.0) return;
         sum += (cell.sum * cell.sum - cell.squares) / (cell.count - 1.0);
@@ -116,7 +115,7 @@ public:
         return sum;
     }
     double seen(size_t region) const { return regions_[region].seen; }
-    const Sums& residuals(size_t region) const { return regions_[region].residuals; }
+    const Residuals& residuals(size_t region) const { return regions_[region].residuals; }
 
     /// Structural rms of every region. `exact`: nothing is noise.
     std::vector<double> structure(bool exact)
@@ -148,7 +147,7 @@ public:
 
 private:
     struct Region {
-        Sums residuals;
+        Residuals residuals;
         double difference = 0, light = 0, seen = 0;
     };
 
@@ -163,7 +162,7 @@ private:
 
     double brightest_;
     std::array<Region, kRegions> regions_{};
-    std::array<std::unordered_map<uint64_t, Sums>, 2> cells_;
+    std::array<std::unordered_map<uint64_t, Residuals>, 2> cells_;
     std::vector<float> magnitudes_;
 };
 
@@ -231,7 +230,7 @@ std::vector<MisfitRegion> misfitRegions(const std::vector<Sample>& samples,
         const auto structure = channels[c].structure(exact);
         for (size_t r = 0; r < kRegions; ++r) {
             if (!channels[c].isWrong(r, structure[r], seen)) continue;
-            const Sums& residuals = channels[c].residuals(r);
+            const Residuals& residuals = channels[c].residuals(r);
             regions[r].channels[c] = true;
             regions[r].light = std::max(regions[r].light, channels[c].seen(r) / seen);
             regions[r].samples = std::max(regions[r].samples, static_cast<size_t>(residuals.count));

@@ -12,7 +12,6 @@ namespace fbrdf {
 namespace {
 
 constexpr double kWidth = 400, kHeight = 226, kCentreX = 200, kCentreY = 192, kRadius = 156;
-constexpr double kDegree = kPi / 180.0;
 
 // What the plots draw of a colour.
 struct Series {

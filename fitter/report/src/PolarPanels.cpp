@@ -9,8 +9,6 @@
 namespace fbrdf {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-
 // Views of the plane in degrees: even steps, and fine ones where highlights and retro-reflection
 // are.
 std::vector<double> viewAngles(double theta_i)

@@ -133,28 +133,28 @@ std::string gridDrawing(const Table& table, const GridDomain& grid,
 std::string curveDrawing(const Table& table, const Axis& axis, const std::vector<Angle>& angles,
                          const std::string& label)
 {
-    constexpr double kWidth = 300, kHeight = 150, kLeft = 54, kTop = 8;
+    constexpr double kCurveWidth = 300, kCurveHeight = 150, kCurveLeft = 54, kCurveTop = 8;
     const ShownRange range = shownRange(table);
     const auto y = [&](double value) {
         const double span = std::max(1e-6, range.high - range.low);
-        return kTop + kHeight * (1.0 - (value - range.low) / span);
+        return kCurveTop + kCurveHeight * (1.0 - (value - range.low) / span);
     };
     std::string shapes;
     for (const double value : {range.low, 0.5 * (range.low + range.high), range.high}) {
-        shapes += svg::line(kLeft, y(value), kLeft + kWidth, y(value), "grid");
-        shapes += svg::text(kLeft - 6, y(value) + 4, "end", shortNumber(value));
+        shapes += svg::line(kCurveLeft, y(value), kCurveLeft + kCurveWidth, y(value), "grid");
+        shapes += svg::text(kCurveLeft - 6, y(value) + 4, "end", shortNumber(value));
     }
     for (const double degrees : {0.0, 30.0, 60.0, 90.0})
-        shapes += svg::text(kLeft + kWidth * degrees / 90.0, kTop + kHeight + 16, "middle",
-                            degreesText(degrees));
+        shapes += svg::text(kCurveLeft + kCurveWidth * degrees / 90.0,
+                            kCurveTop + kCurveHeight + 16, "middle", degreesText(degrees));
     const auto x = [&](int knot) {
         const double u = axis.size > 1 ? static_cast<double>(knot) / (axis.size - 1) : 0.0;
-        return kLeft + kWidth * angleFromAxisCoordinate(axis.map, u) / (0.5 * kPi);
+        return kCurveLeft + kCurveWidth * angleFromAxisCoordinate(axis.map, u) / (0.5 * kPi);
     };
     std::vector<Vec2<double>> unsupported;
     for (int i = 0; i < axis.size; ++i)
-        if (isUnsupported(table, i)) unsupported.emplace_back(x(i), kTop);
-    shapes += svg::strokes(unsupported, {0.0, kHeight}, "hatch");
+        if (isUnsupported(table, i)) unsupported.emplace_back(x(i), kCurveTop);
+    shapes += svg::strokes(unsupported, {0.0, kCurveHeight}, "hatch");
     const char* const channelClass[] = {"fit red", "fit green", "fit blue"};
     for (int c = 0; c < table.channels; ++c) {
         std::vector<Vec2<double>> points;
@@ -163,9 +163,10 @@ std::string curveDrawing(const Table& table, const Axis& axis, const std::vector
         shapes += svg::path(points, table.channels == 1 ? "fit grey" : channelClass[c]);
     }
     if (!angles.empty())
-        shapes += svg::text(kLeft + kWidth / 2, kTop + kHeight + 32, "middle",
+        shapes += svg::text(kCurveLeft + kCurveWidth / 2, kCurveTop + kCurveHeight + 32, "middle",
                             svg::angleSymbol(angles[0]), "label");
-    return svg::drawing(kLeft + kWidth + 14, kTop + kHeight + 38, label, shapes);
+    return svg::drawing(kCurveLeft + kCurveWidth + 14, kCurveTop + kCurveHeight + 38, label,
+                        shapes);
 }
 
 std::string sizeText(const Domain& domain)

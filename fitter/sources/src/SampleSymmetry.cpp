@@ -8,14 +8,14 @@
 namespace fbrdf {
 namespace {
 
-constexpr float kDegree = float(kPi / 180.0);
-constexpr float kCell = 3.0f * kDegree;  // what counts as the same angles
+constexpr float kCell = 3.0f * float(kDegree);  // what counts as the same angles
 // Whole degrees, which most measurements have, must not lie on the border of two cells.
-constexpr float kShift = 0.37f * kDegree;
-constexpr float kPole = 0.5f * kDegree;     // nearer to the normal a direction has no azimuth
-constexpr float kPlane = 2.0f * kDegree;    // from the plane of incidence; nearer is on no side
-constexpr float kTurned = 10.0f * kDegree;  // azimuths that differ by more are turned
-constexpr size_t kNeighbours = 4;           // of the same cell that a sample is compared with
+constexpr float kShift = 0.37f * float(kDegree);
+constexpr float kPole = 0.5f * float(kDegree);  // nearer to the normal a direction has no azimuth
+constexpr float kPlane =
+    2.0f * float(kDegree);  // from the plane of incidence; nearer is on no side
+constexpr float kTurned = 10.0f * float(kDegree);  // azimuths that differ by more are turned
+constexpr size_t kNeighbours = 4;  // of the same cell that a sample is compared with
 constexpr size_t kFewestPairs = 16;
 constexpr double kSame = 0.02;   // difference over sum that nothing of ours resolves
 constexpr double kAsNear = 1.3;  // times the difference of near samples

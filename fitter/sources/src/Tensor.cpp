@@ -7,7 +7,7 @@
 namespace fbrdf {
 namespace {
 
-constexpr std::string_view kMagic("tensor_file\0", 12);
+constexpr std::string_view kTensorMagic("tensor_file\0", 12);
 constexpr int kFloat32 = 10;
 constexpr std::array<size_t, 12> kTypeSize = {0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
@@ -95,22 +95,22 @@ std::string shapeText(const std::vector<size_t>& shape, const char* zero)
 
 bool isTensorFile(const InputFile& file)
 {
-    return file.bytes().substr(0, kMagic.size()) == kMagic;
+    return file.bytes().substr(0, kTensorMagic.size()) == kTensorMagic;
 }
 
 TensorFields readTensorFields(const InputFile& file)
 {
     constexpr uint32_t kMostFields = 4096;
     if (!isTensorFile(file)) throw inputError(file, 0, "found no 'tensor_file', expected it");
-    ByteReader reader(file, kMagic.size());
+    ByteReader reader(file, kTensorMagic.size());
     const int major = reader.number<uint8_t>(), minor = reader.number<uint8_t>();
     if (major != 1 || minor != 0)
-        throw inputError(file, kMagic.size(),
+        throw inputError(file, kTensorMagic.size(),
                          "found version " + std::to_string(major) + "." + std::to_string(minor) +
                              ", expected 1.0");
     const uint32_t count = reader.number<uint32_t>();
     if (count > kMostFields)
-        throw inputError(file, kMagic.size() + 2,
+        throw inputError(file, kTensorMagic.size() + 2,
                          "found " + std::to_string(count) + " fields, expected at most 4096");
     TensorFields fields;
     for (uint32_t i = 0; i < count; ++i) {

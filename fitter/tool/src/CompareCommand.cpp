@@ -18,8 +18,6 @@
 namespace fbrdf::tool {
 namespace {
 
-constexpr size_t kUniformSamples = 65536;  // of the uniform test set (SampleSets.h)
-
 struct CompareCommand {
     std::string tested, reference;
     SourceOptions sourceOptions;
@@ -49,7 +47,7 @@ ReferenceSet referenceSet(const Reflectance& reference, int threads)
     } else {
         Source function;
         function.evaluate = reference.brdf;
-        set.samples = samplesAt(function, uniformPairs(kUniformSamples), threads);
+        set.samples = samplesAt(function, uniformPairs(kUniformTestPairs), threads);
         set.available = set.samples.size();
     }
     return set;

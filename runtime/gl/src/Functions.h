@@ -38,4 +38,10 @@ struct Functions : GladGLContext {
 /// missing.
 Functions loadFunctions(LoadFunction load, void* user);
 
+/// The name of an object or an enumerator as glGetIntegerv returns it.
+inline GLuint unsignedOf(GLint value)
+{
+    return static_cast<GLuint>(value);
+}
+
 }  // namespace fbrdf::gl

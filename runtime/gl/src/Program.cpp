@@ -12,7 +12,7 @@ namespace {
 // The longest name of ours is fbrdfVertexTextureCoordinate; a longer one is the host's.
 constexpr GLsizei kNameLength = 64;
 
-[[noreturn]] void fail(const std::string& what)
+[[noreturn]] void failShader(const std::string& what)
 {
     throw Error(ErrorKind::gl, "shader", what);
 }
@@ -96,10 +96,10 @@ Object linked(const DevicePtr& device, const MaterialResources& material,
     gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
     if (ok) return program;
     gl.GetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
-    fail("found one that does not link: " +
-         infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
-             gl.GetProgramInfoLog(program.name(), size, written, log);
-         }));
+    failShader("found one that does not link: " +
+               infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+                   gl.GetProgramInfoLog(program.name(), size, written, log);
+               }));
 }
 
 /// Texture units of the samplers that a program uses, from the device's first on. Samplers keep
@@ -111,8 +111,8 @@ public:
     {
         const int room = device.capabilities.maxTextureUnits - device.firstTextureUnit;
         if (static_cast<int>(samplers_.size()) > room)
-            fail("found " + std::to_string(samplers_.size()) +
-                 " textures in one pass, expected at most " + std::to_string(room));
+            failShader("found " + std::to_string(samplers_.size()) +
+                       " textures in one pass, expected at most " + std::to_string(room));
     }
     const std::vector<std::string>& samplers() const { return samplers_; }
     /// -1 where the program has no such sampler.
@@ -169,7 +169,7 @@ Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& 
 {
     const Functions& gl = device->gl;
     Object shader(device, ObjectKind::shader, gl.CreateShader(stage));
-    if (!shader) fail("found no shader object, expected one");
+    if (!shader) failShader("found no shader object, expected one");
     const GLchar* text = source.c_str();
     gl.ShaderSource(shader.name(), 1, &text, nullptr);
     gl.CompileShader(shader.name());
@@ -177,10 +177,10 @@ Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& 
     gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &ok);
     if (ok) return shader;
     gl.GetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
-    fail("found one that does not compile: " +
-         infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
-             gl.GetShaderInfoLog(shader.name(), size, written, log);
-         }));
+    failShader("found one that does not compile: " +
+               infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+                   gl.GetShaderInfoLog(shader.name(), size, written, log);
+               }));
 }
 
 Program linkedProgram(const DevicePtr& device, const MaterialResources& material,

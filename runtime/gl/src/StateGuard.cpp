@@ -47,11 +47,6 @@ constexpr Switch kSwitches[] = {
     {GL_POLYGON_STIPPLE, 21, true},
 };
 
-GLuint unsignedOf(GLint value)
-{
-    return static_cast<GLuint>(value);
-}
-
 GLenum enumOf(GLint value)
 {
     return static_cast<GLenum>(value);

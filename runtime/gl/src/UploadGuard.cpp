@@ -19,11 +19,6 @@ constexpr Transfer kTransfer[] = {
     {GL_RED_SCALE, 1.0f},  {GL_GREEN_SCALE, 1.0f}, {GL_BLUE_SCALE, 1.0f}, {GL_RED_BIAS, 0.0f},
     {GL_GREEN_BIAS, 0.0f}, {GL_BLUE_BIAS, 0.0f},   {GL_MAP_COLOR, 0.0f}};
 
-GLuint unsignedOf(GLint value)
-{
-    return static_cast<GLuint>(value);
-}
-
 }  // namespace
 
 UploadGuard::UploadGuard(const Device& device) : device_(device), gl_(device.gl)

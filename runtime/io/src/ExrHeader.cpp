@@ -12,11 +12,11 @@ namespace fbrdf {
 namespace {
 
 constexpr char kMagic[] = {'\x76', '\x2f', '\x31', '\x01'};
-constexpr uint32_t kVersion = 2, kLongNames = 0x400, kMultiPart = 0x1000;
+constexpr uint32_t kExrVersion = 2, kLongNames = 0x400, kMultiPart = 0x1000;
 constexpr size_t kMaxName = 255, kMaxAttributes = 4096, kMaxParts = 64;
 constexpr int kMaxLines = 1 << 24;  // Form.cpp: no table has more texels
 // Deflate shrinks by at most 1032:1 (zlib's "Technical Details"), run lengths by less.
-constexpr size_t kMaxRatio = 1032;
+constexpr size_t kMaxZipRatio = 1032;
 
 enum Compression { none = 0, runLength = 1, zipOneLine = 2, zip = 3 };
 
@@ -197,7 +197,7 @@ void checkChunk(const ExrPart& part, size_t partIndex, int chunk, bool multiPart
     const size_t whole = static_cast<size_t>(part.width) * lines *
                          static_cast<size_t>(part.channels) * (part.half ? 2u : 4u);
     const bool fits =
-        part.compression == none ? size == whole : size <= whole && size >= whole / kMaxRatio;
+        part.compression == none ? size == whole : size <= whole && size >= whole / kMaxZipRatio;
     if (size == 0 || !fits)
         cursor.fail(start, "found a chunk of " + std::to_string(size) + " bytes for " +
                                std::to_string(whole) + " bytes of texels");
@@ -252,7 +252,7 @@ std::vector<ExrPart> scanExr(const std::string& bytes, const std::string& where)
     cursor.position = sizeof kMagic;
     const uint32_t version = cursor.u32();
     const bool multiPart = version & kMultiPart;
-    if ((version & ~(kLongNames | kMultiPart)) != kVersion)
+    if ((version & ~(kLongNames | kMultiPart)) != kExrVersion)
         cursor.fail(sizeof kMagic, "found OpenEXR version and flags " + std::to_string(version) +
                                        ", expected version 2 with scan lines");
     std::vector<ExrPart> parts;

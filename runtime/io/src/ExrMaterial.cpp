@@ -16,7 +16,7 @@ namespace fbrdf {
 namespace {
 
 constexpr int kFormatVersion = 1;
-constexpr char kVersion[] = "fbrdf:version", kForm[] = "fbrdf:form", kScales[] = "fbrdf:scales",
+constexpr char kVersionName[] = "fbrdf:version", kForm[] = "fbrdf:form", kScales[] = "fbrdf:scales",
                kUnits[] = "fbrdf:units", kColorSpace[] = "fbrdf:colorspace", kName[] = "fbrdf:name",
                kNote[] = "fbrdf:note:", kError[] = "fbrdf:error:", kStorage[] = "fbrdf:storage",
                kLower[] = "fbrdf:lower", kUpper[] = "fbrdf:upper", kStride[] = "fbrdf:stride",
@@ -29,7 +29,7 @@ constexpr size_t kMaxKey = 200;
 constexpr size_t kMaxForm = 1 << 20;
 // Decoded tables take at most this much more than their file, or a sum that honest materials of
 // nearly constant tables reach: 32 MiB are 16 tables of 1024 x 512 texels.
-constexpr size_t kMaxRatio = 12, kAlwaysDecoded = size_t(32) << 20;
+constexpr size_t kMaxDecodedRatio = 12, kAlwaysDecoded = size_t(32) << 20;
 
 using Attributes = std::vector<std::pair<std::string, ExrValue>>;
 
@@ -63,7 +63,7 @@ std::vector<float> floatsOf(const std::vector<Vec3f>& triples)
 Attributes materialAttributes(const Material& material, const std::string& where)
 {
     Attributes attributes = {
-        {kVersion, kFormatVersion},
+        {kVersionName, kFormatVersion},
         {kUnits, std::string(kUnitsValue)},
         {kColorSpace, std::string(kColorSpaceValue)},
         {"Software", std::string("fbrdf " FBRDF_VERSION)},
@@ -201,7 +201,7 @@ private:
 
 void checkVersion(const PartReader& reader)
 {
-    const int version = reader.integer(kVersion);
+    const int version = reader.integer(kVersionName);
     if (version < 1 || version > kFormatVersion)
         throw Error(ErrorKind::input, reader.where(),
                     "found format version " + std::to_string(version) + ", expected at most " +
@@ -282,7 +282,7 @@ void checkDecodedSize(const std::vector<ExrPart>& parts, size_t fileSize, const 
     for (const ExrPart& part : parts)
         decoded += static_cast<size_t>(part.width) * static_cast<size_t>(part.height) *
                    static_cast<size_t>(part.channels) * sizeof(float);
-    const size_t most = kMaxRatio * fileSize + kAlwaysDecoded;
+    const size_t most = kMaxDecodedRatio * fileSize + kAlwaysDecoded;
     if (decoded > most)
         throw Error(ErrorKind::input, where,
                     "found texels of " + std::to_string(decoded) + " bytes in a file of " +

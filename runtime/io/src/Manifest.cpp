@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFormatVersion = 1;
+constexpr int kManifestVersion = 1;
 constexpr char kFormat[] = "fbrdf-material";
 constexpr double kWideCodes = 65535.0;
 
@@ -154,7 +154,7 @@ Json describe(const Material& material)
 {
     Json json;
     json["format"] = kFormat;
-    json["version"] = kFormatVersion;
+    json["version"] = kManifestVersion;
     json["name"] = material.name;
     json["units"] = "1/sr";
     json["colorspace"] = "lin_rec709";
@@ -270,8 +270,8 @@ Material readManifest(const std::string& text, const std::string& path)
     const JsonField json(parsed, path + ": ");
     expectText(json.at("format"), kFormat);
     const JsonField version = json.at("version");
-    if (version.integer() < 1 || version.integer() > kFormatVersion)
-        version.fail("at most " + std::to_string(kFormatVersion));
+    if (version.integer() < 1 || version.integer() > kManifestVersion)
+        version.fail("at most " + std::to_string(kManifestVersion));
     expectText(json.at("units"), "1/sr");
     expectText(json.at("colorspace"), "lin_rec709");
     Material material;

@@ -90,9 +90,9 @@ exr_result_t compressOrKeep(exr_encode_pipeline_t* encoder)
     return result;
 }
 
-class Writer {
+class ExrWriter {
 public:
-    explicit Writer(const std::string& where) : where_(where)
+    explicit ExrWriter(const std::string& where) : where_(where)
     {
         exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
         options.error_handler_fn = ignoreMessage;
@@ -100,9 +100,9 @@ public:
         options.write_fn = onWrite;
         check(exr_start_write(&context_, "memory", EXR_WRITE_FILE_DIRECTLY, &options));
     }
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-    ~Writer()
+    ExrWriter(const ExrWriter&) = delete;
+    ExrWriter& operator=(const ExrWriter&) = delete;
+    ~ExrWriter()
     {
         if (context_) exr_finish(&context_);
     }
@@ -221,7 +221,7 @@ std::string encodeExr(const std::vector<ExrImage>& images, const std::string& wh
     FBRDF_ASSERT(images.size(), >, 0u);
     for (const ExrImage& image : images) assertComplete(image);
     const exr_attr_box2i_t display = displayWindow(images);
-    Writer writer(where);
+    ExrWriter writer(where);
     if (hasLongNames(images)) writer.useLongNames();
     for (const ExrImage& image : images) writer.addPart(image, display);
     writer.writeHeader();

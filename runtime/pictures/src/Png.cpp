@@ -65,17 +65,17 @@ public:
     png_infop info;
 };
 
-class Writer {
+class PngWriter {
 public:
-    explicit Writer(Stream& stream)
+    explicit PngWriter(Stream& stream)
         : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &stream, onError, onWarning)),
           info(png_create_info_struct(png))
     {
         png_set_write_fn(png, &stream, onWrite, onFlush);
     }
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-    ~Writer() { png_destroy_write_struct(&png, &info); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
 
     png_structp png;
     png_infop info;
@@ -106,7 +106,7 @@ int colourType(int channels)
                            : PNG_COLOR_TYPE_RGB_ALPHA;
 }
 
-bool writeAll(const Writer& writer, const PngImage& image, png_bytepp rows)
+bool writeAll(const PngWriter& writer, const PngImage& image, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
@@ -161,7 +161,7 @@ std::string encodePng(const PngImage& image, const std::string& where)
         bytes.push_back(static_cast<png_byte>(code & 0xff));
     }
     Stream stream;
-    const Writer writer(stream);
+    const PngWriter writer(stream);
     std::vector<png_bytep> rows = rowsOf(bytes, image.height);
     if (!writeAll(writer, image, rows.data()))
         throw Error(ErrorKind::output, where, "libpng: " + stream.message);

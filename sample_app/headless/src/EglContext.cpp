@@ -21,7 +21,7 @@ std::string failureOf(const char* call)
     return std::string(call) + " failed with " + code;
 }
 
-[[noreturn]] void fail(const char* call)
+[[noreturn]] void failEgl(const char* call)
 {
     throw Error(ErrorKind::gl, "EGL",
                 "found that " + failureOf(call) +
@@ -42,15 +42,15 @@ EGLDisplay initialisedDisplay()
 {
     const auto getPlatformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (!getPlatformDisplay) fail("eglGetProcAddress(eglGetPlatformDisplayEXT)");
+    if (!getPlatformDisplay) failEgl("eglGetProcAddress(eglGetPlatformDisplayEXT)");
     const EGLDisplay display =
         getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT(surfaceless)");
-    if (!eglInitialize(display, nullptr, nullptr)) fail("eglInitialize");
+    if (display == EGL_NO_DISPLAY) failEgl("eglGetPlatformDisplayEXT(surfaceless)");
+    if (!eglInitialize(display, nullptr, nullptr)) failEgl("eglInitialize");
     return display;
 }
 
-std::vector<EGLint> attributesOf(const HeadlessOptions& options)
+std::vector<EGLint> eglAttributes(const HeadlessOptions& options)
 {
     using Profile = HeadlessOptions::Profile;
     std::vector<EGLint> list{EGL_CONTEXT_MAJOR_VERSION, options.major, EGL_CONTEXT_MINOR_VERSION,
@@ -72,10 +72,10 @@ public:
         : display_(initialisedDisplay()),
           api_(options.profile == HeadlessOptions::Profile::es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)
     {
-        if (!eglBindAPI(api_)) fail("eglBindAPI");
+        if (!eglBindAPI(api_)) failEgl("eglBindAPI");
         context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR,
                                     sharedWith ? sharedWith->context_ : EGL_NO_CONTEXT,
-                                    attributesOf(options).data());
+                                    eglAttributes(options).data());
         if (context_ == EGL_NO_CONTEXT) failForVersion(options);
     }
 
@@ -91,7 +91,7 @@ public:
         // believes to be bound already would then do nothing.
         release();
         if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
-            fail("eglMakeCurrent");
+            failEgl("eglMakeCurrent");
     }
 
     void release() override

@@ -21,7 +21,7 @@ GLenum internalFormatOf(OffscreenFormat format)
     return GL_NONE;
 }
 
-[[noreturn]] void fail(const std::string& what)
+[[noreturn]] void failOffscreen(const std::string& what)
 {
     throw Error(ErrorKind::gl, "offscreen", what);
 }
@@ -95,9 +95,10 @@ Offscreen::Offscreen(HeadlessContext::Load load, const OffscreenOptions& options
         return reinterpret_cast<GLADapiproc>(
             (*static_cast<HeadlessContext::Load*>(user))(nullptr, name));
     };
-    if (!gladLoadGLContextUserPtr(&s.gl, glLoad, &load)) fail("no current context");
+    if (!gladLoadGLContextUserPtr(&s.gl, glLoad, &load)) failOffscreen("no current context");
     loadEmbedded(s.gl, load, s.es);
-    if (!s.es && !s.gl.VERSION_3_0 && !s.gl.ARB_framebuffer_object) fail("no framebuffer objects");
+    if (!s.es && !s.gl.VERSION_3_0 && !s.gl.ARB_framebuffer_object)
+        failOffscreen("no framebuffer objects");
     const GLuint before = s.bound(GL_FRAMEBUFFER_BINDING);
     s.gl.GenFramebuffers(1, &s.framebuffer);
     s.gl.BindFramebuffer(GL_FRAMEBUFFER, s.framebuffer);
@@ -108,9 +109,9 @@ Offscreen::Offscreen(HeadlessContext::Load load, const OffscreenOptions& options
     const GLenum status = s.gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
     s.gl.BindFramebuffer(GL_FRAMEBUFFER, before);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        fail("a framebuffer of " + std::to_string(options.width) + "x" +
-             std::to_string(options.height) + " is not complete (status " + std::to_string(status) +
-             ")");
+        failOffscreen("a framebuffer of " + std::to_string(options.width) + "x" +
+                      std::to_string(options.height) + " is not complete (status " +
+                      std::to_string(status) + ")");
 }
 
 Offscreen::~Offscreen() = default;

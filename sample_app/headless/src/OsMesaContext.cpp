@@ -46,7 +46,7 @@ Library openLibrary()
     return library;
 }
 
-[[noreturn]] void fail(const std::string& what)
+[[noreturn]] void failOsMesa(const std::string& what)
 {
     throw Error(ErrorKind::gl, "OSMesa", what);
 }
@@ -55,11 +55,11 @@ Library openLibrary()
 const Library& library()
 {
     static const Library opened = openLibrary();
-    if (!opened.problem.empty()) fail(opened.problem);
+    if (!opened.problem.empty()) failOsMesa(opened.problem);
     return opened;
 }
 
-std::vector<int> attributesOf(const HeadlessOptions& options)
+std::vector<int> osMesaAttributes(const HeadlessOptions& options)
 {
     const bool core = options.profile == HeadlessOptions::Profile::core;
     return {OSMESA_FORMAT,
@@ -80,12 +80,12 @@ public:
     OsMesaContext(const HeadlessOptions& options, const OsMesaContext* sharedWith)
     {
         if (options.profile == HeadlessOptions::Profile::es)
-            fail("found a request for OpenGL ES, expected OpenGL");
-        context_ = library().createContext(attributesOf(options).data(),
+            failOsMesa("found a request for OpenGL ES, expected OpenGL");
+        context_ = library().createContext(osMesaAttributes(options).data(),
                                            sharedWith ? sharedWith->context_ : nullptr);
         if (!context_)
-            fail("found no OpenGL " + versionName(options) +
-                 " (OSMesaCreateContextAttribs failed), expected a driver that has it");
+            failOsMesa("found no OpenGL " + versionName(options) +
+                       " (OSMesaCreateContextAttribs failed), expected a driver that has it");
     }
 
     ~OsMesaContext() override
@@ -97,7 +97,7 @@ public:
     void makeCurrent() override
     {
         if (!library().makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
-            fail("OSMesaMakeCurrent failed");
+            failOsMesa("OSMesaMakeCurrent failed");
     }
 
     void release() override

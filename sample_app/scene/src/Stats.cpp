@@ -7,11 +7,11 @@
 namespace fbrdf::scene {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json textOrNull(const std::string& text)
+OrderedJson textOrNull(const std::string& text)
 {
-    return text.empty() ? Json(nullptr) : Json(text);
+    return text.empty() ? OrderedJson(nullptr) : OrderedJson(text);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ Spread spreadOf(std::vector<double> values)
 std::string statsToJson(const Stats& stats)
 {
     const Spread time = spreadOf(stats.milliseconds);
-    const Json json{
+    const OrderedJson json{
         {"backend", stats.backend},
         {"gl_renderer", textOrNull(stats.glRenderer)},
         {"gl_version", textOrNull(stats.glVersion)},
@@ -55,7 +55,7 @@ std::string statsToJson(const Stats& stats)
         {"clock", "cpu"},
         {"milliseconds", {{"median", time.median}, {"min", time.min}, {"max", time.max}}},
     };
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace fbrdf::scene

@@ -7,7 +7,7 @@
 namespace fbrdf::scene {
 namespace {
 
-using Point = Vec2<double>;
+using PlanePoint = Vec2<double>;
 
 /// Newell's normal: twice the vector area, robust against collinear corners (Sutherland et al.
 /// 1974).
@@ -20,33 +20,33 @@ Vec3d newellNormal(const std::vector<Vec3d>& corners)
 }
 
 /// Drops the coordinate along which the polygon is flattest, keeping its orientation.
-std::vector<Point> flattened(const std::vector<Vec3d>& corners)
+std::vector<PlanePoint> flattened(const std::vector<Vec3d>& corners)
 {
     const Vec3d normal = newellNormal(corners);
     int axis = 0;
     for (int k = 1; k < 3; ++k)
         if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
     const int first = (axis + 1) % 3, second = (axis + 2) % 3;
-    std::vector<Point> points;
+    std::vector<PlanePoint> points;
     for (const Vec3d& corner : corners)
-        points.push_back(normal[axis] < 0.0 ? Point(corner[second], corner[first])
-                                            : Point(corner[first], corner[second]));
+        points.push_back(normal[axis] < 0.0 ? PlanePoint(corner[second], corner[first])
+                                            : PlanePoint(corner[first], corner[second]));
     return points;
 }
 
-double doubleArea(const Point& a, const Point& b, const Point& c)
+double doubleArea(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-bool isEar(const std::vector<Point>& points, const std::vector<int>& left, size_t i)
+bool isEar(const std::vector<PlanePoint>& points, const std::vector<int>& left, size_t i)
 {
     const size_t count = left.size();
     const auto at = [&](size_t k) { return points[static_cast<size_t>(left[k % count])]; };
-    const Point a = at(i + count - 1), b = at(i), c = at(i + 1);
+    const PlanePoint a = at(i + count - 1), b = at(i), c = at(i + 1);
     if (!(doubleArea(a, b, c) > 0.0)) return false;
     for (size_t k = i + 2; k < i + count - 1; ++k) {
-        const Point p = at(k);
+        const PlanePoint p = at(k);
         if (p == a || p == b || p == c) continue;
         if (doubleArea(a, b, p) >= 0.0 && doubleArea(b, c, p) >= 0.0 && doubleArea(c, a, p) >= 0.0)
             return false;
@@ -59,7 +59,7 @@ bool isEar(const std::vector<Point>& points, const std::vector<int>& left, size_
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3d>& corners)
 {
     FBRDF_ASSERT(corners.size(), >=, 3u);
-    const std::vector<Point> points = flattened(corners);
+    const std::vector<PlanePoint> points = flattened(corners);
     std::vector<int> left(corners.size());
     std::iota(left.begin(), left.end(), 0);
     std::vector<std::array<int, 3>> triangles;

@@ -24,8 +24,8 @@ constexpr int kSmallestSize = 8;   // to which a small budget shrinks q, and few
 constexpr size_t kSamplesPerCell = 2;
 constexpr size_t kTestPairs = 65536;  // docs/method.md, section Errors: the uniform test set
 
-[[noreturn]] void refuse(const std::string& where, const std::string& found,
-                         const std::string& expected)
+[[noreturn]] void refuseMade(const std::string& where, const std::string& found,
+                             const std::string& expected)
 {
     throw Error(ErrorKind::usage, where, "found " + found + ", expected " + expected);
 }
@@ -40,7 +40,7 @@ std::optional<int> svdTerms(const std::string& name)
     if (digits.empty()) return 0;
     const int terms = digits.size() > 3 ? kMaxSvdTerms + 1 : std::stoi(digits);
     if (terms < 1 || terms > kMaxSvdTerms)
-        refuse("form", name, "svd1 to svd" + std::to_string(kMaxSvdTerms));
+        refuseMade("form", name, "svd1 to svd" + std::to_string(kMaxSvdTerms));
     return terms;
 }
 
@@ -78,9 +78,9 @@ Form svdFormFor(const Source& source, const Job& job)
                                           texelCount(one.tables[1].domain)}))));
     const Form form = formSvd(std::max(1, terms), size, isotropic);
     if (!fits(form, options, Storage::signedHalf))
-        refuse("max-bytes", std::to_string(options.maxBytes),
-               "at least " + std::to_string(formBytes(form, Storage::signedHalf)) + " for " +
-                   form.name);
+        refuseMade("max-bytes", std::to_string(options.maxBytes),
+                   "at least " + std::to_string(formBytes(form, Storage::signedHalf)) + " for " +
+                       form.name);
     return form;
 }
 
@@ -89,9 +89,9 @@ Form svdFormFor(const Source& source, const Job& job)
 BrdfFunction resamplingOf(const Source& source, const Job& job, int excludedFold)
 {
     if (!isIsotropicSource(source))
-        refuse("form", std::string(kSvd) + " for scattered samples not known to be isotropic",
-               "a function, such as a model, a table or a material: its grid would have four "
-               "dimensions");
+        refuseMade("form", std::string(kSvd) + " for scattered samples not known to be isotropic",
+                   "a function, such as a model, a table or a material: its grid would have four "
+                   "dimensions");
     const Form form = formSvdGrid(svdSizeFor(source, job));
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));
@@ -118,17 +118,18 @@ bool hasFactors(const Source& source)
 Material analyticOf(const Source& source, const FitOptions& options)
 {
     if (!hasFactors(source))
-        refuse("form", std::string(kAnalytic) + " for " + source.name,
-               "a model whose structure gives the factors: ward, ashikhmin-shirley, or a preset "
-               "of them");
+        refuseMade(
+            "form", std::string(kAnalytic) + " for " + source.name,
+            "a model whose structure gives the factors: ward, ashikhmin-shirley, or a preset "
+            "of them");
     const int largest = options.resolution > 0 ? options.resolution : kAnalyticSize;
     for (int size = largest;; size -= size / 4) {
         Material material = *analyticFactors(source.name, size, options.storage);
         const size_t bytes = materialBytes(material);
         if (options.maxBytes == 0 || bytes <= options.maxBytes) return material;
         if (size <= kSmallestSize || options.resolution > 0)
-            refuse("max-bytes", std::to_string(options.maxBytes),
-                   "at least " + std::to_string(bytes) + " for " + kAnalytic);
+            refuseMade("max-bytes", std::to_string(options.maxBytes),
+                       "at least " + std::to_string(bytes) + " for " + kAnalytic);
     }
 }
 
@@ -149,17 +150,17 @@ void checkMadeOptions(const FitOptions& options)
 {
     const bool analytic = options.form == kAnalytic;
     if (options.metric != Metric::log)
-        refuse("metric", metricName(options.metric),
-               analytic ? "none: the factors are written down"
-                        : "none: singular values minimise the absolute error");
+        refuseMade("metric", metricName(options.metric),
+                   analytic ? "none: the factors are written down"
+                            : "none: singular values minimise the absolute error");
     if (options.sharedShape)
-        refuse("shared", "it beside form " + options.form, "maps of three channels");
+        refuseMade("shared", "it beside form " + options.form, "maps of three channels");
     if (analytic && options.storage == Storage::linear8)
-        refuse("storage", "linear8 for the form analytic", "log8, half or float");
+        refuseMade("storage", "linear8 for the form analytic", "log8, half or float");
     const int least = 4, most = 256;
     if (options.resolution != 0 && (options.resolution < least || options.resolution > most))
-        refuse("resolution", std::to_string(options.resolution),
-               std::to_string(least) + " to " + std::to_string(most));
+        refuseMade("resolution", std::to_string(options.resolution),
+                   std::to_string(least) + " to " + std::to_string(most));
 }
 
 Fitted makeFitted(const Source& source, const Job& job)

@@ -18,7 +18,7 @@
 namespace fbrdf {
 namespace {
 
-constexpr std::string_view kMagic = "fbrdf-columns 1\n";
+constexpr std::string_view kColumnsMagic = "fbrdf-columns 1\n";
 /// The longest head that is searched for its line ends: 3 lines, far below a million.
 constexpr size_t kLongestHead = 1 << 16;
 
@@ -94,7 +94,7 @@ void readRows(const BinaryTable& table, uint64_t first, size_t count, std::vecto
 
 bool isBinaryColumns(const InputFile& file)
 {
-    return file.bytes().substr(0, kMagic.size()) == kMagic;
+    return file.bytes().substr(0, kColumnsMagic.size()) == kColumnsMagic;
 }
 
 Source readBinaryColumns(const FileRequest& request)

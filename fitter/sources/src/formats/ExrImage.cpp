@@ -19,7 +19,7 @@
 namespace fbrdf {
 namespace {
 
-constexpr std::string_view kMagic("\x76\x2f\x31\x01", 4);
+constexpr std::string_view kExrMagic("\x76\x2f\x31\x01", 4);
 /// Magic number and version come before the first attribute.
 constexpr size_t kFirstAttribute = 8;
 /// 4096 x 4096: far above any table, far below what a hostile header could ask for.
@@ -172,7 +172,7 @@ ExrImage readFirstPart(const InputFile& file)
 
 bool isExr(const InputFile& file)
 {
-    return file.bytes().substr(0, kMagic.size()) == kMagic;
+    return file.bytes().substr(0, kExrMagic.size()) == kExrMagic;
 }
 
 ExrImage readExrImage(const InputFile& file)

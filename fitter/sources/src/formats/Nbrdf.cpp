@@ -19,10 +19,10 @@
 namespace fbrdf {
 namespace {
 
-constexpr size_t kInputs = 6, kHidden = 21, kOutputs = 3;
-constexpr size_t kWeights =
-    kInputs * kHidden + kHidden + kHidden * kHidden + kHidden + kHidden * kOutputs + kOutputs;
-constexpr size_t kRowBytes = kWeights * sizeof(float);
+constexpr size_t kLayerInputs = 6, kHidden = 21, kLayerOutputs = 3;
+constexpr size_t kWeights = kLayerInputs * kHidden + kHidden + kHidden * kHidden + kHidden +
+                            kHidden * kLayerOutputs + kLayerOutputs;
+constexpr size_t kNetworkBytes = kWeights * sizeof(float);
 static_assert(kWeights == 675, "the published size");
 
 using Weights = std::array<double, kWeights>;
@@ -45,7 +45,7 @@ void rectify(std::array<double, N>& values)
     for (double& value : values) value = std::max(value, 0.0);
 }
 
-std::array<double, kInputs> inputsOf(const DirectionPair<double>& pair)
+std::array<double, kLayerInputs> inputsOf(const DirectionPair<double>& pair)
 {
     const HalfDifference a = halfDifferenceFromPair(pair);
     const Vec3d d = directionFromAngles(a.theta_d, a.phi_d);
@@ -56,7 +56,7 @@ Vec3d runNetwork(const Weights& weights, const DirectionPair<double>& pair)
 {
     constexpr double kLargestExponent = 80.0;  // exp of it still fits a float
     std::array<double, kHidden> first{}, second{};
-    std::array<double, kOutputs> last{};
+    std::array<double, kLayerOutputs> last{};
     const double* next = layer(weights.data(), inputsOf(pair), first);
     rectify(first);
     next = layer(next, first, second);
@@ -71,13 +71,13 @@ Vec3d runNetwork(const Weights& weights, const DirectionPair<double>& pair)
 Weights readWeights(const InputFile& file, size_t row)
 {
     std::array<float, kWeights> stored{};
-    std::memcpy(stored.data(), file.bytes().data() + row * kRowBytes, kRowBytes);
+    std::memcpy(stored.data(), file.bytes().data() + row * kNetworkBytes, kNetworkBytes);
     Weights weights{};
     for (size_t i = 0; i < kWeights; ++i) {
         constexpr float kLargest = 1e6f;  // trained weights are below 1e2
         if (!(std::abs(stored[i]) < kLargest))
             throw inputError(
-                file, row * kRowBytes + i * sizeof(float),
+                file, row * kNetworkBytes + i * sizeof(float),
                 "found " + std::to_string(stored[i]) + ", expected a weight of a network");
         weights[i] = double(stored[i]);
     }
@@ -88,18 +88,18 @@ Weights readWeights(const InputFile& file, size_t row)
 
 bool isNbrdf(const InputFile& file)
 {
-    return file.extension() == "f32" && file.size() % kRowBytes == 0;
+    return file.extension() == "f32" && file.size() % kNetworkBytes == 0;
 }
 
 size_t nbrdfRows(const InputFile& file)
 {
-    return file.size() / kRowBytes;
+    return file.size() / kNetworkBytes;
 }
 
 Source readNbrdf(const FileRequest& request)
 {
     const InputFile& file = *request.file;
-    if (file.size() % kRowBytes != 0)
+    if (file.size() % kNetworkBytes != 0)
         throw inputError(file, "found " + std::to_string(file.size()) +
                                    " bytes, expected rows of 675 float32 weights");
     const Chosen chosen = chosenMaterial(request, nbrdfRows(file));

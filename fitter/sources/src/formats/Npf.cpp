@@ -20,7 +20,7 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kRows = 256, kColumns = 512, kBins = 90;
-constexpr size_t kRowBytes = kColumns * 3 * sizeof(float);
+constexpr size_t kNpfRowBytes = kColumns * 3 * sizeof(float);
 constexpr size_t kDiffuse = 0, kSpecular = 1, kD = 2, kG = 92, kF = 182, kUsed = 272;
 
 using NpfRow = std::array<Vec3d, kUsed>;
@@ -53,17 +53,17 @@ Vec3d evaluateNpf(const NpfRow& row, const Vec3d& wo, const Vec3d& wi)
 NpfRow readNpfRow(const InputFile& file, size_t row)
 {
     std::array<float, 3 * kUsed> stored{};
-    std::memcpy(stored.data(), file.bytes().data() + row * kRowBytes, sizeof stored);
+    std::memcpy(stored.data(), file.bytes().data() + row * kNpfRowBytes, sizeof stored);
     NpfRow table{};
     for (size_t i = 0; i < stored.size(); ++i) {
         constexpr float kLargest = 1e9f;
         if (!(stored[i] >= 0.0f && stored[i] < kLargest))
-            throw inputError(file, row * kRowBytes + i * sizeof(float),
+            throw inputError(file, row * kNpfRowBytes + i * sizeof(float),
                              "found " + std::to_string(stored[i]) + ", expected a factor >= 0");
         table[i / 3][int(i % 3)] = double(stored[i]);
     }
     if (std::all_of(stored.begin(), stored.end(), [](float value) { return value == 0.0f; }))
-        throw inputError(file, row * kRowBytes, "found an empty row, expected a material");
+        throw inputError(file, row * kNpfRowBytes, "found an empty row, expected a material");
     return table;
 }
 
@@ -71,7 +71,7 @@ NpfRow readNpfRow(const InputFile& file, size_t row)
 
 bool isNpf(const InputFile& file)
 {
-    return file.extension() == "bin" && file.size() == kRows * kRowBytes;
+    return file.extension() == "bin" && file.size() == kRows * kNpfRowBytes;
 }
 
 // Rows after the last material are zero.
@@ -79,7 +79,7 @@ size_t npfRows(const InputFile& file)
 {
     const std::string_view bytes = file.bytes();
     const size_t last = bytes.find_last_not_of('\0');
-    return last == std::string_view::npos ? 0 : last / kRowBytes + 1;
+    return last == std::string_view::npos ? 0 : last / kNpfRowBytes + 1;
 }
 
 Source readNpf(const FileRequest& request)

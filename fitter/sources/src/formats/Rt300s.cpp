@@ -16,9 +16,8 @@ namespace fbrdf {
 namespace {
 
 const std::vector<std::string> kColumns = {"stage_deg", "theta_i_deg", "a_deg", "r_deg", "brdf"};
-constexpr double kDegree = kPi / 180.0;
 
-Vec3d turned(const Vec3d& w, double angle)
+Vec3d turnedAboutNormal(const Vec3d& w, double angle)
 {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * w.x - s * w.y, s * w.x + c * w.y, w.z};
@@ -53,8 +52,8 @@ Source readRt300s(const FileRequest& request)
         if (isShadowed(wo, wi))
             addInvalidRow(source.report);
         else
-            addRow({turned(wo, back), turned(wi, back), Vec3d(table[4])}, source.samples,
-                   source.report);
+            addRow({turnedAboutNormal(wo, back), turnedAboutNormal(wi, back), Vec3d(table[4])},
+                   source.samples, source.report);
     }
     source.description = "RT-300S scatterometer, one channel (650 nm), 1/sr";
     requireSamples(source, file.path());

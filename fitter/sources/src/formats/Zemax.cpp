@@ -26,7 +26,6 @@ namespace {
 
 /// Measurements have at most some hundred angles an axis.
 constexpr long long kMostAngles = 100000;
-constexpr double kDegree = kPi / 180.0;
 
 struct ZemaxTable {
     std::vector<double> rotation, incidence, azimuth, radial;

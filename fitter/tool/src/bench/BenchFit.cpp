@@ -17,8 +17,7 @@
 namespace fbrdf::tool {
 namespace {
 
-constexpr size_t kUniformSamples = 65536;  // of the uniform test set
-constexpr int kSphere = 256;               // of the standard sphere
+constexpr int kSphere = 256;  // of the standard sphere
 constexpr size_t kFolds = 5;
 
 std::vector<std::string> split(const std::string& list)
@@ -97,7 +96,7 @@ Judge judgeOf(const std::string& spec, const BenchOptions& options)
     const int threads = options.fit.threads;
     holdSamples(judge.source);
     if (judge.source.evaluate) {
-        judge.samples = samplesAt(judge.source, uniformPairs(kUniformSamples), threads);
+        judge.samples = samplesAt(judge.source, uniformPairs(kUniformTestPairs), threads);
         judge.reference = renderStandardSphere(judge.source.evaluate, kSphere, threads);
         return judge;
     }

@@ -94,8 +94,8 @@ void replace(osg::Node& node, osg::Node& by)
     for (osg::Group* parent : parents) parent->replaceChild(&node, &by);
 }
 
-struct Collector : public osg::NodeVisitor {
-    Collector() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+struct PartsOfScene : public osg::NodeVisitor {
+    PartsOfScene() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
     void apply(osg::Group& group) override
     {
         std::string record;
@@ -116,7 +116,7 @@ struct Collector : public osg::NodeVisitor {
 };
 
 /// The lights of each node that get one of OpenGL's numbers: the most intense of all nodes.
-std::vector<Lights> chosenLights(const Collector& found)
+std::vector<Lights> chosenLights(const PartsOfScene& found)
 {
     struct Candidate {
         size_t node;
@@ -196,7 +196,7 @@ osg::ref_ptr<osg::Node> plainForm(const osg::Node& scene)
 {
     const osg::ref_ptr<osg::Group> above = new osg::Group;
     above->addChild(osg::clone(&scene, osg::CopyOp::DEEP_COPY_NODES));
-    Collector found;
+    PartsOfScene found;
     above->accept(found);
     for (const auto& effect : found.effects) replace(*effect, *plainEffect(*effect));
     const auto chosen = chosenLights(found);
@@ -211,7 +211,7 @@ osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options
 {
     const osg::ref_ptr<osg::Group> above = new osg::Group;
     above->addChild(&plain);
-    Collector found;
+    PartsOfScene found;
     above->accept(found);
     std::vector<osg::ref_ptr<FactorizedBrdf>> effects;
     for (const auto& group : found.records) {

@@ -10,7 +10,10 @@ namespace fbrdf {
 /// Elevation below which the uniform sets have no direction, radians.
 constexpr double kMinElevation = 2.0 * kPi / 180.0;
 
-/// The uniform test set of the metrics: `count` Sobol pairs (65,536 in every figure we state), half
+/// Pairs of the uniform test set in every figure that fbrdf prints.
+constexpr size_t kUniformTestPairs = 65536;
+
+/// The uniform test set of the metrics: `count` Sobol pairs, half
 /// cosine-distributed in wo and wi, half uniform in (sqrt theta_h, theta_d, phi_h, phi_d); all
 /// above kMinElevation. Pairs that fall below are replaced by the next points of the sequence. f is
 /// not filled in.

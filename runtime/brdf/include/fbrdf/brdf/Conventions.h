@@ -25,6 +25,7 @@ using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180.0;  ///< radians
 
 /// Light and view direction of one evaluation: unit, local frame.
 template <class T>
