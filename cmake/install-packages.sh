@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian packages that fbrdf builds (or is tested) with. Does nothing, and asks for no
-# rights, where all are there. Usage: install-packages.sh build|tests LOGFILE
+# rights, where all are there. Usage: install-packages.sh build|tests|builds LOGFILE
 set -euo pipefail
-purpose=${1:?usage: install-packages.sh build|tests LOGFILE}
-log=${2:?usage: install-packages.sh build|tests LOGFILE}
+usage='usage: install-packages.sh build|tests|builds LOGFILE'
+purpose=${1:?$usage}
+log=${2:?$usage}
 
 packages=(
   g++ cmake ninja-build pkg-config ccache python3 python3-glad
   libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libpng-dev libopenexr-dev
   libglm-dev libglfw3-dev libimgui-dev libegl-dev libegl1 libgl1-mesa-dri libosmesa6-dev
 )
-if [ "$purpose" = tests ]; then
+if [ "$purpose" != build ]; then
   packages+=(libgtest-dev libopenimageio-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph xdotool dpkg-dev file doxygen graphviz)
 fi
+[ "$purpose" != builds ] || packages+=(clang)
 
 missing=()
 for package in "${packages[@]}"; do

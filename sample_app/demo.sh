@@ -11,7 +11,7 @@ log=$out/demo.log
 : >"$log"
 
 bash cmake/install-packages.sh build "$log" || { echo "fbrdf: set-up failed; the log is $root/$log" >&2; exit 1; }
-step "configuring" "$log" cmake --preset release -DFBRDF_TESTS=OFF
+step "configuring" "$log" cmake --preset demo -DFBRDF_TESTS=OFF
 step "building" "$log" cmake --build build --parallel "$(build_jobs)" --target fbrdf fbrdf-viewer
 
 # Without an argument: a gonioreflectometer measurement of garnet red paint (Cornell), where the data folder is beside
