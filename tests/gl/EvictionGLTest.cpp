@@ -54,6 +54,12 @@ protected:
                        std::to_string(number + 1) + ".0; }\n";
         return hooks;
     }
+    /// Bytes of the heap in use, once the driver has run all commands.
+    size_t heapInUse() const
+    {
+        gl().Finish();
+        return mallinfo2().uordblks;
+    }
     Offscreen bytes(int size) { return makeOffscreen(size, OffscreenFormat::rgba8); }
 
     std::unique_ptr<Hooks> hooks_;
@@ -132,17 +138,12 @@ TEST_P(Eviction, AProgramMadeForAFormOfMoreTablesDrawsOneOfFewer)
     }
 }
 
-size_t heapInUse()
-{
-    return mallinfo2().uordblks;
-}
-
 // As an editor does all day: new numbers for a material, the old one released after. What a reload
 // leaked before programs were evicted, an entry of the cache with its key, was over 100 bytes.
 TEST_P(Eviction, TenThousandReloadsLeaveNothingBehind)
 {
     constexpr int kReloads = 10000, kSettled = 1000;
-    constexpr size_t kNoise = 256 << 10;  // what the driver and the allocator do meanwhile
+    constexpr size_t kNoise = 64 << 10;  // 8 bytes a reload; llvmpipe was seen to vary by 200 bytes
     const Offscreen target = makeOffscreen(kSize);
     const Material first = noiseMaterial(formHdio(2, 2, 2), Storage::log8, 1),
                    second = noiseMaterial(formHdio(2, 2, 2), Storage::log8, 2);
@@ -151,7 +152,10 @@ TEST_P(Eviction, TenThousandReloadsLeaveNothingBehind)
     std::map<std::string, int> objects;
     for (int i = 0; i < kReloads; ++i) {
         material = renderer_->createMaterial(i % 2 == 0 ? first : second);
-        if (i % 100 == 0) draw(target, *material);
+        if (i % 100 == 0) {
+            draw(target, *material);
+            gl().Finish();  // as a frame ends: the driver's queues grow until then
+        }
         if (i != kSettled) continue;
         objects = hooks_->alive;
         heap = heapInUse();
@@ -224,7 +228,9 @@ TEST_P(Eviction, ATargetOfAnotherSizeLeavesNoSurfacesOfTheFormerOne)
     EXPECT_EQ(alive("Framebuffers"), 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, Eviction, ::testing::ValuesIn(modernVariants()), variantName);
+// What is deleted depends on the renderer alone, and compiling takes long: one backend suffices.
+INSTANTIATE_TEST_SUITE_P(Backends, Eviction, ::testing::Values(GlVariant{Backend::egl, false}),
+                         variantName);
 
 }  // namespace
 }  // namespace fbrdf::test
