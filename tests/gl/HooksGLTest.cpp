@@ -189,12 +189,25 @@ TEST_P(HostHooks, PreparedProgramsAreThoseThatDraw)
     EXPECT_EQ(counted.made, before);
 }
 
+// An error that quotes the compiler may have several lines, which expectError refuses.
+template <class Action>
+void expectCompilersWords(const std::string& words, const Action& action)
+{
+    try {
+        action();
+        ADD_FAILURE() << "nothing was thrown, expected the words: " << words;
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
+
 TEST_P(HostHooks, HooksThatDoNotCompileAreRefused)
 {
     expectMessages();
-    expectError(ErrorKind::input, "hooks", [&] { hooksOf("void fbrdfVertexHook(", ""); });
-    expectError(ErrorKind::input, "fbrdfVertexHook", [&] { hooksOf("float other;\n", ""); });
-    expectError(ErrorKind::input, "fbrdfShadow", [&] { hooksOf("", "float other;\n"); });
+    expectCompilersWords("hooks", [&] { hooksOf("void fbrdfVertexHook(", ""); });
+    expectCompilersWords("fbrdfVertexHook", [&] { hooksOf("float other;\n", ""); });
+    expectCompilersWords("fbrdfShadow", [&] { hooksOf("", "float other;\n"); });
     gl::Hooks negative;
     negative.reach = -1.0f;
     expectError(ErrorKind::input, "reach", [&] { renderer_->createHooks(negative); });
