@@ -141,13 +141,15 @@ TEST_P(MeshBuffersTest, WhatTheHostWritesIsDrawn)
     HostMesh host(gl(), sphereMesh(12), gl::IndexType::uint32);
     const auto bound = renderer_->createMesh(host.mesh);
     const HostMesh other(gl(), small, gl::IndexType::uint32);
-    gl().BindBuffer(GL_COPY_READ_BUFFER, other.buffers[0]);
-    gl().BindBuffer(GL_COPY_WRITE_BUFFER, host.buffers[0]);
+    // Through the CPU: OpenGL 2.1 copies no buffers.
     GLint size = 0;
-    gl().GetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &size);
-    gl().CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, size);
-    gl().BindBuffer(GL_COPY_READ_BUFFER, 0);
-    gl().BindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    gl().BindBuffer(GL_ARRAY_BUFFER, other.buffers[0]);
+    gl().GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
+    std::vector<char> bytes(static_cast<size_t>(size));
+    gl().GetBufferSubData(GL_ARRAY_BUFFER, 0, size, bytes.data());
+    gl().BindBuffer(GL_ARRAY_BUFFER, host.buffers[0]);
+    gl().BufferSubData(GL_ARRAY_BUFFER, 0, size, bytes.data());
+    gl().BindBuffer(GL_ARRAY_BUFFER, 0);
     EXPECT_EQ(draw(*bound), draw(*renderer_->createMesh(small)));
 }
 

@@ -14,7 +14,7 @@ for file in bin/fbrdf bin/fbrdf-viewer "osgPlugins-$version/osgdb_fbrdf.so" "osg
   grep -q "/$file" "$work/contents" || { echo "found no $file"; cat "$work/contents"; exit 1; }
 done
 depends=$(dpkg-deb --field "$package" Depends)
-for dependency in libopenscenegraph libopenimageio libc6; do
+for dependency in libopenscenegraph libopenexr libc6; do
   [[ $depends == *$dependency* ]] || { echo "found no $dependency in: $depends"; exit 1; }
 done
 # Libraries are made known to the loader by ldconfig.
