@@ -5,7 +5,8 @@
 //   texture table   lower, extent (TextureImage)
 //   uniform table   its knots, decoded
 //   term            its scale
-// Instances: fbrdfInstances (samplerBuffer), four texels each, see inputs_instanced.glsl.
+// fbrdfInstances (samplerBuffer) has four texels an instance: the columns of its model-view matrix
+// without the last row; the first column ends with the number of the material.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/plan/Capabilities.h>
