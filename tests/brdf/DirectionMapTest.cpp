@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "CubeFaces.h"
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 
 #include <cmath>
 #include <random>

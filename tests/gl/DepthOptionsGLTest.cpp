@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Scenes.h"
 

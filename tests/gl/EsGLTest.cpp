@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/DataDir.h"
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 #include "support/gl/Reference.h"
 
 #include <algorithm>

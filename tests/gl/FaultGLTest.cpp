@@ -2,7 +2,7 @@
 // good call works.
 #include <gtest/gtest.h>
 
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Hooks.h"
 #include "support/gl/Scenes.h"

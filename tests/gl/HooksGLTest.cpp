@@ -2,7 +2,7 @@
 // contain the same.
 #include "GeometryTest.h"
 
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 #include "support/gl/Hooks.h"
 
 #include <algorithm>

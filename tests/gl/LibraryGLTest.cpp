@@ -3,8 +3,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "support/ExpectError.h"
 #include "support/gl/CompareImages.h"
-#include "support/gl/ExpectError.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Hooks.h"
 #include "support/gl/Scenes.h"

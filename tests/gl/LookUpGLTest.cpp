@@ -2,7 +2,7 @@
 // bound that follows from the interpolation error and the plan.
 #include <gtest/gtest.h>
 
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Reference.h"
 

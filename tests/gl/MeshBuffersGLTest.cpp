@@ -1,7 +1,7 @@
 // Meshes in buffers of the host draw what copied meshes draw; buffers that do not fit are refused.
 #include "GeometryTest.h"
 
-#include "support/gl/ExpectError.h"
+#include "support/ExpectError.h"
 #include "support/gl/Hooks.h"
 
 namespace fbrdf::test {

@@ -1,8 +1,8 @@
 // ExrMaterialTest.cpp - the .fbrdf file as a format: what goes in comes out, the same bytes every
 // time, other tools read it. Hostile input is in HostileExrTest.cpp.
-#include "io/Expect.h"
-#include "io/FileBytes.h"
 #include "io/TestMaterials.h"
+#include "support/ExpectError.h"
+#include "support/FileBytes.h"
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/MaterialFile.h>

@@ -1,9 +1,9 @@
 // FilesTest.cpp - outputs appear whole or not at all.
 #include "Files.h"
 
-#include "io/Expect.h"
-#include "io/FileBytes.h"
 #include "io/TestMaterials.h"
+#include "support/ExpectError.h"
+#include "support/FileBytes.h"
 #include "support/FileSizeLimit.h"
 #include "support/TemporaryDir.h"
 

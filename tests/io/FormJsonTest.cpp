@@ -1,8 +1,8 @@
 // FormJsonTest.cpp - forms are data: every valid one survives, every broken field is named.
 #include "FormJson.h"
 
-#include "io/Expect.h"
 #include "io/TestMaterials.h"
+#include "support/ExpectError.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "FormJson.h"
 #include "Manifest.h"
 
-#include "io/Expect.h"
-#include "io/FileBytes.h"
 #include "io/TestMaterials.h"
+#include "support/ExpectError.h"
+#include "support/FileBytes.h"
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/MaterialFile.h>

@@ -1,7 +1,7 @@
 // MarksTest.cpp - marks of texels that no sample supports go through every format that has them.
 #include "Codes.h"
-#include "io/Expect.h"
 #include "io/TestMaterials.h"
+#include "support/ExpectError.h"
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/FormFile.h>

@@ -1,9 +1,9 @@
 // WaterlooTest.cpp - the maps of 2001 as published, against an evaluation that shares no code with
 // the library but the decoding of PNG.
 
-#include "io/Expect.h"
-#include "io/FileBytes.h"
 #include "support/DataDir.h"
+#include "support/ExpectError.h"
+#include "support/FileBytes.h"
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/io/MaterialFile.h>

@@ -2,10 +2,10 @@
 // not is refused, cube faces agree with the published ones.
 #include "Waterloo.h"
 
-#include "io/Expect.h"
-#include "io/FileBytes.h"
 #include "io/TestMaterials.h"
 #include "support/DataDir.h"
+#include "support/ExpectError.h"
+#include "support/FileBytes.h"
 #include "support/TemporaryDir.h"
 
 #include <fbrdf/brdf/HalfDifference.h>

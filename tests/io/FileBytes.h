@@ -1,3 +1,0 @@
-// FileBytes.h - see support/FileBytes.h.
-#pragma once
-#include "support/FileBytes.h"

@@ -1,3 +1,0 @@
-// ExpectError.h - see support/ExpectError.h.
-#pragma once
-#include "support/ExpectError.h"
