@@ -1,16 +1,13 @@
 // FitReports.cpp - the summary of a fit as text for people.
 #include <fbrdf/fit/Fit.h>
-
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace fbrdf {
 namespace {
 
 std::string number(double value)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+    return fmt::format("{:.3g}", value);
 }
 
 std::string line(const std::string& name, const std::string& value)

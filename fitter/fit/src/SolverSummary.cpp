@@ -1,16 +1,8 @@
 #include <fbrdf/fit/SolverSummary.h>
-
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace fbrdf {
 namespace {
-
-std::string formatted(const char* format, double value)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 std::string steps(int count)
 {
@@ -19,7 +11,7 @@ std::string steps(int count)
 
 std::string reason(const SolverSummary& summary)
 {
-    const std::string fall = formatted("%.3g", 100.0 * summary.lastFall) + " %";
+    const std::string fall = fmt::format("{:.3g} %", 100.0 * summary.lastFall);
     switch (summary.termination) {
         case Termination::none: return "no solver ran";
         case Termination::solved: return "solved in " + steps(summary.iterations);
@@ -78,7 +70,7 @@ std::string SolverSummary::text() const
     std::string text = reason(*this);
     if (systemIterations > 0)
         text += " and " + std::to_string(systemIterations) + " iterations of conjugate gradients";
-    if (termination != Termination::none) text += formatted(", cost %.3g", cost);
+    if (termination != Termination::none) text += fmt::format(", cost {:.3g}", cost);
     return text;
 }
 

@@ -111,22 +111,6 @@ double reciprocityError(double a, double b)
     return std::abs(std::log(a / b));
 }
 
-double medianReciprocityError(const BrdfFunction& brdf, int threads)
-{
-    constexpr size_t kPairs = 65536;
-    const std::vector<DirectionPair<double>> pairs = uniformPairs(kPairs);
-    std::vector<Vec3d> errors(pairs.size());
-    parallelFor(pairs.size(), threads, [&](size_t i) {
-        const Vec3d forth = brdf(pairs[i].wo, pairs[i].wi), back = brdf(pairs[i].wi, pairs[i].wo);
-        for (int c = 0; c < 3; ++c) errors[i][c] = reciprocityError(forth[c], back[c]);
-    });
-    std::vector<float> counted;
-    for (const Vec3d& error : errors)
-        for (int c = 0; c < 3; ++c)
-            if (!std::isnan(error[c])) counted.push_back(static_cast<float>(error[c]));
-    return medianOf(counted);
-}
-
 template <class Evaluate>
 std::vector<Vec3f> evaluatedAt(const std::vector<Sample>& samples, int threads,
                                const Evaluate& evaluateOne)
@@ -195,6 +179,21 @@ Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i, double phi_i)
         }
     }
     return sum;
+}
+
+double medianReciprocityError(const BrdfFunction& brdf, int threads)
+{
+    const std::vector<DirectionPair<double>> pairs = uniformPairs(kUniformTestPairs);
+    std::vector<Vec3d> errors(pairs.size());
+    parallelFor(pairs.size(), threads, [&](size_t i) {
+        const Vec3d forth = brdf(pairs[i].wo, pairs[i].wi), back = brdf(pairs[i].wi, pairs[i].wo);
+        for (int c = 0; c < 3; ++c) errors[i][c] = reciprocityError(forth[c], back[c]);
+    });
+    std::vector<float> counted;
+    for (const Vec3d& error : errors)
+        for (int c = 0; c < 3; ++c)
+            if (!std::isnan(error[c])) counted.push_back(static_cast<float>(error[c]));
+    return medianOf(counted);
 }
 
 PhysicsErrors physicsErrors(const BrdfFunction& brdf, int threads)

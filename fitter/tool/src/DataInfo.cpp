@@ -54,7 +54,7 @@ double psnrOfReciprocalMean(const BrdfFunction& brdf, int threads)
 void measureFunction(const Source& source, int threads, DataInfo& info)
 {
     constexpr double kReciprocal = 1e-3;  // below what any material of ours resolves
-    info.reciprocity = physicsErrors(source.evaluate, threads).reciprocity;
+    info.reciprocity = medianReciprocityError(source.evaluate, threads);
     info.reciprocityNote = "over the uniform set";
     if (*info.reciprocity > kReciprocal)
         info.reciprocalPsnr = psnrOfReciprocalMean(source.evaluate, threads);

@@ -143,7 +143,7 @@ std::string notesText(const Material& material)
 MaterialInfo materialInfo(const Reflectance& opened, int threads)
 {
     FBRDF_ASSERT(opened.material, !=, nullptr);
-    return {opened.material, physicsErrors(opened.brdf, threads).reciprocity,
+    return {opened.material, medianReciprocityError(opened.brdf, threads),
             albedoTable(opened.brdf, threads)};
 }
 

@@ -32,8 +32,11 @@ std::vector<Vec3f> evaluateAt(const Material& material, const std::vector<Sample
 std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample>& samples,
                               int threads);
 
+/// Median |ln f(a, b) / f(b, a)| over the uniform test set, all channels.
+double medianReciprocityError(const BrdfFunction& brdf, int threads);
+
 struct PhysicsErrors {
-    /// Median |ln f(a, b) / f(b, a)| over the uniform set, all channels.
+    /// As medianReciprocityError.
     double reciprocity = 0;
     /// Largest directional albedo over 16 incidences from 0 to 85 degrees, any channel.
     double albedoMax = 0;
