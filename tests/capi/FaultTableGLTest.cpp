@@ -15,7 +15,6 @@
 namespace fbrdf::test {
 namespace {
 
-constexpr int kSize = 16;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// A renderer with what plain_draw draws, and its log.
