@@ -1,3 +1,4 @@
+#include "PlanRequests.h"
 #include "PlanSimulator.h"
 
 #include <fbrdf/base/Error.h>
@@ -9,18 +10,6 @@
 
 namespace fbrdf {
 namespace {
-
-// The rounding of at most 300 positive products that are added up in another order.
-constexpr double kRounding = 1e-12;
-
-Capabilities modern()
-{
-    Capabilities c;
-    c.glsl = 330;
-    c.maxUniformVectors = 4096;
-    c.framebufferObjects = c.floatTextures = c.floatTargets = c.vertexArrays = true;
-    return c;
-}
 
 Form named(Form form, const std::string& name)
 {
@@ -144,14 +133,6 @@ int lightLimitOf(const PlanRequest& request)
         case Technique::twoLookup: return 1;
     }
     return 0;
-}
-
-PlanRequest twoLookup(int lights)
-{
-    PlanRequest request;
-    request.technique = Technique::twoLookup;
-    request.lights = lights;
-    return request;
 }
 
 TEST(Plan, DrawsTheDefinitionInEveryCase)
@@ -425,106 +406,6 @@ TEST(Plan, RefusesRequestsOutOfRange)
         request.recombination = error;
         expectUsage(request);
     }
-}
-
-// The tester: a plan that is wrong in one of the ways that matter must not pass the simulation.
-class WrongPlan : public ::testing::Test {
-protected:
-    bool passes(const Plan& plan) const
-    {
-        const auto nearer = simulatedFragment(form_, 3, 0.3, 1);
-        const auto farther = simulatedFragment(form_, 3, 0.6, 2);
-        const double expected = expectedValue(form_, nearer);
-        const SimulatedPixel pixel = simulate(plan, {farther, nearer}, {123.0, 1.0});
-        return std::abs(pixel.value - expected) < kRounding * expected;
-    }
-    Form form_ = formPqp(8, 1.0);
-    Plan plan_ = planPasses(form_, twoLookup(3), modern());
-};
-
-TEST_F(WrongPlan, RightOnePasses)
-{
-    EXPECT_TRUE(passes(plan_));
-}
-
-TEST_F(WrongPlan, AddingToTheBackgroundFails)
-{
-    plan_.passes[0].blend = Blend::add;
-    EXPECT_FALSE(passes(plan_));
-}
-
-TEST_F(WrongPlan, BlendingWithoutMatchingDepthFails)
-{
-    plan_.passes[1].depth = Depth::write;
-    EXPECT_FALSE(passes(plan_));
-}
-
-TEST_F(WrongPlan, ForgettingTheLastFactorFails)
-{
-    plan_.passes.pop_back();
-    EXPECT_FALSE(passes(plan_));
-}
-
-TEST_F(WrongPlan, LosingALightFails)
-{
-    plan_.passes.erase(plan_.passes.begin() + 1);
-    EXPECT_FALSE(passes(plan_));
-}
-
-TEST(Precision, GrowsByOneRoundingAPass)
-{
-    const double ulp = 0x1p-23;
-    const auto bound = [](int lights, ColourFormat target, Transfer transfer = Transfer::linear) {
-        PlanRequest request = twoLookup(lights);
-        request.target = target;
-        request.transfer = transfer;
-        return planPasses(formHdio(4, 4, 4), request, modern()).error;
-    };
-    const ErrorBound one = bound(1, ColourFormat::rgba32f);
-    EXPECT_NEAR(bound(256, ColourFormat::rgba32f).relative - one.relative, 255 * ulp, 1e-12);
-    EXPECT_EQ(one.absolute, 0.0);
-    // A sum in a float surface is rounded to the target once, however many lights there are.
-    EXPECT_EQ(bound(256, ColourFormat::rgba8).absolute, 1.0 / 255.0);
-    EXPECT_NEAR(
-        bound(256, ColourFormat::rgba16f).relative - bound(256, ColourFormat::rgba32f).relative,
-        0x1p-10, 1.1e-4);
-    const ErrorBound curved = bound(4, ColourFormat::rgba8, Transfer::srgb);
-    EXPECT_EQ(curved.relative, 0.0);
-    EXPECT_LT(curved.absolute, 1.1 / 255.0);
-}
-
-TEST(Precision, CountsRecombinedMapsOnce)
-{
-    PlanRequest request = twoLookup(4);
-    const auto bound = [&request] { return planPasses(formPqp(4, 1.0), request, modern()).error; };
-    const ErrorBound native = bound();
-    request.recombination = 0.5;
-    const double factor = std::sqrt(2.0);
-    EXPECT_NEAR(bound().relative, factor * (1.0 + native.relative) - 1.0, 1e-12);
-    EXPECT_EQ(bound().recombination, 0.5);
-    request.transfer = Transfer::srgb;
-    const double curved = bound().absolute;
-    request.recombination = 0.0;
-    // How far the code of some x <= 1 can move in either direction.
-    const double up = srgbFromLinear(1.0) - srgbFromLinear(1.0 / factor);
-    EXPECT_GE(curved - bound().absolute, up);
-    EXPECT_LT(curved - bound().absolute, 1.5 * up);
-}
-
-TEST(Precision, NothingMultipliesInPlaceWhereFactorsAreClamped)
-{
-    for (const bool offscreen : {true, false})
-        for (const Technique technique : allTechniques()) {
-            PlanRequest request;
-            request.technique = technique;
-            request.lights = 9;
-            request.lightsPerPass = 2;
-            request.target = ColourFormat::rgba8;
-            request.offscreen = offscreen;
-            for (const Pass& pass : planPasses(formPqp(4, 1.0), request, modern()).passes)
-                EXPECT_FALSE(pass.blend == Blend::multiply && pass.writes == Surface::target)
-                    << techniqueName(technique) << " " << offscreen;
-        }
 }
 
 }  // namespace
