@@ -243,7 +243,7 @@ TEST_F(OutputFileTest, AFullDiskLeavesNothingAndKeepsTheOldFile)
 {
     putFile(path("a"), "old");
     const std::string bytes(100000, 'x');  // beyond what a stream buffers
-    for (const rlim_t limit : {0, 1, 5000, 99999}) {
+    for (const rlim_t limit : std::initializer_list<rlim_t>{0, 1, 5000, 99999}) {
         const test::FileSizeLimit full(limit);
         for (const std::string& content : {bytes, bytes.substr(0, limit + 1)})
             expectError(ErrorKind::output, path("a") + ": cannot be written: File too large",

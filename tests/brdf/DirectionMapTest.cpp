@@ -6,6 +6,7 @@
 #include "support/ExpectError.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace fbrdf {
@@ -173,7 +174,7 @@ TEST(DirectionMap, IsWithinItsErrorEverywhere)
 TEST(DirectionMap, TakesTheSizeThatItNeeds)
 {
     const Table table = tableOf(smooth, 16, 1.0);
-    double last = INFINITY;
+    double last = std::numeric_limits<double>::infinity();
     for (const int size : {16, 32, 64, 128}) {
         const double error = recombined(table, requestOf(LookUp::cube, size, true)).error;
         EXPECT_LT(error, 0.75 * last) << size;

@@ -306,7 +306,7 @@ TEST(Cache, AnotherGridIsNotMistakenForIt)
     LeastSquaresOptions cached;
     cached.cache = &cache;
     const Form form = formHdio(16, 6, 6);
-    for (const size_t count : {20000, 10000}) {
+    for (const size_t count : std::initializer_list<size_t>{20000, 10000}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), count);
         const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
             without(form, problem.feed, problem.traits, 1, 2);

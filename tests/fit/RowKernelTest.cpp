@@ -64,9 +64,15 @@ struct Block {
     {
         return static_cast<size_t>(unknown[row * kWidth + k]);
     }
-    double entry(size_t row, size_t k) const { return weight[row * kWidth + k]; }
-    double weightOf(size_t row, size_t lane) const { return sampleWeight[row * kLanes + lane]; }
-    double residualOf(size_t row, size_t lane) const { return residual[row * kLanes + lane]; }
+    double entry(size_t row, size_t k) const { return double(weight[row * kWidth + k]); }
+    double weightOf(size_t row, size_t lane) const
+    {
+        return double(sampleWeight[row * kLanes + lane]);
+    }
+    double residualOf(size_t row, size_t lane) const
+    {
+        return double(residual[row * kLanes + lane]);
+    }
 };
 
 void expectNear(const std::vector<double>& found, const std::vector<double>& expected,

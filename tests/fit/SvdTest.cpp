@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fbrdf {
 namespace {
@@ -104,7 +105,7 @@ TEST(Svd, TermsBeyondTheRankDoNoHarm)
 TEST(Svd, EveryTermLowersTheError)
 {
     const BrdfFunction ggx = makeModelSource("ggx:alpha=0.4,f0=0.5,kd=0.2").evaluate;
-    double last = INFINITY;
+    double last = std::numeric_limits<double>::infinity();
     for (int terms = 1; terms <= 5; ++terms) {
         const double error = squaredError(svdOf(ggx, terms, kSvdSize), ggx);
         EXPECT_LT(error, last) << terms;

@@ -80,7 +80,8 @@ TEST_P(OffscreenTest, LeavesBindingsAlone)
     Offscreen offscreen(context().loader(), {4, 4, OffscreenFormat::rgba8, true});
     offscreen.clear();
     offscreen.readPixels();
-    for (const GLenum name : {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING}) {
+    for (const GLenum name :
+         std::initializer_list<GLenum>{GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING}) {
         GLint now = 0;
         gl().GetIntegerv(name, &now);
         EXPECT_EQ(static_cast<GLuint>(now), framebuffer);

@@ -143,8 +143,8 @@ void addUnits(const GladGLContext& gl, StateSnapshot& state)
     for (GLuint i = 0; i < kUnits; ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + i);
         const std::string unit = "unit " + std::to_string(i) + " ";
-        for (const GLenum name :
-             {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_CUBE_MAP})
+        for (const GLenum name : std::initializer_list<GLenum>{
+                 GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_CUBE_MAP})
             state[unit + std::to_string(name)] = numbers(gl, name);
         if (!isEs(gl)) state[unit + "1D"] = numbers(gl, GL_TEXTURE_BINDING_1D);
         if (gl.VERSION_3_0) state[unit + "array"] = numbers(gl, GL_TEXTURE_BINDING_2D_ARRAY);
@@ -166,8 +166,9 @@ void addIndexed(const GladGLContext& gl, StateSnapshot& state)
         state[buffer + "mask"] = {double(mask[0]), double(mask[1]), double(mask[2]),
                                   double(mask[3])};
         state[buffer + "blend"] = {double(gl.IsEnabledi(GL_BLEND, i))};
-        for (const GLenum name : {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
-                                  GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB}) {
+        for (const GLenum name :
+             std::initializer_list<GLenum>{GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+                                           GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB}) {
             GLint value = 0;
             gl.GetIntegeri_v(name, i, &value);
             state[buffer + std::to_string(name)] = {double(value)};
@@ -193,10 +194,10 @@ void addAttributes(const GladGLContext& gl, StateSnapshot& state)
 {
     for (GLuint i = 0; i < kAttributes; ++i) {
         const std::string attribute = "attribute " + std::to_string(i) + " ";
-        for (const GLenum name :
-             {GL_VERTEX_ATTRIB_ARRAY_ENABLED, GL_VERTEX_ATTRIB_ARRAY_SIZE,
-              GL_VERTEX_ATTRIB_ARRAY_STRIDE, GL_VERTEX_ATTRIB_ARRAY_TYPE,
-              GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING}) {
+        for (const GLenum name : std::initializer_list<GLenum>{
+                 GL_VERTEX_ATTRIB_ARRAY_ENABLED, GL_VERTEX_ATTRIB_ARRAY_SIZE,
+                 GL_VERTEX_ATTRIB_ARRAY_STRIDE, GL_VERTEX_ATTRIB_ARRAY_TYPE,
+                 GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING}) {
             GLint value = 0;
             gl.GetVertexAttribiv(i, name, &value);
             state[attribute + std::to_string(name)] = {double(value)};

@@ -80,7 +80,7 @@ TEST_P(Transfers, TheHostsSrgbSwitchAndFormatChangeNothing)
 {
     if (!gl().VERSION_3_0) GTEST_SKIP() << "sRGB framebuffers need OpenGL 3.0";
     std::vector<std::vector<unsigned char>> images;
-    for (const GLenum format : {GL_RGBA8, GL_SRGB8_ALPHA8})
+    for (const GLenum format : std::initializer_list<GLenum>{GL_RGBA8, GL_SRGB8_ALPHA8})
         for (const bool on : {false, true}) {
             GLuint framebuffer = 0, buffers[2] = {};
             gl().GenFramebuffers(1, &framebuffer);

@@ -54,7 +54,7 @@ TEST(ExrMaterial, RoundTripsExtremeNumbers)
                               65504.0f};
     std::copy(std::begin(extremes), std::end(extremes), material.tables[0].texels.begin());
     material.scales[0] = {Limits::max(), Limits::denorm_min(), 0.0f};
-    material.errors["infinite"] = INFINITY;
+    material.errors["infinite"] = std::numeric_limits<double>::infinity();
     writeMaterial(material, path);
     EXPECT_EQ(test::firstDifference(readMaterial(path), material), "");
 

@@ -32,7 +32,7 @@ TEST(Files, FullDiskLeavesNothingAndKeepsTheOldFile)
         writeMaterial(small(), path);
         const std::string before = test::fileBytes(path);
         const std::vector<std::string> names = folder.names();
-        for (const rlim_t limit : {0, 1, 50, 100, 150}) {
+        for (const rlim_t limit : std::initializer_list<rlim_t>{0, 1, 50, 100, 150}) {
             const FileSizeLimit full(limit);
             expectError(ErrorKind::output, folder.file(""), [&] { writeMaterial(small(), path); });
         }

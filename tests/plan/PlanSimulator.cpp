@@ -50,7 +50,7 @@ double stored(ColourFormat format, double value)
     if (format == ColourFormat::rgba8)
         return std::round(255.0 * std::clamp(value, 0.0, 1.0)) / 255.0;
     if (format == ColourFormat::rgba16f)
-        return floatFromHalf(halfFromFloat(static_cast<float>(value)));
+        return double(floatFromHalf(halfFromFloat(static_cast<float>(value))));
     return value;
 }
 

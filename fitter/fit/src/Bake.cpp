@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fbrdf {
 namespace {
 
 struct Range {
-    double lower = INFINITY, upper = -INFINITY, sum = 0.0;
+    double lower = std::numeric_limits<double>::infinity(), upper = -lower, sum = 0.0;
     int count = 0;
 };
 

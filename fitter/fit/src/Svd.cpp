@@ -20,7 +20,6 @@
 namespace fbrdf {
 namespace {
 
-constexpr double kHalfPi = kPi / 2;
 // Cosine below which a pair counts as below the horizon: values that grow without end there would
 // take every term.
 constexpr double kHorizon = 0.03;

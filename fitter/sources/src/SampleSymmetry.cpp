@@ -93,7 +93,7 @@ bool areIsotropic(const std::vector<Sample>& samples)
             (isTurned(turned[i], turned[j]) ? far : near).add(turned[i].f, turned[j].f);
         }
     if (far.pairs < kFewestPairs) return false;
-    for (const size_t k : {0, 1})
+    for (size_t k = 0; k < 2; ++k)
         if (far.share(k) > kSame + kAsNear * near.share(k)) return false;
     return true;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fbrdf {
 namespace {
@@ -239,7 +240,7 @@ DirectionMap recombined(const Table& table, const DirectionMapRequest& request)
 {
     FBRDF_ASSERT(isDisc(table.domain), ==, true);
     FBRDF_ASSERT(isLog(table.storage), ==, true);
-    constexpr double kNever = INFINITY;
+    constexpr double kNever = std::numeric_limits<double>::infinity();
     if (request.size != 0) {
         if (request.size < kLeastMapSize || request.size > kLargestMapSize || request.size % 2 != 0)
             throw Error(ErrorKind::usage, "map size",

@@ -82,8 +82,8 @@ void setSampling(const Functions& gl, GLenum target)
 {
     gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        gl.TexParameteri(target, axis, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     // ES 2.0 knows neither the third axis nor a largest level.
     if (!gl.hasVolumes()) return;
     gl.TexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);

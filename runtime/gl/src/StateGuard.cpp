@@ -159,7 +159,7 @@ void StateGuard::saveDepths()
     gl_.GetFloatv(GL_DEPTH_RANGE, range);
     gl_.GetFloatv(GL_DEPTH_CLEAR_VALUE, &clear);
     std::copy(range, range + 2, depthRange_);
-    clearDepth_ = clear;
+    clearDepth_ = static_cast<double>(clear);
 }
 
 void StateGuard::disableAll()

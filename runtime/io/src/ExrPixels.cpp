@@ -58,7 +58,7 @@ struct ExrPixels::Decoder {
     void readLines(int index, int y, const ExrPart& part, float* pixels, const std::string& where)
     {
         exr_chunk_info_t chunk{};
-        exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
+        exr_decode_pipeline_t pipeline{};  // all zeros, as EXR_DECODE_PIPELINE_INITIALIZER
         check(exr_read_scanline_chunk_info(context, index, y, &chunk), where);
         exr_result_t result = exr_decoding_initialize(context, index, &chunk, &pipeline);
         if (result == EXR_ERR_SUCCESS) {

@@ -61,7 +61,7 @@ std::vector<uint16_t> wideCodes(const Table& table, const Range& range)
     const auto channels = static_cast<size_t>(table.channels);
     for (size_t i = 0; i < table.texels.size(); ++i) {
         const int c = static_cast<int>(i % channels);
-        const double low = range.lower[c], span = double(range.upper[c]) - low;
+        const double low = double(range.lower[c]), span = double(range.upper[c]) - low;
         const double unit = span > 0.0 ? (double(table.texels[i]) - low) / span : 0.0;
         codes.push_back(static_cast<uint16_t>(std::lround(unit * kWideCodes)));
     }
@@ -74,7 +74,7 @@ void decodeWide(Table& table, const Range& range, const std::vector<uint16_t>& c
     table.texels.resize(codes.size());
     for (size_t i = 0; i < codes.size(); ++i) {
         const int c = static_cast<int>(i % channels);
-        const double low = range.lower[c], span = double(range.upper[c]) - low;
+        const double low = double(range.lower[c]), span = double(range.upper[c]) - low;
         const auto value = static_cast<float>(low + span * (codes[i] / kWideCodes));
         table.texels[i] =
             bytesPerChannel(table.storage) == 2 ? floatFromHalf(halfFromFloat(value)) : value;

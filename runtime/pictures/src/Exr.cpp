@@ -49,12 +49,14 @@ struct SetAttribute {
     }
     exr_result_t operator()(const std::array<int, 3>& v) const
     {
-        const exr_attr_v3i_t triple = {v[0], v[1], v[2]};
+        exr_attr_v3i_t triple{};
+        std::copy(v.begin(), v.end(), triple.arr);
         return exr_attr_set_v3i(context, part, name, &triple);
     }
     exr_result_t operator()(const std::array<float, 3>& v) const
     {
-        const exr_attr_v3f_t triple = {v[0], v[1], v[2]};
+        exr_attr_v3f_t triple{};
+        std::copy(v.begin(), v.end(), triple.arr);
         return exr_attr_set_v3f(context, part, name, &triple);
     }
     exr_result_t operator()(const std::vector<float>& numbers) const
@@ -111,8 +113,10 @@ public:
     {
         int part = 0;
         check(exr_add_part(context_, image.name.c_str(), EXR_STORAGE_SCANLINE, &part));
-        const exr_attr_box2i_t data = {{0, 0}, {image.width - 1, image.height - 1}};
-        const exr_attr_v2f_t centre = {0.0f, 0.0f};
+        exr_attr_box2i_t data{};
+        data.max.x = image.width - 1;
+        data.max.y = image.height - 1;
+        const exr_attr_v2f_t centre{};
         check(exr_initialize_required_attr(context_, part, &display, &data, 1.0f, &centre, 1.0f,
                                            EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_ZIP));
         for (int c = 0; c < image.channels; ++c)
@@ -140,7 +144,7 @@ private:
     void writeChunk(int part, const ExrImage& image, int y)
     {
         exr_chunk_info_t chunk{};
-        exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
+        exr_encode_pipeline_t encoder{};  // all zeros, as EXR_ENCODE_PIPELINE_INITIALIZER
         check(exr_write_scanline_chunk_info(context_, part, y, &chunk));
         exr_result_t result = exr_encoding_initialize(context_, part, &chunk, &encoder);
         if (result == EXR_ERR_SUCCESS) {
@@ -196,7 +200,7 @@ bool hasLongNames(const std::vector<ExrImage>& images)
 // OpenEXR demands one display window for all parts of a file.
 exr_attr_box2i_t displayWindow(const std::vector<ExrImage>& images)
 {
-    exr_attr_box2i_t window = {{0, 0}, {0, 0}};
+    exr_attr_box2i_t window{};
     for (const ExrImage& image : images) {
         window.max.x = std::max(window.max.x, image.width - 1);
         window.max.y = std::max(window.max.y, image.height - 1);

@@ -29,7 +29,7 @@ osg::Vec3f albedoOf(const fbrdf::Material& material)
     osg::Vec3f albedo;
     for (int c = 0; c < 3; ++c) {
         const float value = sum[c] * static_cast<float>(fbrdf::kPi) / (kGrid * kGrid);
-        albedo[static_cast<unsigned int>(c)] = std::clamp(value, 0.0f, 1.0f);
+        albedo[c] = std::clamp(value, 0.0f, 1.0f);
     }
     return albedo;
 }

@@ -64,7 +64,7 @@ osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect)
     osg::Vec3f albedo(0.5f, 0.5f, 0.5f);
     if (effect.getMaterial()) albedo = effect.getMaterial()->albedo();
     albedo *= effect.getExposure();
-    for (unsigned int c = 0; c < 3; ++c) albedo[c] = std::min(albedo[c], 1.0f);
+    for (int c = 0; c < 3; ++c) albedo[c] = std::min(albedo[c], 1.0f);
     const osg::ref_ptr<osg::Material> material = new osg::Material;
     material->setColorMode(osg::Material::OFF);
     material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
