@@ -60,6 +60,8 @@ public:
     const DataTraits& traits() const { return traits_; }
     const RowStore& store() const { return *store_; }
     const LeastSquaresOptions& options() const { return options_; }
+    /// Memory that its steps use again.
+    Workspace& workspace() const { return *workspace_; }
     uint64_t seed() const { return seed_; }
     int threads() const { return threads_; }
     /// The key of the rows' geometry in the cache; empty where nothing can be shared.
@@ -98,6 +100,7 @@ private:
     int threads_;
     std::string cacheKey_;
     std::unique_ptr<RowStore> store_;
+    std::unique_ptr<Workspace> workspace_ = std::make_unique<Workspace>();
 };
 
 template <class Visit>

@@ -3,6 +3,16 @@
 #include <fbrdf/base/Assert.h>
 
 namespace fbrdf {
+namespace {
+
+void addTo(std::vector<double>& sums, const std::vector<double>& others)
+{
+    FBRDF_ASSERT(sums.size(), ==, others.size());
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] += others[i];
+}
+
+}  // namespace
+
 BorderedShape shapeOf(const Layout& layout)
 {
     const auto banded = static_cast<size_t>(layout.banded());
@@ -10,11 +20,11 @@ BorderedShape shapeOf(const Layout& layout)
             static_cast<size_t>(layout.unknowns()) - banded};
 }
 
-NormalSums::NormalSums(const BorderedShape& shape, size_t matrices)
+NormalSums::NormalSums(const BorderedShape& shape, size_t matrices, Workspace& workspace)
     : shape_(shape),
       matrixLanes_(matrices),
-      matrix_(matrices * shape.size(), 0.0),
-      right_(kLanes * shape.unknowns(), 0.0)
+      matrix_(workspace, matrices * shape.size()),
+      right_(workspace, kLanes * shape.unknowns())
 {
 }
 
@@ -38,12 +48,8 @@ void addRows(const KernelRows& rows, int entryLanes, std::vector<NormalSums>& gr
 
 NormalSums& NormalSums::operator+=(const NormalSums& other)
 {
-    if (other.empty()) return *this;
-    if (empty()) return *this = other;
-    FBRDF_ASSERT(right_.size(), ==, other.right_.size());
-    FBRDF_ASSERT(matrix_.size(), ==, other.matrix_.size());
-    for (size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += other.matrix_[i];
-    for (size_t i = 0; i < right_.size(); ++i) right_[i] += other.right_[i];
+    addTo(matrix_.values(), other.matrix_.values());
+    addTo(right_.values(), other.right_.values());
     return *this;
 }
 
@@ -54,14 +60,14 @@ BorderedMatrix NormalSums::matrix(size_t lane) const
     BorderedMatrix result(shape_);
     const size_t from = matrixLanes_ == kLanes ? lane : 0;
     for (size_t i = 0; i < result.values.size(); ++i)
-        result.values[i] = matrix_[matrixLanes_ * i + from];
+        result.values[i] = matrix_.values()[matrixLanes_ * i + from];
     return result;
 }
 
 std::vector<double> NormalSums::right(size_t lane) const
 {
     std::vector<double> result(shape_.unknowns());
-    for (size_t u = 0; u < result.size(); ++u) result[u] = right_[kLanes * u + lane];
+    for (size_t u = 0; u < result.size(); ++u) result[u] = right_.values()[kLanes * u + lane];
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "solve/RowKernel.h"
 #include "solve/Rows.h"
 #include "solve/Solver.h"
+#include "solve/Workspace.h"
 
 #include <array>
 #include <vector>
@@ -22,9 +23,10 @@ BorderedShape shapeOf(const Layout& layout);
 class NormalSums {
 public:
     NormalSums() = default;
-    /// matrices: kLanes, one a channel; 1, lane 0 for all channels; or 0, none: a known matrix.
-    NormalSums(const BorderedShape& shape, size_t matrices);
-    bool empty() const { return right_.empty(); }
+    /// Zeros. matrices: kLanes, one a channel; 1, lane 0 for all channels; or 0, none: a known
+    /// matrix. `workspace` must outlive the object.
+    NormalSums(const BorderedShape& shape, size_t matrices, Workspace& workspace);
+    bool empty() const { return right_.values().empty(); }
 
     NormalSums& operator+=(const NormalSums& other);
 
@@ -35,14 +37,14 @@ public:
     const BorderedShape& shape() const { return shape_; }
     size_t matrixLanes() const { return matrixLanes_; }
     /// All sums, for adding them up over processes.
-    std::vector<double>& matrixSums() { return matrix_; }
-    std::vector<double>& rightSums() { return right_; }
+    std::vector<double>& matrixSums() { return matrix_.values(); }
+    std::vector<double>& rightSums() { return right_.values(); }
 
 private:
     BorderedShape shape_;
     size_t matrixLanes_ = 1;
-    std::vector<double> matrix_;  ///< as BorderedMatrix, lane contiguous
-    std::vector<double> right_;   ///< unknowns x kLanes
+    WorkArray matrix_;  ///< as BorderedMatrix, lane contiguous
+    WorkArray right_;   ///< unknowns x kLanes
 };
 
 /// Adds rows to the sums of their groups, all of one shape and as many matrices. `scratch`: of any

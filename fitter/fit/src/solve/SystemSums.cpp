@@ -20,6 +20,14 @@ std::vector<ChannelPass> passes(const LeastSquares& problem, const StepOptions& 
 
 using Groups = std::vector<NormalSums>;  // of samples, as FoldGroups number them
 
+Groups zeroGroups(const LeastSquares& problem, size_t matrices, size_t count)
+{
+    Groups groups;
+    for (size_t g = 0; g < count; ++g)
+        groups.emplace_back(shapeOf(problem.layout()), matrices, problem.workspace());
+    return groups;
+}
+
 // The groups' sums over each part of the rows, in the order of the parts.
 std::vector<Groups> sumsOfParts(const LeastSquares& problem, const RowOptions& with,
                                 size_t groupCount)
@@ -28,39 +36,49 @@ std::vector<Groups> sumsOfParts(const LeastSquares& problem, const RowOptions& w
     std::vector<NormalRows> rows(kParts);
     std::vector<std::vector<double>> kernelScratch(kParts);
     problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-        if (parts[part].empty())
-            parts[part].assign(groupCount,
-                               NormalSums(shapeOf(problem.layout()), with.pass.matrices));
+        if (parts[part].empty()) parts[part] = zeroGroups(problem, with.pass.matrices, groupCount);
         rows[part].make(problem, problem.store().block(block, scratch), with);
         addRows(rows[part].rows(), rows[part].entryLanes(), parts[part], kernelScratch[part]);
     });
     return parts;
 }
 
+// The sums of all parts, added up in their order into those of the first that has rows.
+Groups sumOf(const LeastSquares& problem, std::vector<Groups> parts, size_t matrices, size_t count)
+{
+    Groups total;
+    for (Groups& part : parts) {
+        if (total.empty())
+            total = std::move(part);
+        else if (!part.empty())
+            parallelTasks(count, problem.threads(), [&](size_t g) { total[g] += part[g]; });
+        part.clear();
+    }
+    return total.empty() ? zeroGroups(problem, matrices, count) : std::move(total);
+}
+
 // The groups' sums over all rows of all processes.
 Groups sums(const LeastSquares& problem, const RowOptions& with, size_t groupCount)
 {
-    std::vector<Groups> parts = sumsOfParts(problem, with, groupCount);
-    Groups groups(groupCount, NormalSums(shapeOf(problem.layout()), with.pass.matrices));
-    for (size_t g = 0; g < groups.size(); ++g) {
-        for (Groups& part : parts) {
-            if (part.empty()) continue;
-            groups[g] += part[g];
-            part[g] = NormalSums();  // gives its memory back
-        }
-        problem.options().ranks.sum(groups[g].matrixSums());
-        problem.options().ranks.sum(groups[g].rightSums());
+    Groups groups =
+        sumOf(problem, sumsOfParts(problem, with, groupCount), with.pass.matrices, groupCount);
+    for (NormalSums& group : groups) {
+        problem.options().ranks.sum(group.matrixSums());
+        problem.options().ranks.sum(group.rightSums());
     }
     return groups;
 }
 
-// Group 0 and all others but 1 + left; all groups where `left` is the number of folds.
-NormalSums without(const Groups& groups, size_t left)
+// Element k: group 0 and all others but 1 + k; the last: all groups.
+Groups totalsOf(const LeastSquares& problem, Groups groups, size_t matrices)
 {
-    NormalSums total = groups[0];
-    for (size_t g = 1; g < groups.size(); ++g)
-        if (g != left + 1) total += groups[g];
-    return total;
+    if (groups.size() == 1) return groups;
+    Groups totals = zeroGroups(problem, matrices, groups.size());
+    parallelTasks(totals.size(), problem.threads(), [&](size_t k) {
+        for (size_t g = 0; g < groups.size(); ++g)
+            if (g != k + 1) totals[k] += groups[g];
+    });
+    return totals;
 }
 
 // The key of systems with equal weights of all samples on a known grid, which other fits may meet
@@ -111,10 +129,8 @@ std::vector<SharedSystems> systemsOfPass(const LeastSquares& problem, const Step
     FitCache* cache = problem.options().cache;
     auto known = key.empty() ? nullptr : cache->systems(key);
     if (known) with.pass.matrices = 0;
-    const Groups groups = sums(problem, with, folds.size() + 1);
-    Groups totals(groups.size());
-    parallelTasks(totals.size(), problem.threads(),
-                  [&](size_t k) { totals[k] = without(groups, k); });
+    const Groups totals =
+        totalsOf(problem, sums(problem, with, folds.size() + 1), with.pass.matrices);
     if (!known && !key.empty()) {
         known = std::make_shared<const GridSystems>(problem.form(), totals);
         cache->keepSystems(key, known);

@@ -1,0 +1,30 @@
+#include "solve/Workspace.h"
+
+#include <algorithm>
+
+namespace fbrdf {
+
+std::vector<double> Workspace::zeros(size_t count)
+{
+    std::vector<double> numbers;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                        [count](const auto& kept) { return kept.size() == count; });
+        if (found != kept_.end()) {
+            numbers.swap(*found);
+            kept_.erase(found);
+        }
+    }
+    numbers.assign(count, 0.0);
+    return numbers;
+}
+
+void Workspace::giveBack(std::vector<double> numbers)
+{
+    if (numbers.empty()) return;
+    const std::lock_guard lock(mutex_);
+    kept_.push_back(std::move(numbers));
+}
+
+}  // namespace fbrdf
