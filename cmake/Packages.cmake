@@ -21,9 +21,11 @@ if(FBRDF_VIEWER OR FBRDF_TESTS)
   find_package(OpenGL REQUIRED COMPONENTS EGL)
   pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET GLOBAL osmesa)
 endif()
+# Of fitter/codecs, where it is installed; the tests need it as an independent reader and writer of pictures. Its CMake
+# config is broken in Debian 12 (it names a folder that does not exist), so pkg-config finds it.
 if(FBRDF_TESTS)
   find_package(GTest REQUIRED)
-  # An independent reader and writer of pictures. Its CMake config is broken in Debian 12 (it names a folder that does
-  # not exist), so pkg-config finds it.
   pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
+elseif(FBRDF_FITTER)
+  pkg_check_modules(OIIO QUIET IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
 endif()

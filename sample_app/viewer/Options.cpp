@@ -52,11 +52,13 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
         "parabolic or cube maps");
     app.add_option("--size", texts.size, "Pixels (default 512x512)")->type_name("WxH");
     app.add_option("--exposure", options.exposure,
-                   "Factor of the radiance in PNG files and in the window")
+                   "Factor of the radiance in sRGB files and in the window")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--out", options.out,
-                   "Picture: linear radiance and coverage (.exr) or sRGB (.png)")
+                   "Picture: linear radiance (.exr with coverage, .hdr) or sRGB (.png, and .jpg, "
+                   ".tif, .webp "
+                   "and more where OpenImageIO is installed)")
         ->type_name("FILE");
     app.add_option("--stats", options.stats, "JSON file of what was drawn and how long it took")
         ->type_name("FILE.json");

@@ -74,9 +74,36 @@ TEST(WriteImage, PngIsSrgbOfExposureTimesRadiance)
             ASSERT_EQ(codes[3 * i + c], srgbCode(0.4f * image.rgba[4 * i + c])) << i;
 }
 
+TEST(WriteImage, TiffAndTargaAreSrgbOfExposureTimesRadiance)
+{
+    const test::TemporaryDir dir;
+    const Image image = gradient(17, 9);
+    writeImage(image, dir.file("a.TIF"), 0.4f);
+    writeImage(image, dir.file("a.tga"), 0.4f);
+    const auto fine = pixelsOf<uint16_t>(dir.file("a.TIF"), 3, OIIO::TypeDesc::UINT16);
+    const auto codes = pixelsOf<uint8_t>(dir.file("a.tga"), 3, OIIO::TypeDesc::UINT8);
+    for (size_t i = 0; i < image.pixelCount(); ++i)
+        for (size_t c = 0; c < 3; ++c) {
+            ASSERT_NEAR(fine[3 * i + c] / 257.0, srgbCode(0.4f * image.rgba[4 * i + c]), 0.51) << i;
+            ASSERT_EQ(codes[3 * i + c], srgbCode(0.4f * image.rgba[4 * i + c])) << i;
+        }
+}
+
+TEST(WriteImage, HdrIsRadianceWithoutExposure)
+{
+    const test::TemporaryDir dir;
+    const Image image = gradient(17, 9);
+    writeImage(image, dir.file("a.hdr"), 0.1f);
+    const auto radiance = pixelsOf<float>(dir.file("a.hdr"), 3, OIIO::TypeDesc::FLOAT);
+    for (size_t i = 0; i < image.pixelCount(); ++i)
+        for (size_t c = 0; c < 3; ++c)  // eight bits, shared by the pixel, whose green is largest
+            ASSERT_NEAR(radiance[3 * i + c], image.rgba[4 * i + c], image.rgba[4 * i + 1] / 127)
+                << i;
+}
+
 TEST(WriteImage, OtherExtensionsAreAUsageError)
 {
-    for (const char* name : {"a.jpg", "a", "a.exr.gz", ".png"}) try {
+    for (const char* name : {"a.xyz", "a", "a.exr.gz", ".png", ".jpg"}) try {
             writeImage(gradient(2, 2), name, 1.0f);
             FAIL() << name;
         } catch (const Error& error) {
@@ -88,8 +115,8 @@ TEST(WriteImage, FailureLeavesNothingAndKeepsWhatWasThere)
 {
     const test::TemporaryDir dir;
     std::filesystem::create_directory(dir.file("taken.png"));
-    for (const std::string& path :
-         {dir.file("none/a.png"), dir.file("none/a.exr"), dir.file("taken.png")}) {
+    for (const std::string& path : {dir.file("none/a.png"), dir.file("none/a.exr"),
+                                    dir.file("none/a.jpg"), dir.file("taken.png")}) {
         try {
             writeImage(gradient(4, 4), path, 1.0f);
             FAIL() << path;

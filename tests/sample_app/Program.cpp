@@ -11,10 +11,11 @@
 
 namespace fbrdf::scene {
 
-ProgramResult runViewer(const std::string& arguments, const std::string& prefix)
+ProgramResult runProgram(const std::string& program, const std::string& arguments,
+                         const std::string& prefix)
 {
     const test::TemporaryDir dir;
-    const std::string command = prefix + " '" FBRDF_VIEWER_PATH "' " + arguments + " >'" +
+    const std::string command = prefix + " '" + program + "' " + arguments + " >'" +
                                 dir.file("out") + "' 2>'" + dir.file("err") + "'";
     const int status = std::system(command.c_str());
     ProgramResult result;
@@ -22,6 +23,16 @@ ProgramResult runViewer(const std::string& arguments, const std::string& prefix)
     result.out = readText(dir.file("out"), "what it printed");
     result.err = readText(dir.file("err"), "what it complained about");
     return result;
+}
+
+std::string viewerPath()
+{
+    return FBRDF_VIEWER_PATH;
+}
+
+ProgramResult runViewer(const std::string& arguments, const std::string& prefix)
+{
+    return runProgram(viewerPath(), arguments, prefix);
 }
 
 Image readExr(const std::string& path)

@@ -13,7 +13,12 @@ struct ProgramResult {
     std::string out, err;
 };
 
-/// Runs `PREFIX fbrdf-viewer ARGUMENTS` with the shell; prefix: variables or a wrapper.
+/// Runs `PREFIX PROGRAM ARGUMENTS` with the shell; prefix: variables or a wrapper.
+ProgramResult runProgram(const std::string& program, const std::string& arguments,
+                         const std::string& prefix = "");
+
+/// Path of fbrdf-viewer in the build folder.
+std::string viewerPath();
 ProgramResult runViewer(const std::string& arguments, const std::string& prefix = "");
 
 /// An EXR that the viewer wrote. Throws std::runtime_error.

@@ -92,7 +92,7 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         {"--frames 0", "--frames"},
         {"--light-count -1", "--light-count"},
         {"--light-count 2 --lights x.json", "--light"},
-        {"--out picture.jpg", "--out: found 'picture.jpg'"},
+        {"--out picture.xyz", "--out: found 'picture.xyz'"},
         {"--headless --material no-such-model:alpha=1", "no-such-model"},
         {"--headless --material ggx:alpha=7", "found alpha=7"},
         {"--headless --material lambert --form nothing", "found 'nothing'"},

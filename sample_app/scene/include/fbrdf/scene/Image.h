@@ -1,4 +1,4 @@
-// Image.h - a picture of linear radiance, and its two files.
+// Image.h - a picture of linear radiance, and its files.
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
@@ -32,11 +32,13 @@ private:
 uint8_t srgbCode(float linear);
 
 /// ".exr": the image as it is, 32-bit float RGBA. ".png": 8-bit sRGB of exposure x radiance, no
-/// alpha. The file appears whole or not at all. Throws Error(usage) for any other extension,
-/// Error(output) where it cannot be written.
+/// alpha. Others (fbrdf/codecs/PictureFile.h): ".hdr" linear radiance, the rest sRGB of exposure x
+/// radiance in 8 or, for ".tif", 16 bits. The file appears whole or not at all. Throws Error(usage)
+/// for any other extension, Error(output) where it cannot be written.
 void writeImage(const Image& image, const std::string& path, float exposure);
 
-/// Throws Error(usage) unless writeImage knows the extension.
+/// Throws what writeImage would because of the extension: Error(usage) where it is unknown,
+/// Error(output) where the module that writes the format cannot be loaded.
 void checkImagePath(const std::string& path);
 
 }  // namespace fbrdf::scene

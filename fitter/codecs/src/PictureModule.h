@@ -1,0 +1,55 @@
+/* PictureModule.h - what fbrdf::codecs asks of the module that links OpenImageIO. Plain C: no
+ * exception and no object of C++ crosses it. Every function of the module returns 0 for success;
+ * otherwise it has written one line without a full stop, the reason, to `why` (ended by a zero
+ * byte, cut to whySize). Images are top row first, channel contiguous, then x, then y.
+ *
+ * The module exports one function, FBRDF_PICTURE_MODULE_FUNCTION, of type
+ * fbrdf_picture_module_function. */
+#pragma once
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Raised by every change of this file; a module of another version is refused. */
+#define FBRDF_PICTURE_MODULE_VERSION 1
+#define FBRDF_PICTURE_MODULE_FUNCTION "fbrdf_open_picture_module"
+
+struct fbrdf_picture_to_write {
+    int width, height, channels; /* channels: 1, 3 or 4 */
+    const float* pixels;         /* width x height x channels */
+    int bits;                    /* of a sample in the file: 8 or 16 (of [0, 1]), 32 for floats */
+    const char* colourSpace;     /* "sRGB" or "lin_rec709" */
+};
+
+/* The bytes of an encoded file, valid during the call. */
+typedef void (*fbrdf_take_bytes)(void* context, const void* bytes, size_t size);
+
+struct fbrdf_picture_found {
+    int width, height, channels;
+    const char* channelNames; /* with a comma between two */
+    const char* colourSpace;  /* as the file declares it, "" where it does not */
+    const char* sampleType;   /* in the file: "uint8", "half", "float", ... */
+};
+
+/* Returns memory for width x height x channels floats, or null to refuse the picture. Must not
+ * throw. */
+typedef float* (*fbrdf_give_memory)(void* context, const struct fbrdf_picture_found* found);
+
+struct fbrdf_picture_module {
+    int version; /* FBRDF_PICTURE_MODULE_VERSION of the module */
+    /* `format` is a name of OpenImageIO's: "jpeg", "tiff", ... */
+    int (*encode)(const char* format, const struct fbrdf_picture_to_write* picture,
+                  fbrdf_take_bytes take, void* context, char* why, size_t whySize);
+    /* Calls `give` once, when the header is known. Integer samples become [0, 1]; no curve is
+     * undone. */
+    int (*decode)(const char* format, const void* bytes, size_t size, fbrdf_give_memory give,
+                  void* context, char* why, size_t whySize);
+};
+
+typedef const struct fbrdf_picture_module* (*fbrdf_picture_module_function)(void);
+
+#ifdef __cplusplus
+}
+#endif
