@@ -73,6 +73,43 @@ TEST(Astm, SpectraAndTristimulusBecomeColours)
     EXPECT_EQ(white.report.outOfGamut, 1u);
 }
 
+TEST(Astm, RowsAndNamesAreSeparatedEachInTheirOwnWay)
+{
+    const Vec3f expected = read(kRgb, "paint.astm").samples.at(0).wo;
+    for (const char* names :
+         {"theta_i phi_i theta_s phi_s R G B", "theta_i;phi_i;theta_s;phi_s;R;G;B",
+          "THETA_I\tPHI_I\tTHETA_R\tPHI_R\tr\tg\tb", "theta_i,phi_i,theta_s,phi_s,R,G,B,"})
+        for (const char* row : {"0.5 0.0 0.25 3.1415927 1 2 3", "0.5\t0\t0.25\t3.1415927\t1\t2\t3",
+                                "0,5 0 0,25 3,1415927 1 2 3", "0,5;0;0,25;3,1415927;1;2;3",
+                                "\"0.5\",\"0\",\"0.25\",\"3.1415927\",\"1\",\"2\",\"3\""}) {
+            const Source source = read(astm(names, std::string(row) + "\n", 1), "paint.astm");
+            ASSERT_EQ(source.samples.size(), 1u) << names << row;
+            EXPECT_LT(glm::length(source.samples[0].wo - expected), kFloat) << names << row;
+            EXPECT_EQ(source.samples[0].f, Vec3f(1, 2, 3)) << names << row;
+        }
+}
+
+TEST(Astm, KeysAndNamesMayCarryPunctuationAndUnits)
+{
+    const Source source =
+        read("num_points: 1\nvars = theta_i [deg], theta_s(deg), phi_s_deg, B, G, R\n1,2,0,3,2,1\n",
+             "paint.astm");
+    EXPECT_EQ(source.samples.at(0).f, Vec3f(1, 2, 3));
+    EXPECT_NEAR(source.samples.at(0).wi.x, std::sin(kDegree), kFloat);
+}
+
+TEST(Astm, AWavelengthIsAChoice)
+{
+    const TempFolder folder;
+    const std::string path = folder.write(
+        "paint.astm", astm("theta_i,theta_s,phi_s,0.65um,450nm,550nm", "0.5,0.25,3,1,2,3\n", 1));
+    EXPECT_EQ(openSource(path + "@550").samples.at(0).f, Vec3f(3.0f));
+    EXPECT_EQ(openSource(path + "@0.65").samples.at(0).f, Vec3f(1.0f));
+    const Outcome outcome = outcomeOf(path + "@500");
+    EXPECT_EQ(outcome.kind, int(ErrorKind::usage));
+    EXPECT_NE(outcome.message.find("450, 550, 650 nm"), std::string::npos) << outcome.message;
+}
+
 TEST(Astm, RefusesWhatDoesNotAddUp)
 {
     const std::string row = "0.5,0,0.25,3,1\n";
@@ -83,7 +120,7 @@ TEST(Astm, RefusesWhatDoesNotAddUp)
     expectRefused(astm("theta_i,phi_i,theta_s,phi_s,I", "0.5,0,x,3,1\n", 1), ":5: found 'x'");
     expectRefused(astm("theta_i,phi_i,theta_s,phi_s,A,B", "0,0,0,0,1,1\n", 1), "2 value columns");
     expectRefused(astm("theta_i,phi_i,phi_s,A", "0,0,0,1\n", 1), "found no theta_i, theta_s");
-    expectRefused(astm("theta_i,theta_s,phi_s,600nm,500nm", "0,0,0,1,1\n", 1), "ascending");
+    expectRefused(astm("theta_i,theta_s,phi_s,600nm,600nm", "0,0,0,1,1\n", 1), "twice");
     expectRefused("KEY value\n", "found no VARS");
 }
 
@@ -114,6 +151,18 @@ TEST(Scattered, NineColumnsAreDirectionsLightFirst)
     EXPECT_LT(glm::length(source.samples[0].wi - Vec3f(0.6f, 0, 0.8f)), kFloat);
     EXPECT_LT(glm::length(source.samples[0].wo - Vec3f(0, 0, 1)), kFloat);
     EXPECT_EQ(source.report.belowHorizon, 1u);
+}
+
+TEST(Scattered, CommasAreDecimalSignsBetweenBlanks)
+{
+    for (const char* text : {"0,5 0,1 0,25 3 1 2,5 3\n", "0,5;0,1;0,25;3;1;2,5;3\n",
+                             "0.5, 0.1, 0.25, 3, 1, 2.5, 3\n", "0.5,0.1,0.25,3,1,2.5,3\n"}) {
+        const Source source = read(text, "satin.txt");
+        ASSERT_EQ(source.samples.size(), 1u) << text;
+        EXPECT_EQ(source.samples[0].f, Vec3f(1, 2.5f, 3)) << text;
+        EXPECT_LT(glm::length(Vec3d(source.samples[0].wi) - directionFromAngles(0.5, 0.1)), 1e-6);
+        EXPECT_FALSE(source.assumptions.empty());
+    }
 }
 
 TEST(Scattered, RefusesRowsOfAnotherLength)

@@ -57,12 +57,40 @@ TEST(Cornell, IsRecognisedWithoutItsExtension)
     EXPECT_EQ(read(kSmall, "paint.txt").format, "cornell");
 }
 
+TEST(Cornell, UnitsOfWavelengthsAndAnglesGoByTheirSize)
+{
+    const std::string rows = "0.5 0 0.5 3.14159 .1 .5 .9\n0.5 0 1.0 3.0 .1 .5 .9\n";
+    const Source nm = read("3\n400 550 700\n" + rows);
+    for (const char* text : {"3\n0.4 0.55 0.7\n", "3\n0,4 0,55 0,7\n", "3\n4e-7 5.5e-7 7e-7\n"}) {
+        const Source other = read(text + rows, "paint.txt");
+        ASSERT_EQ(other.samples.size(), nm.samples.size()) << text;
+        EXPECT_LT(glm::length(other.samples[0].f - nm.samples[0].f), 1e-6f) << text;
+        EXPECT_NE(other.assumptions.at(0).find("by their size"), std::string::npos);
+    }
+    const Source degrees = read("1\n550\n30 0 60 180 0.5\n");
+    EXPECT_NEAR(degrees.samples.at(0).wi.x, 0.5f, 1e-6f);
+}
+
+TEST(Cornell, WavelengthsComeInAnyOrderAndOneIsAChoice)
+{
+    const std::string row = "0.5 0 0.5 3.14159 ";
+    const Source up = read("3\n400 550 700\n" + row + ".1 .5 .9\n");
+    const Source down = read("3\n700 550 400\n" + row + ".9 .5 .1\n");
+    EXPECT_LT(glm::length(up.samples.at(0).f - down.samples.at(0).f), 1e-6f);
+    const TempFolder folder;
+    const std::string path = folder.write("a.brdf", "2\n900 1000\n" + row + ".1 .5\n");
+    EXPECT_EQ(openSource(path + "@1000").samples.at(0).f, Vec3f(0.5f));
+    EXPECT_EQ(openSource(path + "@0.9").samples.at(0).f, Vec3f(0.1f));
+}
+
 TEST(Cornell, RefusesWhatIsNotWhole)
 {
     expectRefused("3\n450 550\n", "found 2 wavelengths, expected 3");
     expectRefused("3\n450 550 650\n0.5 0 0.2 3.1 1 1\n", ":3: found a last record of 6 numbers");
     expectRefused("3\n450 550 650\n0.5 0 0.2 3.1 1 1 x\n", ":3: found 'x'");
-    expectRefused("3\n450 650 550\n0.5 0 0.2 3.1 1 1 1\n", "ascending");
+    expectRefused("3\n450 650 650\n0.5 0 0.2 3.1 1 1 1\n", "wavelength twice");
+    expectRefused("3\n0.45 550 650\n0.5 0 0.2 3.1 1 1 1\n", "wavelengths from 0.45 to 650");
+    expectRefused("2\n900 1000\n0.5 0 0.2 3.1 1 1\n", "no visible wavelength among 900, 1000 nm");
     expectRefused("0\n", "number of wavelengths");
     expectRefused("-3\n450 550 650\n", "number of wavelengths");
     expectRefused("999999999999\n450 550 650\n", "number of wavelengths");

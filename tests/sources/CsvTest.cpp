@@ -131,13 +131,65 @@ TEST(Csv, ErrorsNameTheLine)
 {
     const std::string row = "0,0,1,0,0,1,1,1,1\n";
     expectRefused(kDirections + row + "0,0,1,0,0,1,1,abc,1\n", ":3: found 'abc' as g");
-    expectRefused(kDirections + row + "\n#\n0,0,1,0,0,1,1,1\n", ":5: found fewer fields");
-    expectRefused(kDirections + row + "0,0,1,0,0,1,1,1,1,1\n", ":3: found more fields");
-    expectRefused(kDirections + std::string("0,0,1,0,0,1,1,,1\n"), ":2: found '' as g");
+    expectRefused(kDirections + row + "\n#\n0,0,1,0,0,1,1,1\n", ":5: found 8 fields");
+    expectRefused(kDirections + row + "0,0,1,0,0,1,1,1,1,1\n", ":3: found 10 fields");
     expectRefused(kDirections + std::string("0,0,1,0,0,1,1,0x10,1\n"), "found '0x10'");
     expectRefused("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z,r,g\n", ":1: found the header");
     expectRefused("wo_x,wo_y,wo_z,wi_x,wi_y,r,g,b\n1,2,3,4,5,6,7,8\n", "expected columns wo_x");
     expectRefused("theta_i,theta_i,phi_i,theta_o,phi_o,value\n", "'theta_i' twice");
+}
+
+TEST(Csv, ReadsWhatSpreadsheetsWrite)
+{
+    const char* const texts[] = {
+        "theta_i;phi_i;theta_o;phi_o;value\n30;90;60;180;0,5\n",
+        "theta_i\tphi_i\ttheta_o\tphi_o\tvalue\n30\t90\t60\t180\t0.5\n",
+        "theta_i phi_i theta_o phi_o value\n30 90 60 180 0,5\n",
+        "\"theta_i\",\"phi_i\",\"theta_o\",\"phi_o\",\"value\"\n\"30\",\"90\",\"60\",\"180\",\"0,"
+        "5\"\n",
+        "sep=;\r\n\"theta_i\";\"phi_i\";\"theta_o\";\"phi_o\";\"value\"\r\n30;90;60;180;0.5\r\n",
+        "\"theta_i\" \"phi_i\" \"theta_o\" \"phi_o\" \"value\"\n\"1\" 30 90 60 180 0.5\n",
+        "\"\",theta_i,phi_i,theta_o,phi_o,value,note\r0,30,90,60,180,0.5,\"a, b\"\r",
+        "theta_i,phi_i,theta_o,phi_o,value,\n30,90,60,180,0.5,\n",
+        "theta_i,phi_i,theta_o,phi_o,value\n30,90,60,180,0.5,,\n",
+        "theta_i [deg],phi_i (rad),theta_o_deg,phi_o,value "
+        "[1/sr]\n30,1.5707963267948966,60,180,0.5\n",
+        "theta_i,phi_i,theta_o,phi_o,value,\"two\nlines\"\n30,90,60,180,0.5,\"x\ny\"\n",
+    };
+    for (const char* text : texts) {
+        const Source source = read(text);
+        ASSERT_EQ(source.samples.size(), 1u) << text;
+        expectNear(source.samples[0].wi, {0.0f, 0.5f, std::sqrt(0.75f)});
+        expectNear(source.samples[0].wo, {-std::sqrt(0.75f), 0.0f, 0.5f});
+        expectNear(source.samples[0].f, Vec3f(0.5f));
+        EXPECT_EQ(source.format, "csv");
+    }
+}
+
+TEST(Csv, ReadsUtf16WithEitherByteOrder)
+{
+    const std::string text = "theta_i,phi_i,theta_o,phi_o,value\r\n30,90,60,180,0.5\r\n";
+    for (const bool little : {true, false}) {
+        std::string bytes = little ? "\xFF\xFE" : "\xFE\xFF";
+        for (const char c : text) bytes += little ? std::string({c, '\0'}) : std::string({'\0', c});
+        EXPECT_EQ(read(bytes).samples.size(), 1u);
+        EXPECT_GT(refusedPrefixes("s.csv", bytes), 40u);
+    }
+}
+
+TEST(Csv, MissingValuesAreCountedAsNotFinite)
+{
+    const Source source = read(
+        "theta_i,phi_i,theta_o,phi_o,value\n30,0,30,180,0.3\n30,0,45,180,\n30,0,45,180,NA\n"
+        "30,,45,180,1\n30,0,45,180,#N/A\n");
+    EXPECT_EQ(source.report.given, 5u);
+    EXPECT_EQ(source.report.nonFinite, 4u);
+    EXPECT_EQ(source.samples.size(), 1u);
+}
+
+TEST(Csv, UnitsThatAreNoneOfAnglesAreRefused)
+{
+    expectRefused("theta_i [mm],phi_i,theta_o,phi_o,value\n1,2,3,4,5\n", "found the unit 'mm'");
 }
 
 TEST(Csv, EveryPrefixIsSoundOrRefused)

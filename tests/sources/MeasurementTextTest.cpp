@@ -65,6 +65,7 @@ TEST(Nist, ReadsRowsOfAllWavelengthsOrOne)
     EXPECT_FLOAT_EQ(all.samples[0].f.y, 0.25f);
     const Source green = openSource(path + "@0.532");
     ASSERT_EQ(green.samples.size(), 1u);
+    EXPECT_EQ(openSource(path + "@532").samples.size(), 1u);
     EXPECT_FLOAT_EQ(green.samples[0].f.y, 0.3f);
     EXPECT_EQ(green.report.given, 2u);
 }
@@ -73,14 +74,14 @@ TEST(Nist, WavelengthsThatAreNotThereAreUsageErrors)
 {
     const TempFolder folder;
     const std::string path = folder.write("ptfe.csv", kNist);
-    for (const char* choice : {"@0.6", "@green", "@-1", "@nan"})
+    for (const char* choice : {"@0.6", "@600", "@green", "@-1", "@nan"})
         EXPECT_EQ(outcomeOf(path + choice).kind, int(ErrorKind::usage)) << choice;
     EXPECT_NE(outcomeOf(path + "@0.6").message.find("0.351, 0.532"), std::string::npos);
 }
 
 TEST(Nist, RefusesRaggedRows)
 {
-    expectRefused(kNist + "0.532,1,2\n", ":5: found 3 fields, expected 7");
+    expectRefused(kNist + "0.532,1,2\n", ":5: found 3 fields between commas, expected 7");
     expectRefused(kNist + "0.532,x,0,20,90,0.3,0\n", ":5: found 'x' as thetai");
 }
 

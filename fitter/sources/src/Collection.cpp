@@ -1,6 +1,6 @@
 #include "Collection.h"
 
-#include "Text.h"
+#include <fbrdf/base/Text.h>
 
 #include <fbrdf/base/Error.h>
 
@@ -45,13 +45,13 @@ size_t rowNamed(const FileRequest& request, const std::vector<Entry>& entries)
     for (size_t i = 0; i < entries.size(); ++i) {
         if (!matches(entries[i], request.choice)) continue;
         if (row != entries.size())
-            throw choiceError(request, "found " + quoted(request.choice) + " in several sets (" +
+            throw choiceError(request, "found " + inQuotes(request.choice) + " in several sets (" +
                                            entries[row].set + ", " + entries[i].set +
                                            "), expected set/name");
         row = i;
     }
     if (row == entries.size())
-        throw choiceError(request, "found no material " + quoted(request.choice) +
+        throw choiceError(request, "found no material " + inQuotes(request.choice) +
                                        ", expected a name of the materials.txt beside it or a row");
     return row;
 }

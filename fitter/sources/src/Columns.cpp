@@ -1,8 +1,11 @@
 #include "Columns.h"
 
-#include "Text.h"
+#include "ColumnName.h"
+
+#include <fbrdf/base/Text.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace fbrdf {
 namespace {
@@ -13,19 +16,34 @@ constexpr std::array<const char*, kColumnCount> kNames = {
 
 using Field = ColumnLayout::Field;
 
-std::vector<Field> fieldsOf(std::string_view header)
+/// Nothing for a name that no column of ours has.
+std::optional<Column> columnNamed(const std::string& name)
 {
-    std::vector<std::string_view> names;
-    splitFields(header, ',', names);
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) return {};
+    return static_cast<Column>(found - kNames.begin());
+}
+
+bool isAngle(Column column)
+{
+    return column >= Column::theta_i && column <= Column::phi_o;
+}
+
+std::vector<Field> fieldsOf(const std::vector<std::string>& names)
+{
     std::vector<Field> fields;
-    for (const std::string_view name : names) {
-        const auto found = std::find(kNames.begin(), kNames.end(), lowerCase(name));
-        if (found == kNames.end())
-            fields.push_back({});
-        else
-            fields.push_back({true, static_cast<Column>(found - kNames.begin())});
+    for (const std::string& name : names) {
+        const std::optional<Column> column = columnNamed(columnNameOf(name).base);
+        fields.push_back(column ? Field{true, *column, 1.0} : Field{});
     }
     return fields;
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+    return text;
 }
 
 long countOf(const std::vector<Field>& fields, Column column)
@@ -53,6 +71,24 @@ bool hasGeometry(const std::vector<Field>& fields)
            hasAll(fields, Column::theta_i, Column::phi_o);
 }
 
+/// Sets the units of angles from what stands in their names.
+void readUnits(const InputFile& file, size_t line, const std::vector<std::string>& names,
+               ColumnLayout& layout)
+{
+    for (size_t i = 0; i < names.size(); ++i) {
+        Field& field = layout.fields[i];
+        if (!field.used || !isAngle(field.column)) continue;
+        const std::string unit = columnNameOf(names[i]).unit;
+        const std::optional<double> degrees = degreesIn(unit);
+        if (!degrees)
+            throw lineError(file, line,
+                            "found the unit " + inQuotes(unit) + " of " + columnName(field.column) +
+                                ", expected deg or rad");
+        field.unit = *degrees;
+        layout.namesUnit |= !unit.empty();
+    }
+}
+
 }  // namespace
 
 const char* columnName(Column column)
@@ -60,16 +96,17 @@ const char* columnName(Column column)
     return kNames[static_cast<size_t>(column)];
 }
 
-bool namesGeometry(std::string_view header)
+bool namesGeometry(const std::vector<std::string>& names)
 {
-    return hasGeometry(fieldsOf(header));
+    return hasGeometry(fieldsOf(names));
 }
 
-ColumnLayout columnLayout(const InputFile& file, size_t line, std::string_view header)
+ColumnLayout columnLayout(const InputFile& file, size_t line, const std::vector<std::string>& names)
 {
     ColumnLayout layout;
     std::vector<Field>& fields = layout.fields;
-    fields = fieldsOf(header);
+    fields = fieldsOf(names);
+    const std::string header = joined(names);
     const auto fail = [&](const std::string& what) {
         return lineError(file, line, "found " + what);
     };
@@ -79,12 +116,13 @@ ColumnLayout columnLayout(const InputFile& file, size_t line, std::string_view h
     layout.directions = hasAll(fields, Column::wo_x, Column::wi_z);
     layout.colour = hasAll(fields, Column::r, Column::b);
     if (!hasGeometry(fields))
-        throw fail("the header " + quoted(header) +
+        throw fail("the header " + inQuotes(header) +
                    ", expected columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z or "
                    "theta_i,phi_i,theta_o,phi_o");
     if (!layout.colour && !hasAll(fields, Column::value, Column::value))
-        throw fail("the header " + quoted(header) + ", expected columns r,g,b or value");
+        throw fail("the header " + inQuotes(header) + ", expected columns r,g,b or value");
     if (layout.directions) forget(fields, Column::theta_i, Column::phi_o);
+    readUnits(file, line, names, layout);
     if (layout.colour) forget(fields, Column::value, Column::value);
     return layout;
 }
@@ -104,6 +142,14 @@ SampleRow rowOf(const ColumnValues& v, const ColumnLayout& layout, bool cosine)
     row.weight = v[Column::weight];
     if (cosine) row.f *= glm::length(row.wo) / std::max(row.wo.z, kHorizonCosine);
     return row;
+}
+
+std::vector<std::string> assumptionsOf(const ColumnLayout& layout)
+{
+    std::vector<std::string> found;
+    if (!layout.directions && !layout.namesUnit) found.emplace_back("angles in degrees");
+    if (!layout.colour) found.emplace_back("one channel as grey");
+    return found;
 }
 
 std::string describeColumns(const ColumnLayout& layout, bool cosine)

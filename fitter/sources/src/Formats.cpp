@@ -20,12 +20,12 @@ constexpr Format kFormats[] = {
     {"fred", "", false, isFred, readFred},
     {"zemax", "", false, isZemax, readZemax},
     {"alta", " alta dat ", false, isAlta, readAlta},
-    {"astm", " astm ", false, isAstm, readAstm},
+    {"astm", " astm ", true, isAstm, readAstm},
     {"lumos", "", false, isLumos, readLumos},
     {"csv", " csv ", false, isCsv, readCsv},
     {"rt300s", "", false, isRt300s, readRt300s},
     {"nist", "", true, isNist, readNist},
-    {"cornell", " brdf ", false, isCornell, readCornell},
+    {"cornell", " brdf ", true, isCornell, readCornell},
     {"scattered", "", false, isScattered, readScattered},
 };
 

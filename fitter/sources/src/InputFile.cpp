@@ -5,6 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fbrdf/base/Text.h>
+#include <fbrdf/base/TextDecoder.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -55,11 +58,38 @@ InputFile::InputFile(const std::string& path) : path_(path)
         readAll(file.get(), size);
     if (view_.empty())
         throw Error(ErrorKind::input, path, "found an empty file, expected reflectance data");
+    decodeText();
 }
 
 InputFile::~InputFile()
 {
-    if (mapped_) ::munmap(mapped_, view_.size());
+    unmap();
+}
+
+void InputFile::unmap()
+{
+    if (mapped_) ::munmap(mapped_, mappedSize_);
+    mapped_ = nullptr;
+}
+
+void InputFile::decodeText()
+{
+    if (!startsAsUtf16(view_)) {
+        const std::string_view text = withoutByteOrderMark(view_);
+        if (!text.empty()) view_ = text;
+        return;
+    }
+    std::string start;
+    TextDecoder().append(view_.substr(0, 4096), start);
+    if (!looksLikeText(start)) return;
+    TextDecoder decoder;
+    std::string text;
+    decoder.append(view_, text);
+    decoder.finish(text);
+    if (text.empty()) return;
+    unmap();
+    held_ = std::move(text);
+    view_ = held_;
 }
 
 void InputFile::readAll(int descriptor, size_t expected)
@@ -85,6 +115,7 @@ void InputFile::mapAll(int descriptor, size_t size)
     void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
     if (address == MAP_FAILED) throw systemError(path_, "expected a file that can be mapped");
     mapped_ = address;
+    mappedSize_ = size;
     view_ = std::string_view(static_cast<const char*>(address), size);
 }
 
@@ -94,8 +125,9 @@ void InputFile::release(size_t first, size_t count) const
     // Whole pages only; the two at the ends may be in use by a neighbouring block, and are read
     // again when they are.
     const size_t page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+    first += static_cast<size_t>(view_.data() - static_cast<const char*>(mapped_));
     const size_t begin = first / page * page;
-    const size_t end = std::min((first + count + page - 1) / page * page, view_.size());
+    const size_t end = std::min((first + count + page - 1) / page * page, mappedSize_);
     if (end > begin) ::madvise(static_cast<char*>(mapped_) + begin, end - begin, MADV_DONTNEED);
 }
 
@@ -106,10 +138,8 @@ std::string InputFile::stem() const
 
 std::string InputFile::extension() const
 {
-    std::string extension = std::filesystem::path(path_).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension.empty() ? extension : extension.substr(1);
+    const std::string extension = std::filesystem::path(path_).extension().string();
+    return extension.empty() ? extension : lowerCase(extension.substr(1));
 }
 
 std::string InputFile::folder() const

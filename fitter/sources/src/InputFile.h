@@ -1,5 +1,5 @@
 // InputFile.h - the bytes of a file that is being read: in memory or mapped, whichever suits its
-// size.
+// size. Text comes as UTF-8 without a byte order mark, whichever encoding that mark names.
 #pragma once
 #include <fbrdf/base/Error.h>
 
@@ -37,10 +37,13 @@ public:
 private:
     void readAll(int descriptor, size_t expected);
     void mapAll(int descriptor, size_t size);
+    void unmap();
+    void decodeText();
 
     std::string path_;
     std::string held_;
     void* mapped_ = nullptr;
+    size_t mappedSize_ = 0;
     std::string_view view_;
 };
 

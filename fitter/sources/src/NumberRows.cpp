@@ -7,13 +7,18 @@
 
 namespace fbrdf {
 
+void splitNumbers(std::string_view line, std::vector<std::string_view>& words)
+{
+    splitFields(line, separatorOfNumbers(line), words);
+}
+
 void parseNumbers(const InputFile& file, size_t line, const std::vector<std::string_view>& words,
                   std::vector<double>& numbers)
 {
     numbers.resize(words.size());
     for (size_t i = 0; i < words.size(); ++i)
-        if (!parseNumber(words[i], numbers[i]))
-            throw lineError(file, line, "found " + quoted(words[i]) + ", expected a number");
+        if (!parseField(words[i], numbers[i]))
+            throw lineError(file, line, "found " + inQuotes(words[i]) + ", expected a number");
 }
 
 void AngleRows::add(double theta_i, double phi_i, double theta_o, double phi_o, const Vec3d& f)
@@ -26,7 +31,12 @@ void AngleRows::add(double theta_i, double phi_i, double theta_o, double phi_o, 
 bool AngleRows::inDegrees() const
 {
     constexpr double kRounding = 1e-3;  // pi written with few digits is still radians
-    return largest_ > kPi + kRounding;
+    return degrees_ ? *degrees_ == 1.0 : largest_ > kPi + kRounding;
+}
+
+std::string AngleRows::assumption() const
+{
+    return std::string("angles in ") + (inDegrees() ? "degrees" : "radians") + ", by their size";
 }
 
 void AngleRows::addTo(Source& source) const

@@ -1,13 +1,19 @@
 // NumberRows.h - the numbers of a line, and whether angles are radians or degrees.
 #pragma once
+#include <fbrdf/base/Fields.h>
+#include <fbrdf/base/Text.h>
 #include "InputFile.h"
 #include "SampleRow.h"
-#include "Text.h"
+
+#include <optional>
 
 namespace fbrdf {
 
-/// Replaces `numbers` by those of the words. Throws Error(input) at the line for a word that is
-/// none.
+/// Replaces `words` by the fields of a line of numbers, by the rules of separatorOfNumbers.
+void splitNumbers(std::string_view line, std::vector<std::string_view>& words);
+
+/// Replaces `numbers` by those of the words; a missing value (Fields.h) becomes NaN. Throws
+/// Error(input) at the line for a word that is neither.
 void parseNumbers(const InputFile& file, size_t line, const std::vector<std::string_view>& words,
                   std::vector<double>& numbers);
 
@@ -16,8 +22,13 @@ void parseNumbers(const InputFile& file, size_t line, const std::vector<std::str
 /// scan in degrees without one angle above 3.14 degrees does not exist.
 class AngleRows {
 public:
+    /// `degrees` - in the unit of the angles, where the file names it.
+    explicit AngleRows(std::optional<double> degrees = {}) : degrees_(degrees) {}
+
     void add(double theta_i, double phi_i, double theta_o, double phi_o, const Vec3d& f);
     bool inDegrees() const;
+    /// "angles in degrees, by their size": for Source::assumptions.
+    std::string assumption() const;
     void addTo(Source& source) const;
 
 private:
@@ -26,6 +37,7 @@ private:
         Vec3d f;
     };
     std::vector<Row> rows_;
+    std::optional<double> degrees_;
     double largest_ = 0.0;  ///< zenith angle
 };
 

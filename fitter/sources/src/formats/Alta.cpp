@@ -128,14 +128,14 @@ const Parameterisation& inputNamed(const InputFile& file, const std::string& nam
         if (name == input.name) return input;
         known += std::string(known.empty() ? "" : ", ") + input.name;
     }
-    throw inputError(file, "found #PARAM_IN " + quoted(name) + ", expected one of " + known);
+    throw inputError(file, "found #PARAM_IN " + inQuotes(name) + ", expected one of " + known);
 }
 
 Output outputNamed(const InputFile& file, const std::string& name)
 {
     const auto found = kOutputs.find(name);
     if (found == kOutputs.end())
-        throw inputError(file, "found #PARAM_OUT " + quoted(name) +
+        throw inputError(file, "found #PARAM_OUT " + inQuotes(name) +
                                    ", expected INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR, "
                                    "RGB_COLOR or XYZ_COLOR");
     return found->second;
@@ -155,7 +155,7 @@ AltaLayout layoutOf(const InputFile& file, const Header& header)
     if (!read || x != static_cast<long long>(layout.input->dimension) ||
         !(y == 3 || (y == 1 && !colour)))
         throw inputError(
-            file, "found #DIM " + quoted(dimensions.front()) +
+            file, "found #DIM " + inQuotes(dimensions.front()) +
                       " .., expected two counts: " + std::to_string(layout.input->dimension) +
                       " for " + layout.input->name + (colour ? " and 3" : " and 1 or 3"));
     layout.values = static_cast<size_t>(y);
@@ -192,7 +192,7 @@ Source readAlta(const FileRequest& request)
     std::vector<std::string_view> words;
     std::vector<double> numbers;
     while (lines.nextData(line)) {
-        splitWords(line, words);
+        splitNumbers(line, words);
         if (words.size() < least)
             throw lineError(file, lines.number(),
                             "found " + std::to_string(words.size()) +

@@ -9,9 +9,9 @@
 // then rows.astype("<f4").tofile(file). Usual extension: .f32c.
 //
 // The file is mapped and read block by block, in memory that does not depend on the number of rows.
+#include <fbrdf/base/Text.h>
 #include "Columns.h"
 #include "Formats.h"
-#include "Text.h"
 
 #include <cstring>
 
@@ -54,11 +54,13 @@ void readHead(BinaryTable& table)
     std::string_view line;
     lines.next(line);
     lines.next(line);
-    table.layout = columnLayout(file, 2, line);
+    std::vector<std::string_view> fields;
+    splitFields(line, ',', fields);
+    table.layout = columnLayout(file, 2, {fields.begin(), fields.end()});
     lines.next(line);
     long long rows = 0;
     if (!parseInteger(trimmed(line), rows) || rows < 1)
-        throw lineError(file, 3, "found " + quoted(line) + ", expected a number of rows");
+        throw lineError(file, 3, "found " + inQuotes(line) + ", expected a number of rows");
     table.rows = static_cast<uint64_t>(rows);
 }
 
@@ -83,7 +85,7 @@ void readRows(const BinaryTable& table, uint64_t first, size_t count, std::vecto
             float value;
             std::memcpy(&value, at, sizeof value);
             at += sizeof value;
-            if (field.used) values[field.column] = static_cast<double>(value);
+            if (field.used) values[field.column] = static_cast<double>(value) * field.unit;
         }
         addRow(rowOf(values, table.layout, table.cosine), samples, report);
     }
@@ -106,6 +108,7 @@ Source readBinaryColumns(const FileRequest& request)
     requireSize(*table);
     Source source;
     source.description = describeColumns(table->layout, table->cosine);
+    source.assumptions = assumptionsOf(table->layout);
     source.stream.rows = table->rows;
     source.stream.read = [table](uint64_t first, size_t count, std::vector<Sample>& samples,
                                  SampleReport& report) {

@@ -4,13 +4,13 @@
 // theta_i phi_i theta_o phi_o and one value a wavelength. Angles are radians, both directions point
 // away from the surface (the mirror of phi_i = 0 is at phi_o = +-pi); values are in 1/sr without
 // the cosine. Knowledge from pbrt-v2, src/materials/measured.cpp and the comments of the files.
-// The spectra become linear sRGB (Spectrum.h).
+// The spectra become linear sRGB; FILE@550 or FILE@0.55 takes one wavelength. Files of the same
+// layout in other units are told by size: wavelengths by Wavelengths.h, angles by NumberRows.h.
 #include "Formats.h"
-#include "SampleRow.h"
-#include "Text.h"
+#include "NumberRows.h"
+#include "Wavelengths.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
-#include <fbrdf/sources/Spectrum.h>
 
 #include <algorithm>
 
@@ -34,8 +34,8 @@ bool nextNumber(const InputFile& file, WordReader& words, double& value)
 {
     std::string_view word;
     if (!words.next(word)) return false;
-    if (!parseNumber(word, value))
-        throw lineError(file, words.line(), "found " + quoted(word) + ", expected a number");
+    if (!parseField(word, value))
+        throw lineError(file, words.line(), "found " + inQuotes(word) + ", expected a number");
     return true;
 }
 
@@ -69,6 +69,18 @@ bool readRecord(const InputFile& file, WordReader& words, std::vector<double>& r
     return got != 0;
 }
 
+/// True where the number of wavelengths stands in a line of its own, as it does in every file that
+/// people write; rows of other formats have several numbers.
+bool startsWithCountAlone(const InputFile& file)
+{
+    LineReader lines(file.bytes());
+    std::string_view line;
+    std::vector<std::string_view> words;
+    if (!lines.nextData(line)) return false;
+    splitWords(line.substr(0, line.find('#')), words);
+    return words.size() == 1;
+}
+
 }  // namespace
 
 bool isCornell(const InputFile& file)
@@ -76,37 +88,35 @@ bool isCornell(const InputFile& file)
     if (!looksLikeText(file.bytes())) return false;
     WordReader words(file.bytes());
     const long long count = wavelengthCount(words);
-    double last = 0.0;
+    std::vector<double> first;
     for (long long i = 0; i < std::min(count, 3LL); ++i) {
         std::string_view word;
         double wavelength = 0.0;
-        if (!words.next(word) || !parseNumber(word, wavelength)) return false;
-        if (!(wavelength > last) || wavelength < 100.0 || wavelength > 1e5) return false;
-        last = wavelength;
+        if (!words.next(word) || !parseLocalNumber(word, wavelength)) return false;
+        if (!first.empty() && !(wavelength > first.back())) return false;
+        first.push_back(wavelength);
     }
-    return count > 0;
+    const std::optional<double> unit = nanometresInUnitOf(first);
+    return unit && (*unit == 1.0 || startsWithCountAlone(file));
 }
 
 Source readCornell(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     WordReader words(file.bytes());
-    const std::vector<double> wavelengths = readWavelengths(file, words);
-    const SpectrumToRgb toRgb(wavelengths);
+    BandColour colour(request, readWavelengths(file, words));
+    AngleRows rows;
+    std::vector<double> record(kAngleColumns + colour.bands());
+    while (readRecord(file, words, record))
+        rows.add(record[0], record[1], record[2], record[3], colour(record.data() + kAngleColumns));
     Source source;
-    std::vector<double> record(kAngleColumns + wavelengths.size());
-    while (readRecord(file, words, record)) {
-        const Vec3d rgb = toRgb(record.data() + kAngleColumns);
-        const size_t before = source.samples.size();
-        addRow({directionFromAngles(record[2], record[3]),
-                directionFromAngles(record[0], record[1]), rgb},
-               source.samples, source.report);
-        const bool kept = source.samples.size() > before;
-        source.report.outOfGamut += kept && std::min({rgb.x, rgb.y, rgb.z}) < 0.0;
-    }
+    rows.addTo(source);
+    if (colour.isSpectral()) source.report.outOfGamut = source.report.negative;
     source.isotropic = true;
-    source.description = "Cornell gonioreflectometer, " + std::to_string(wavelengths.size()) +
-                         " wavelengths to linear sRGB (D65, CIE 1931), 1/sr";
+    source.description = "Cornell gonioreflectometer, " + colour.description() + ", 1/sr";
+    source.assumptions = colour.assumptions();
+    source.assumptions.push_back(rows.assumption());
+    source.assumptions.emplace_back("isotropic, as such measurements are");
     requireSamples(source, file.path());
     return source;
 }

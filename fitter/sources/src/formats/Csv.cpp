@@ -1,59 +1,34 @@
 // Csv.cpp - the project's own text format for scattered samples: a header names the columns
-// (Columns.h has their meaning), '#' starts a comment line, fields are separated by commas.
+// (Columns.h has their meaning), '#' starts a comment line. Fields are separated by commas, or as
+// spreadsheets, R and pandas write them (NamedTable.h): semicolons, tabs, blanks, quotes, decimal
+// commas, missing values.
 #include "Columns.h"
 #include "Formats.h"
-#include "Text.h"
+#include "NamedTable.h"
 
 namespace fbrdf {
-namespace {
-
-/// Fills `values` from one line, walking it once.
-void parseRow(const InputFile& file, size_t number, std::string_view line,
-              const ColumnLayout& layout, ColumnValues& values)
-{
-    const size_t count = layout.fields.size();
-    for (size_t i = 0; i < count; ++i) {
-        const ColumnLayout::Field field = layout.fields[i];
-        const size_t comma = line.find(',');
-        const bool last = i + 1 == count;
-        if (last != (comma == std::string_view::npos))
-            throw lineError(file, number,
-                            std::string(last ? "found more" : "found fewer") +
-                                " fields, expected " + std::to_string(count) + " as in the header");
-        const std::string_view text = trimmed(line.substr(0, comma));
-        if (field.used && !parseNumber(text, values[field.column]))
-            throw lineError(file, number,
-                            "found " + quoted(text) + " as " + columnName(field.column) +
-                                ", expected a number");
-        if (!last) line.remove_prefix(comma + 1);
-    }
-}
-
-}  // namespace
 
 bool isCsv(const InputFile& file)
 {
-    if (!looksLikeText(file.bytes())) return false;
-    LineReader lines(file.bytes());
-    std::string_view header;
-    return lines.nextData(header) && namesGeometry(header);
+    return looksLikeText(file.bytes()) && namesGeometry(columnNamesOf(file.bytes()));
 }
 
 Source readCsv(const FileRequest& request)
 {
-    const InputFile& file = *request.file;
-    LineReader lines(file.bytes());
-    std::string_view line;
-    if (!lines.nextData(line)) throw inputError(file, "found no line of data, expected a header");
-    const ColumnLayout layout = columnLayout(file, lines.number(), line);
+    NamedTable table(*request.file);
+    const ColumnLayout layout = columnLayout(*request.file, table.line(), table.names());
     Source source;
     ColumnValues values;
-    while (lines.nextData(line)) {
-        parseRow(file, lines.number(), line, layout, values);
+    while (table.next()) {
+        for (size_t i = 0; i < layout.fields.size(); ++i) {
+            const ColumnLayout::Field field = layout.fields[i];
+            if (field.used) values[field.column] = table.number(i) * field.unit;
+        }
         addRow(rowOf(values, layout, request.options.cosine), source.samples, source.report);
     }
     source.description = describeColumns(layout, request.options.cosine);
-    requireSamples(source, file.path());
+    source.assumptions = assumptionsOf(layout);
+    requireSamples(source, request.file->path());
     return source;
 }
 

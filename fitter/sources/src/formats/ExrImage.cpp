@@ -2,7 +2,7 @@
 // tested than those of the core library, which fbrdf::io uses for ZIP alone.
 #include "formats/ExrImage.h"
 
-#include "Text.h"
+#include <fbrdf/base/Text.h>
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -87,7 +87,7 @@ void requireAttributesWithin(const InputFile& file)
 void requireFlat(const InputFile& file, const Imf::Header& header)
 {
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
-        throw inputError(file, "found a part of type " + quoted(header.type()) +
+        throw inputError(file, "found a part of type " + inQuotes(header.type()) +
                                    ", expected an image of scan lines or tiles");
 }
 

@@ -12,11 +12,11 @@
 //              comma-separated, top first; wi is at azimuth 0, away from the surface like wo.
 // Values are at pixel centres. Slices and lat-long tables are of isotropic materials and have
 // samples only; a pixel of a lat-long tile weighs sin theta_o, its share of the sphere.
+#include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "formats/ExrImage.h"
 #include "formats/UtiaTable.h"
 #include "SampleRow.h"
-#include "Text.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
 
@@ -48,7 +48,7 @@ std::vector<double> tileAngles(const InputFile& file, const ExrImage& image)
     std::vector<double> angles(fields.size());
     for (size_t i = 0; i < fields.size(); ++i)
         if (!parseNumber(fields[i], angles[i]))
-            throw inputError(file, "found fbrdf:theta_i " + quoted(image.angles) +
+            throw inputError(file, "found fbrdf:theta_i " + inQuotes(image.angles) +
                                        ", expected zenith angles in degrees");
     if (image.height % angles.size() != 0)
         throw inputError(file, "found " + std::to_string(image.height) + " lines, expected " +
@@ -104,7 +104,7 @@ Source readExrTable(const FileRequest& request)
     if (layout == "utia") return sourceOfUtia(file, std::move(image));
     if (layout != "slice" && layout != "latlong")
         throw inputError(
-            file, "found fbrdf:layout " + quoted(layout) + ", expected utia, slice or latlong");
+            file, "found fbrdf:layout " + inQuotes(layout) + ", expected utia, slice or latlong");
     Source source = layout == "slice" ? sourceOfSlice(image) : sourceOfLatLong(file, image);
     source.isotropic = true;
     requireSamples(source, file.path());

@@ -6,8 +6,7 @@
 // tabulated data scatter model and the files of the University of Arizona LOFT group, whose
 // highlights confirm the azimuths.
 #include "Formats.h"
-#include "SampleRow.h"
-#include "Text.h"
+#include "NumberRows.h"
 
 namespace fbrdf {
 namespace {
@@ -24,9 +23,9 @@ double scaleOf(const InputFile& file, size_t line, const std::vector<std::string
         const bool scales =
             word.substr(0, 6) == "scale=" && parseNumber(std::string_view(word).substr(6), scale);
         if (!known && !scales)
-            throw lineError(
-                file, line,
-                "found " + quoted(words[i]) + ", expected angles=deg, bsdf=value or scale=NUMBER");
+            throw lineError(file, line,
+                            "found " + inQuotes(words[i]) +
+                                ", expected angles=deg, bsdf=value or scale=NUMBER");
     }
     return scale;
 }
@@ -43,18 +42,15 @@ public:
             scale_ = scaleOf(file_, line, words);
             return;
         }
-        double v[3] = {0.0, 0.0, 0.0};
         if (words.size() != 2 && words.size() != 3)
             throw lineError(file_, line,
                             "found " + std::to_string(words.size()) +
                                 " numbers, expected 2 (incident) or 3 (scattered)");
-        for (size_t i = 0; i < words.size(); ++i)
-            if (!parseNumber(words[i], v[i]))
-                throw lineError(file_, line, "found " + quoted(words[i]) + ", expected a number");
+        parseNumbers(file_, line, words, numbers_);
         if (words.size() == 2)
-            setIncident(v[0], v[1]);
+            setIncident(numbers_[0], numbers_[1]);
         else
-            addScattered(line, v, source);
+            addScattered(line, numbers_.data(), source);
     }
 
 private:
@@ -75,6 +71,7 @@ private:
     Vec3d wi_{0.0, 0.0, 1.0};
     bool hasIncident_ = false;
     double scale_ = 1.0;
+    std::vector<double> numbers_;
 };
 
 }  // namespace
@@ -98,9 +95,10 @@ Source readFred(const FileRequest& request)
     std::string_view line;
     std::vector<std::string_view> words;
     while (lines.nextData(line)) {
-        splitWords(line, words);
+        splitNumbers(line, words);
         reader.readLine(lines.number(), words, source);
     }
+    source.assumptions.emplace_back("one channel as grey");
     source.description = "FRED tabulated BSDF, one channel, 1/sr";
     requireSamples(source, file.path());
     return source;

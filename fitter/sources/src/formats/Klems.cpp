@@ -9,9 +9,9 @@
 // with Visible as Y, and become linear sRGB. From the WINDOW 6 technical documentation, genBSDF's
 // manual, and files of measured and simulated shades. FILE.xml takes the front, FILE.xml@back the
 // back. `evaluate` is the patch that a pair falls into; the samples are the patches' centres.
+#include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "SampleRow.h"
-#include "Text.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/sources/Spectrum.h>
@@ -82,7 +82,7 @@ double numberOf(const InputFile& file, const pugi::xml_node& parent, const char*
     const std::string text = textOf(parent, name);
     if (!parseNumber(text, value) || !std::isfinite(value))
         throw inputError(
-            file, std::string("found ") + quoted(text) + " as " + name + ", expected a number");
+            file, std::string("found ") + inQuotes(text) + " as " + name + ", expected a number");
     return value;
 }
 
@@ -140,7 +140,7 @@ std::vector<double> readMatrix(const InputFile& file, const pugi::xml_node& bloc
         const size_t i = transposed ? count % patches * patches + count / patches : count;
         if (count < matrix.size() && !parseNumber(word, matrix[i]))
             throw inputError(file,
-                             "found " + quoted(word) + " in ScatteringData, expected numbers");
+                             "found " + inQuotes(word) + " in ScatteringData, expected numbers");
     }
     if (count != matrix.size())
         throw inputError(file, "found " + std::to_string(count) +
@@ -172,7 +172,7 @@ const Basis& basisOf(const InputFile& file, const std::map<std::string, Basis>& 
     const std::string row = textOf(block, "RowAngleBasis");
     const auto found = bases.find(column);
     if (found == bases.end() || row != column || found->second.patches == 0)
-        throw inputError(file, "found bases " + quoted(column) + " and " + quoted(row) +
+        throw inputError(file, "found bases " + inQuotes(column) + " and " + inQuotes(row) +
                                    ", expected one AngleBasis for both");
     return found->second;
 }
@@ -230,7 +230,7 @@ std::string sideOf(const FileRequest& request)
     std::string side = lowerCase(request.choice.empty() ? "front" : request.choice);
     if (side != "front" && side != "back")
         throw Error(ErrorKind::usage, request.file->path(),
-                    "found " + quoted(request.choice) + ", expected front or back");
+                    "found " + inQuotes(request.choice) + ", expected front or back");
     return side;
 }
 

@@ -5,8 +5,7 @@
 // the surface; zenith angles may be signed (negative: azimuth + 180). Values in 1/sr without the
 // cosine. From the comments of the files and lumos' documentation.
 #include "Formats.h"
-#include "SampleRow.h"
-#include "Text.h"
+#include "NumberRows.h"
 
 namespace fbrdf {
 namespace {
@@ -35,19 +34,17 @@ Source readLumos(const FileRequest& request)
     Source source;
     std::string_view line;
     std::vector<std::string_view> words;
+    std::vector<double> v;
     while (lines.nextData(line)) {
-        splitWords(line, words);
-        double v[5] = {};
+        splitNumbers(line, words);
         if (words.size() != kNames.size())
             throw lineError(file, lines.number(),
                             "found " + std::to_string(words.size()) + " numbers, expected 5");
-        for (size_t i = 0; i < words.size(); ++i)
-            if (!parseNumber(words[i], v[i]))
-                throw lineError(file, lines.number(),
-                                "found " + quoted(words[i]) + ", expected a number");
+        parseNumbers(file, lines.number(), words, v);
         addRow({directionFromDegrees(v[2], v[3]), directionFromDegrees(v[0], v[1]), Vec3d(v[4])},
                source.samples, source.report);
     }
+    source.assumptions.emplace_back("one channel as grey");
     source.description = "scattered samples, one channel, 1/sr";
     requireSamples(source, file.path());
     return source;

@@ -6,9 +6,10 @@
 // a negative theta_i means azimuth + 180. From the README of the data set and the header line,
 // which spells its columns "lambda,thetai,phi,thetar,phir". A file has several laser lines:
 // FILE@0.532 takes one, the whole file all of them.
-#include "CommaTable.h"
 #include "Formats.h"
+#include "NamedTable.h"
 #include "SampleRow.h"
+#include "Wavelengths.h"
 
 #include <fbrdf/base/Error.h>
 
@@ -26,10 +27,12 @@ double chosenWavelength(const FileRequest& request)
 {
     double wavelength = 0.0;
     if (request.choice.empty()) return wavelength;
-    if (!parseNumber(request.choice, wavelength) || !(wavelength > 0.0))
+    const bool read = parseLocalNumber(request.choice, wavelength);
+    const std::optional<double> unit = nanometresInUnitOf({wavelength});
+    if (!read || !unit)
         throw Error(ErrorKind::usage, request.file->path(),
-                    "found " + quoted(request.choice) + ", expected a wavelength in um");
-    return wavelength;
+                    "found " + inQuotes(request.choice) + ", expected a wavelength in um or nm");
+    return wavelength * *unit / 1000.0;
 }
 
 std::string listOf(const std::set<double>& wavelengths)
@@ -58,14 +61,18 @@ Source readNist(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     const double chosen = chosenWavelength(request);
-    CommaTable table(file, std::vector<size_t>{0, 1, 2, 3, 4, 5});
+    NamedTable table(file);
+    if (table.names().size() < 6)
+        throw lineError(file, table.line(),
+                        "found " + std::to_string(table.names().size()) + " columns, expected 6");
     Source source;
     std::set<double> wavelengths;
     while (table.next()) {
-        wavelengths.insert(table[0]);
-        if (chosen > 0.0 && std::abs(table[0] - chosen) > kSameLine) continue;
-        addRow({directionFromDegrees(table[3], table[4]), directionFromDegrees(table[1], table[2]),
-                Vec3d(table[5])},
+        const double wavelength = table.number(0);
+        wavelengths.insert(wavelength);
+        if (chosen > 0.0 && std::abs(wavelength - chosen) > kSameLine) continue;
+        addRow({directionFromDegrees(table.number(3), table.number(4)),
+                directionFromDegrees(table.number(1), table.number(2)), Vec3d(table.number(5))},
                source.samples, source.report);
     }
     if (chosen > 0.0 && source.report.given == 0)
@@ -74,6 +81,9 @@ Source readNist(const FileRequest& request)
             "found no rows at " + request.choice + " um, expected one of " + listOf(wavelengths));
     source.description = "NIST BRDF, one channel, " +
                          (chosen > 0.0 ? request.choice : listOf(wavelengths)) + " um, 1/sr";
+    if (chosen == 0.0 && wavelengths.size() > 1)
+        source.assumptions.emplace_back("all wavelengths as one channel; FILE@UM takes one");
+    source.assumptions.emplace_back("one channel as grey");
     requireSamples(source, file.path());
     return source;
 }

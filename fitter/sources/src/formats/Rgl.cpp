@@ -12,11 +12,11 @@
 //
 // The samples are the nodes of the file: for each (phi_i, theta_i) the h x w nodes of s, where the
 // values are as measured, negatives included.
+#include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "formats/RglWarp.h"
 #include "SampleRow.h"
 #include "Tensor.h"
-#include "Text.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/Spectrum.h>

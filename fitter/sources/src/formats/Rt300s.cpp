@@ -5,11 +5,12 @@
 // lie below the noise floor. From the comment line of the files and the group's bsdf-tools.
 // Where the detector is within 7.5 degrees of the source its arm shadows the beam (the measured
 // value falls to about 0): those rows count as invalid.
-#include "CommaTable.h"
 #include "Formats.h"
+#include "NamedTable.h"
 #include "SampleRow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fbrdf {
@@ -42,19 +43,23 @@ bool isRt300s(const InputFile& file)
 Source readRt300s(const FileRequest& request)
 {
     const InputFile& file = *request.file;
-    CommaTable table(file, kColumns);
+    NamedTable table(file);
+    std::array<size_t, 5> columns{};
+    for (size_t i = 0; i < columns.size(); ++i) columns[i] = table.column(kColumns[i]);
     Source source;
     while (table.next()) {
-        const double incident = table[1] * kDegree, a = table[2] * kDegree, r = table[3] * kDegree;
+        const auto value = [&](size_t i) { return table.number(columns[i]); };
+        const double incident = value(1) * kDegree, a = value(2) * kDegree, r = value(3) * kDegree;
         const Vec3d wi(-std::sin(incident), 0.0, std::cos(incident));
         const Vec3d wo(-std::sin(a) * std::sin(r), -std::cos(a) * std::sin(r), std::cos(r));
-        const double back = -table[0] * kDegree;
+        const double back = -value(0) * kDegree;
         if (isShadowed(wo, wi))
             addInvalidRow(source.report);
         else
-            addRow({turnedAboutNormal(wo, back), turnedAboutNormal(wi, back), Vec3d(table[4])},
+            addRow({turnedAboutNormal(wo, back), turnedAboutNormal(wi, back), Vec3d(value(4))},
                    source.samples, source.report);
     }
+    source.assumptions.emplace_back("one channel as grey");
     source.description = "RT-300S scatterometer, one channel (650 nm), 1/sr";
     requireSamples(source, file.path());
     return source;

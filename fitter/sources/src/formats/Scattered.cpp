@@ -1,14 +1,11 @@
-// Scattered.cpp - headerless text of scattered samples, such as the anisotropic measurements of MIT
-// (Ngan, Durand, Matusik 2005, "Experimental Analysis of BRDF Models": brushed aluminium, yellow
-// satin, purple satin, red velvet).
-// '#' comments; rows of numbers separated by white space or commas, all of one length:
+// Scattered.cpp - headerless text of scattered samples.
+// '#' comments; rows of numbers separated by white space, commas or semicolons (Fields.h), all of
+// one length:
 //   7 columns  theta_i phi_i theta_o phi_o R G B       angles in radians, or degrees
 //   9 columns  wi_x wi_y wi_z wo_x wo_y wo_z R G B     light first, any length
-// Both directions point away from the surface in the tangent frame, x along the tangent (for the
-// brushed metal along the brush marks); linear RGB in 1/sr without the cosine. BEWARE: the data set
-// has no description beyond its paper and was not at hand: order and units are those of the paper's
-// notation, f(theta_i, phi_i, theta_o, phi_o), and unconfirmed. Angles are taken to be radians
-// unless a zenith angle is above pi (NumberRows.h).
+// Both directions point away from the surface in the tangent frame, x along the tangent; linear RGB
+// in 1/sr without the cosine. Such files say nothing of themselves: order and units are assumed,
+// and the angles are radians unless a zenith angle is above pi (NumberRows.h).
 #include "Formats.h"
 #include "NumberRows.h"
 
@@ -16,14 +13,6 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kAngleColumns = 7, kVectorColumns = 9;
-
-void splitNumbers(std::string_view line, std::vector<std::string_view>& words)
-{
-    if (line.find(',') == std::string_view::npos)
-        splitWords(line, words);
-    else
-        splitFields(line, ',', words);
-}
 
 bool isColumnCount(size_t count)
 {
@@ -42,7 +31,7 @@ bool isScattered(const InputFile& file)
     if (!lines.nextData(line)) return false;
     splitNumbers(line, words);
     for (const std::string_view word : words)
-        if (!parseNumber(word, ignored)) return false;
+        if (!parseField(word, ignored)) return false;
     return isColumnCount(words.size());
 }
 
@@ -75,6 +64,9 @@ Source readScattered(const FileRequest& request)
                          (columns == kVectorColumns ? "directions"
                           : angles.inDegrees()      ? "angles in degrees"
                                                     : "angles in radians");
+    source.assumptions.emplace_back(columns == kVectorColumns ? "columns are wi, wo, RGB"
+                                                              : "columns are wi, wo angles, RGB");
+    if (columns == kAngleColumns) source.assumptions.push_back(angles.assumption());
     requireSamples(source, file.path());
     return source;
 }

@@ -11,9 +11,9 @@
 // Z), so azimuth 0 points from the mirror direction to the normal. Both are turned by the sample's
 // rotation about the normal. PlaneSymmetrical files give azimuths 0 to 180 of a pattern that
 // mirrors in the plane of incidence. XYZ blocks become linear sRGB.
+#include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "SampleRow.h"
-#include "Text.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/Spectrum.h>
@@ -67,7 +67,8 @@ private:
     {
         double value = 0.0;
         const std::string_view text = word("a number");
-        if (!parseNumber(text, value)) throw fail("found " + quoted(text) + ", expected a number");
+        if (!parseNumber(text, value))
+            throw fail("found " + inQuotes(text) + ", expected a number");
         return value;
     }
 
@@ -86,13 +87,13 @@ private:
         else if (key == "DataBegin")
             readBlock();
         else if (key != "Monochrome" && key.substr(0, 11) != "Tristimulus")
-            throw fail("found " + quoted(key) + ", expected a keyword");
+            throw fail("found " + inQuotes(key) + ", expected a keyword");
     }
     int oneOf(const char* first, const char* second)
     {
         const std::string value(word(first));
         if (value != first && value != second)
-            throw fail("found " + quoted(value) + ", expected " + first + " or " + second);
+            throw fail("found " + inQuotes(value) + ", expected " + first + " or " + second);
         return value == second;
     }
     void requireReflection()
@@ -112,7 +113,7 @@ private:
         long long count = 0;
         const std::string_view text = word("a count");
         if (!parseInteger(text, count) || count < 1 || count > kMostAngles)
-            throw fail("found " + quoted(text) + ", expected a count from 1 to 100000");
+            throw fail("found " + inQuotes(text) + ", expected a count from 1 to 100000");
         angles.clear();
         for (long long i = 0; i < count; ++i) angles.push_back(number());
     }
@@ -129,7 +130,7 @@ private:
             else if (parseNumber(text, value))
                 values.push_back(value);
             else
-                throw fail("found " + quoted(text) + ", expected a number, TIS or DataEnd");
+                throw fail("found " + inQuotes(text) + ", expected a number, TIS or DataEnd");
         }
         if (values.size() != table_.valueCount())
             throw fail("found " + std::to_string(values.size()) + " values, expected " +

@@ -1,6 +1,6 @@
 #include "NearestName.h"
 
-#include "../Text.h"
+#include <fbrdf/base/Text.h>
 
 #include <algorithm>
 

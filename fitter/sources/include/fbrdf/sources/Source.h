@@ -55,9 +55,12 @@ struct SampleStream {
 };
 
 struct Source {
-    std::string name;             ///< "garnet_red", "ggx:alpha=0.1"
-    std::string format;           ///< "csv", "cornell", "model", "material", ...
-    std::string description;      ///< one line for people: units, wavelengths, paper
+    std::string name;         ///< "garnet_red", "ggx:alpha=0.1"
+    std::string format;       ///< "csv", "cornell", "model", "material", ...
+    std::string description;  ///< one line for people: units, wavelengths, paper
+    /// What the file does not state and the reader took for granted: units, the white of XYZ, the
+    /// side, the band, the symmetry. One entry for each, for people.
+    std::vector<std::string> assumptions;
     bool isotropic = false;       ///< known to be unchanged by a rotation about the normal
     bool exact = false;           ///< samples or stream are values of `evaluate`, without noise
     std::vector<Sample> samples;  ///< empty when streamed, or when only a function

@@ -1,7 +1,7 @@
 // The lexing that every text reader stands on.
+#include <fbrdf/base/Text.h>
 #include <gtest/gtest.h>
 
-#include <Text.h>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +46,33 @@ TEST(Text, RefusesWhatIsOnlyPartlyANumber)
         EXPECT_FALSE(isNumber(text)) << text;
 }
 
+TEST(Text, NumbersOutOfRangeKeepTheirSideInAnyNotation)
+{
+    const std::string zeros(400, '0');
+    EXPECT_EQ(number("0." + zeros + "1"), 0.0);
+    EXPECT_EQ(number("1" + zeros), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(number("0.5e99999999999999999999"), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(number("2.5e-99999999999999999999"), 0.0);
+    EXPECT_EQ(number("0e999"), 0.0);
+}
+
+TEST(Text, ACommaIsADecimalSignWhereItCanBeNothingElse)
+{
+    double value = 0.0;
+    EXPECT_TRUE(parseLocalNumber("-0,25", value) && value == -0.25);
+    EXPECT_TRUE(parseLocalNumber("1,5e-3", value) && value == 1.5e-3);
+    EXPECT_TRUE(parseLocalNumber("2.5", value) && value == 2.5);
+    for (const char* text : {"1,2,3", "1.234,5", "1,234.5", ",", "1,", "a,b", ""})
+        EXPECT_FALSE(parseLocalNumber(text, value)) << text;
+}
+
+TEST(Text, CaseIsThatOfAsciiInEveryLocale)
+{
+    EXPECT_EQ(lowerCase("THETA_I \xC4"), "theta_i \xC4");
+    EXPECT_TRUE(sameWord("Visible", "VISIBLE"));
+    EXPECT_FALSE(sameWord("Visible", "Visibl"));
+}
+
 TEST(Text, ParsesWholeNumbers)
 {
     long long value = 0;
@@ -71,6 +98,46 @@ TEST(LineReader, CountsLinesAndTakesTheirEndsOff)
     EXPECT_FALSE(lines.next(line));
     EXPECT_FALSE(LineReader("").next(line));
     EXPECT_FALSE(LineReader("\n \n#x").nextData(line));
+}
+
+TEST(LineReader, EndsLinesAsEverySystemDoes)
+{
+    LineReader lines("a\rb\r\nc\n\rd\r\n\r\ne");
+    std::string_view line;
+    std::string all;
+    while (lines.next(line)) all += std::string(line) + '|';
+    EXPECT_EQ(all, "a|b|c||d||e|");
+    EXPECT_EQ(lines.number(), 7u);
+}
+
+TEST(LineReader, ALineBreakInQuotesBelongsToTheRecord)
+{
+    LineReader lines("\"a\nb\",c\n# no\n1,2\n5\" pipe\n3,4\n");
+    std::string_view record;
+    ASSERT_TRUE(lines.nextRecord(record));
+    EXPECT_EQ(record, "\"a\nb\",c");
+    EXPECT_EQ(lines.number(), 2u);
+    ASSERT_TRUE(lines.nextRecord(record));
+    EXPECT_EQ(record, "1,2");
+    ASSERT_TRUE(lines.nextRecord(record));  // a quote that nothing closes is a character
+    EXPECT_EQ(record, "5\" pipe");
+    ASSERT_TRUE(lines.nextRecord(record));
+    EXPECT_EQ(record, "3,4");
+    EXPECT_FALSE(lines.nextRecord(record));
+}
+
+TEST(WordReader, SkipsAByteOrderMarkAndCountsReturns)
+{
+    WordReader words("\xEF\xBB\xBFone\rtwo\r\nthree # four\rfive #");
+    std::string_view word;
+    const std::pair<const char*, size_t> expected[] = {
+        {"one", 1}, {"two", 2}, {"three", 3}, {"five", 4}};
+    for (const auto& [text, line] : expected) {
+        ASSERT_TRUE(words.next(word));
+        EXPECT_EQ(word, text);
+        EXPECT_EQ(words.line(), line);
+    }
+    EXPECT_FALSE(words.next(word));
 }
 
 TEST(WordReader, WalksWordsAcrossLinesWithoutComments)
@@ -103,9 +170,9 @@ TEST(Text, SplitsFieldsAndWords)
 
 TEST(Text, QuotesForMessages)
 {
-    EXPECT_EQ(fbrdf::quoted("abc"), "'abc'");
-    EXPECT_EQ(fbrdf::quoted("a\nb\x01"), "'a?b?'");
-    EXPECT_EQ(fbrdf::quoted(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
+    EXPECT_EQ(inQuotes("abc"), "'abc'");
+    EXPECT_EQ(inQuotes("a\nb\x01"), "'a?b?'");
+    EXPECT_EQ(inQuotes(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
 TEST(Text, TellsTextFromBinary)
