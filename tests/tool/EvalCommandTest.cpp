@@ -53,6 +53,23 @@ TEST_F(EvalCommand, IsTheFloatEvaluationOfTheShader)
     }
 }
 
+TEST_F(EvalCommand, PairsMayBeWrittenAsSpreadsheetsDo)
+{
+    const auto expected = rowsOf(evalText("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z\n0,0.6,0.8,0.6,0,0.8\n"));
+    ASSERT_EQ(expected.size(), 1u);
+    std::string utf16 = "\xFF\xFE";
+    for (const char c : std::string("wo_x;wo_y;wo_z;wi_x;wi_y;wi_z\r\n0;0,6;0,8;0,6;0;0,8\r\n"))
+        utf16 += {c, '\0'};
+    for (const std::string& text :
+         {std::string(
+              "\"wo_x\",\"wo_y\",\"wo_z\",\"wi_x\",\"wi_y\",\"wi_z\"\n0,\"0.6\",0.8,0.6,0,0.8\n"),
+          std::string("\xEF\xBB\xBFwo_x\two_y\two_z\twi_x\twi_y\twi_z\r0\t0.6\t0.8\t0.6\t0\t0.8\r"),
+          utf16})
+        EXPECT_EQ(rowsOf(evalText(text)), expected) << text;
+    expectError(evalText("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z\n0,,0.8,0.6,0,0.8\n"), 3,
+                ":2: found '' as wo_y");
+}
+
 TEST_F(EvalCommand, ExactIsDouble)
 {
     const Material read = readMaterial(material);

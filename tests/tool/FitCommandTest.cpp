@@ -107,6 +107,7 @@ TEST_F(FitCommand, TheMaterialSaysWhereItIsFromButNamesNoFolder)
     EXPECT_EQ(material.name, "glossy");
     EXPECT_EQ(material.notes.at("source"), "glossy.csv");
     EXPECT_EQ(material.notes.at("samples used"), "400");
+    EXPECT_EQ(material.notes.count("assumed"), 0u);  // directions and RGB leave nothing open
     EXPECT_NE(material.notes.at("options").find("form=hdio"), std::string::npos);
     EXPECT_GT(material.errors.at("held_out.log_rms"), 0.0);
     EXPECT_GT(material.errors.at("albedo_max"), 0.0);

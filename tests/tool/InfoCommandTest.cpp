@@ -84,6 +84,27 @@ TEST(InfoCommand, FindsTheReciprocityErrorOfSamples)
     EXPECT_EQ(none["reciprocity_note"], "no pair was measured both ways");
 }
 
+// Every pair of a scan lies in a few degrees, each sample near thousands of others.
+TEST(InfoCommand, FindsTheReciprocityErrorOfAScanOfAFewDegrees)
+{
+    const TemporaryDir folder;
+    const std::string csv = folder.file("scan.csv");
+    std::string rows = "theta_i,phi_i,theta_o,phi_o,value\n";
+    for (int i = 0; i < 20000; ++i) {
+        const double a = 30.0 + 0.0001 * (i * 7919 % 20000),
+                     b = 30.0 + 0.0001 * (i * 104729 % 20000);
+        // ln f(a, b) / f(b, a) = 0.2 (b - a), known for every pair.
+        rows += std::to_string(a) + ",0," + std::to_string(b) + ",180," +
+                std::to_string(std::exp(0.1 * (b - a))) + "\n";
+    }
+    writeText(csv, rows);
+    const auto json = jsonFrom(runTool({"info", csv, "--json"}));
+    // The median of |b - a| of two even numbers in [0, 2] is 2 - sqrt 2.
+    EXPECT_NEAR(json["reciprocity"].get<double>(), 0.2 * (2.0 - std::sqrt(2.0)), 0.01);
+    EXPECT_EQ(json["assumptions"],
+              (std::vector<std::string>{"angles in degrees", "one channel as grey"}));
+}
+
 TEST(InfoCommand, KnowsTheAlbedoOfAModel)
 {
     const auto json = jsonFrom(runTool({"info", "lambert:albedo=0.5/0.25/1", "--json"}));

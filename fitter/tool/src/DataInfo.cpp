@@ -34,8 +34,9 @@ void measureSamples(const Source& source, DataInfo& info)
     const SampleReciprocity found = sampleReciprocity(samples, source.isotropic, info.floor);
     if (found.pairs > 0) {
         info.reciprocity = found.median;
-        info.reciprocityNote = fmt::format("over {} samples measured both ways within 2 degrees",
-                                           withSeparators(found.pairs));
+        info.reciprocityNote =
+            fmt::format("over {} of {} samples, those measured both ways within 2 degrees",
+                        withSeparators(found.pairs), withSeparators(found.lookedUp));
     } else {
         info.reciprocityNote = "no pair was measured both ways";
     }
@@ -112,6 +113,13 @@ std::string reciprocityText(const DataInfo& info)
                : text;
 }
 
+std::string assumptionsText(const std::vector<std::string>& assumptions)
+{
+    std::string text = "  assumed, as the file does not state it\n";
+    for (const std::string& assumption : assumptions) text += "    " + assumption + "\n";
+    return text;
+}
+
 }  // namespace
 
 DataInfo dataInfo(const Source& source, int threads)
@@ -120,6 +128,7 @@ DataInfo dataInfo(const Source& source, int threads)
     info.name = source.name;
     info.format = source.format;
     info.description = source.description;
+    info.assumptions = source.assumptions;
     info.isotropic = source.isotropic;
     info.function = static_cast<bool>(source.evaluate);
     info.sampled = hasSamples(source);
@@ -134,6 +143,7 @@ Json jsonOf(const DataInfo& info)
               {"name", info.name},
               {"format", info.format},
               {"description", info.description},
+              {"assumptions", info.assumptions},
               {"units", "1/sr"},
               {"isotropic", info.isotropic},
               {"has_function", info.function}};
@@ -154,6 +164,7 @@ std::string textOf(const DataInfo& info)
                                      {"values", info.function ? "for any pair" : "at samples only"},
                                      {"isotropic", info.isotropic ? "yes" : "not known to be"},
                                      {"reciprocity", reciprocityText(info)}});
+    if (!info.assumptions.empty()) text += assumptionsText(info.assumptions);
     if (info.sampled) text += samplesText(info);
     if (info.function) text += textOf(info.albedo);
     return text;

@@ -13,6 +13,7 @@ namespace fbrdf::tool {
 
 struct DataInfo {
     std::string name, format, description;
+    std::vector<std::string> assumptions;  ///< Source::assumptions
     bool isotropic = false, function = false, sampled = false;
     SampleReport report;
     uint64_t usable = 0;

@@ -39,7 +39,7 @@ PairRows takeHeader(LineBlocks& blocks, LineBlock& block)
     while (blocks.next(block)) {
         std::string_view rest = block.text;
         while (!rest.empty()) {
-            const std::string_view line = withoutByteOrderMark(takeLine(rest));
+            const std::string_view line = takeLine(rest);
             const size_t number = block.firstLine++;
             if (isSkipped(line)) continue;
             const PairRows rows(line, blocks.where(number));

@@ -136,6 +136,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
               {"measure", outcome.times.measure},
               {"write", writeSeconds}}},
             {"samples", samplesJson(outcome)},
+            {"assumptions", outcome.source.assumptions},
             {"errors", errorsJson(outcome)},
             {"smoothness", jsonOf(outcome.summary.smoothness)},
             {"solver", solverJson(outcome.summary.solver)},
@@ -217,6 +218,12 @@ std::string misfitText(const FitSummary& summary)
     return text;
 }
 
+std::string assumedText(const Source& source)
+{
+    if (source.assumptions.empty()) return "nothing: the source states all";
+    return fmt::format("{}", fmt::join(source.assumptions, "; "));
+}
+
 std::string coverageText(const FitSummary& summary)
 {
     return summary.coverage ? describe(*summary.coverage) : "a function: all directions";
@@ -232,6 +239,7 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                {{"form", material.form.name + ", " + withSeparators(materialBytes(material)) +
                              " bytes as " + storageText(material)},
                 {"samples", samplesText(outcome)},
+                {"assumed", assumedText(outcome.source)},
                 {"coverage", coverageText(outcome.summary)},
                 {"support", supportText(material)},
                 {"smoothness", smoothnessText(outcome.summary)},

@@ -51,6 +51,8 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
     notes[kFloorNote] = fmt::format("{} {} {}", floor.x, floor.y, floor.z);
     notes[kSmoothnessNote] = fmt::format("{}", summary.smoothness);
     if (!summary.misfits.empty()) notes[kMisfitNote] = describe(summary.misfits.front());
+    if (!outcome.source.assumptions.empty())
+        notes[kAssumedNote] = fmt::format("{}", fmt::join(outcome.source.assumptions, "; "));
     if (summary.coverage) notes[kCoverageNote] = fbrdf::describe(*summary.coverage);
     addErrors(material, kHeldOutPrefix, outcome.heldOut);
     addErrors(material, kAllPrefix, outcome.all);

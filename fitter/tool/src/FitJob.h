@@ -58,6 +58,6 @@ constexpr char kSourceNote[] = "source", kOptionsNote[] = "options", kGeneratorN
                kUsedNote[] = "samples used", kInvalidNote[] = "samples invalid",
                kBelowFloorNote[] = "values below floor", kFloorNote[] = "noise floor",
                kSmoothnessNote[] = "smoothness", kMisfitNote[] = "does not hold",
-               kCoverageNote[] = "coverage";
+               kCoverageNote[] = "coverage", kAssumedNote[] = "assumed";
 
 }  // namespace fbrdf::tool

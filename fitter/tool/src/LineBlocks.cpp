@@ -42,17 +42,19 @@ bool LineBlocks::mustWait() const
 
 bool LineBlocks::readMore(std::string& text)
 {
-    const size_t before = text.size();
-    text.resize(before + kReadBytes);
+    bytes_.resize(kReadBytes);
     ssize_t count = 0;
     do {
-        count = ::read(descriptor_, text.data() + before, kReadBytes);
+        count = ::read(descriptor_, bytes_.data(), kReadBytes);
     } while (count < 0 && errno == EINTR);
-    text.resize(before + static_cast<size_t>(std::max<ssize_t>(count, 0)));
     if (count < 0)
         throw Error(ErrorKind::input, name_,
                     std::string("cannot be read: ") + std::strerror(errno));
     bytesRead_ += static_cast<uint64_t>(count);
+    if (count > 0)
+        decoder_.append({bytes_.data(), static_cast<size_t>(count)}, text);
+    else
+        decoder_.finish(text);
     return count > 0;
 }
 

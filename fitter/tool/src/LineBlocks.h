@@ -1,5 +1,8 @@
-// LineBlocks.h - a file, a pipe or stdin as runs of whole lines, in constant memory.
+// LineBlocks.h - a file, a pipe or stdin as runs of whole lines of UTF-8 that end in "\n", in
+// constant memory.
 #pragma once
+#include <fbrdf/base/TextDecoder.h>
+
 #include <atomic>
 #include <cstdint>
 #include <string>
@@ -39,7 +42,9 @@ private:
     int descriptor_;
     uint64_t size_ = 0;
     std::atomic<uint64_t> bytesRead_{0};  // atomic, for the thread that shows progress
-    std::string rest_;                    // the beginning of a line whose end has not been read
+    std::string bytes_;                   // as read, before they are decoded
+    TextDecoder decoder_;
+    std::string rest_;  // the beginning of a line whose end has not been read
     size_t line_ = 1;
     bool ended_ = false;
 };

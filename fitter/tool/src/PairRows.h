@@ -1,6 +1,8 @@
 // PairRows.h - direction pairs as CSV: header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z in any order among any
-// further columns. Blank lines and lines that start with '#' are skipped.
+// further columns, separated and quoted by the rules of Fields.h. Blank lines and lines that start
+// with '#' are skipped.
 #pragma once
+#include <fbrdf/base/Fields.h>
 #include <fbrdf/brdf/Conventions.h>
 
 #include <array>
@@ -14,8 +16,6 @@ namespace fbrdf::tool {
 std::string_view takeLine(std::string_view& text);
 /// True for a blank line and for a comment.
 bool isSkipped(std::string_view line);
-/// The first line of a text, without the byte order mark that some editors put before it.
-std::string_view withoutByteOrderMark(std::string_view line);
 
 class PairRows {
 public:
@@ -26,6 +26,7 @@ public:
     std::string parse(std::string_view line, DirectionPair<double>& pair) const;
 
 private:
+    Separator separator_;
     std::vector<int> componentOfField_;  // 0..5, or -1 for a column that is not read
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
+#include <utility>
 
 namespace fbrdf::tool {
 namespace {
@@ -27,32 +27,36 @@ float squaredDistance(const Point& a, const Point& b)
     return sum;
 }
 
-// Points sorted into cells of the size of the largest distance, so that the nearest point lies in
-// one of the 81 cells around.
+// Points sorted into cells, so that the nearest point within the size of a cell lies in one of the
+// 81 cells around.
 class PointGrid {
 public:
-    explicit PointGrid(std::vector<Point> points) : points_(std::move(points))
+    PointGrid(const std::vector<Point>& points, float cellSize)
+        : points_(points), cellSize_(cellSize)
     {
-        for (size_t i = 0; i < points_.size(); ++i) cells_[keyOf(cellOf(points_[i]))].push_back(i);
+        entries_.reserve(points.size());
+        for (uint32_t i = 0; i < points.size(); ++i)
+            entries_.push_back({keyOf(cellOf(points[i])), i});
+        std::sort(entries_.begin(), entries_.end());
     }
 
-    /// Index of the nearest point within kSameDirection, or the number of points.
+    /// Index of the nearest point within the size of a cell, or the number of points. Of a cell
+    /// with more than kMostCompared points some are compared, evenly among them.
     size_t nearest(const Point& at) const
     {
         const Cell centre = cellOf(at);
         size_t best = points_.size();
-        float bound = kSameDirection * kSameDirection;
+        float bound = cellSize_ * cellSize_;
         for (int k = 0; k < 81; ++k) {
-            const Cell cell{centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1,
-                            centre[2] + k / 9 % 3 - 1, centre[3] + k / 27 - 1};
-            const auto found = cells_.find(keyOf(cell));
-            if (found == cells_.end()) continue;
-            for (const size_t i : found->second) {
-                const float distance = squaredDistance(points_[i], at);
-                if (distance < bound) {
-                    bound = distance;
-                    best = i;
-                }
+            const auto [begin, end] =
+                entriesOf({centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1,
+                           centre[2] + k / 9 % 3 - 1, centre[3] + k / 27 - 1});
+            const size_t step = (end - begin) / kMostCompared + 1;
+            for (size_t e = begin; e < end; e += step) {
+                const float distance = squaredDistance(points_[entries_[e].second], at);
+                if (distance >= bound) continue;
+                bound = distance;
+                best = entries_[e].second;
             }
         }
         return best;
@@ -60,23 +64,58 @@ public:
 
 private:
     using Cell = std::array<int, 4>;
+    static constexpr size_t kMostCompared = 256;
 
-    static Cell cellOf(const Point& p)
+    Cell cellOf(const Point& p) const
     {
         Cell cell;
         for (size_t i = 0; i < 4; ++i)
-            cell[i] = static_cast<int>(std::floor((p[i] + 2.0f) / kSameDirection));
+            cell[i] = static_cast<int>(std::floor((p[i] + 2.0f) / cellSize_));
         return cell;
     }
-    static uint32_t keyOf(const Cell& cell)  // coordinates are in (-2, 2): 115 cells an axis
+    static uint64_t keyOf(const Cell& cell)  // coordinates are in (-2, 2): far below 2^16 cells
     {
-        uint32_t key = 0;
-        for (const int c : cell) key = key << 8 | static_cast<uint32_t>(c);
+        uint64_t key = 0;
+        for (const int c : cell) key = key << 16 | static_cast<uint16_t>(c);
         return key;
     }
+    std::pair<size_t, size_t> entriesOf(const Cell& cell) const
+    {
+        const uint64_t key = keyOf(cell);
+        const auto begin = std::lower_bound(entries_.begin(), entries_.end(),
+                                            std::pair<uint64_t, uint32_t>(key, 0));
+        auto end = begin;
+        while (end != entries_.end() && end->first == key) ++end;
+        return {size_t(begin - entries_.begin()), size_t(end - entries_.begin())};
+    }
 
+    const std::vector<Point>& points_;
+    float cellSize_;
+    std::vector<std::pair<uint64_t, uint32_t>> entries_;  ///< key of the cell, index of the point
+};
+
+/// Grids from fine to coarse: the fine ones find near points where points are dense, as in a scan
+/// of a few degrees, and the coarse one finds those of a sparse set.
+class PointGrids {
+public:
+    explicit PointGrids(std::vector<Point> points) : points_(std::move(points))
+    {
+        for (const float divisor : {16.0f, 4.0f, 1.0f})
+            grids_.emplace_back(points_, kSameDirection / divisor);
+    }
+    /// Index of a point within kSameDirection that is about the nearest, or the number of points.
+    size_t nearest(const Point& at) const
+    {
+        for (const PointGrid& grid : grids_) {
+            const size_t found = grid.nearest(at);
+            if (found < points_.size()) return found;
+        }
+        return points_.size();
+    }
+
+private:
     std::vector<Point> points_;
-    std::unordered_map<uint32_t, std::vector<size_t>> cells_;
+    std::vector<PointGrid> grids_;
 };
 
 void addRatios(const Sample& a, const Sample& b, const Vec3f& floor, std::vector<double>& ratios)
@@ -115,10 +154,11 @@ SampleReciprocity sampleReciprocity(const std::vector<Sample>& samples, bool iso
 {
     std::vector<Point> points;
     for (const Sample& s : samples) points.push_back(pointOf(s.wo, s.wi, isotropic));
-    const PointGrid grid(std::move(points));
+    const PointGrids grid(std::move(points));
     SampleReciprocity result;
     std::vector<double> ratios;
-    for (size_t i = 0; i < samples.size(); ++i) {
+    const size_t step = samples.size() / kMostLookedUp + 1;
+    for (size_t i = 0; i < samples.size(); i += step, ++result.lookedUp) {
         const size_t j = grid.nearest(pointOf(samples[i].wi, samples[i].wo, isotropic));
         if (j == samples.size() || j == i) continue;
         ++result.pairs;
