@@ -31,7 +31,7 @@ std::string encoded(const std::string& extension, const PictureSamples& picture)
     return encodePicture(picture, *format, "picture" + extension);
 }
 
-Picture decoded(const std::string& extension, const std::string& bytes)
+DecodedPicture decoded(const std::string& extension, const std::string& bytes)
 {
     return decodePicture(bytes, pictureFormatOf("a" + extension)->name, "picture" + extension);
 }
@@ -58,7 +58,7 @@ TEST(PictureFile, EveryFormatOfTheTableReadsBackWhatWasWritten)
     const PictureSamples picture = gradient(1.0f);
     for (const std::string extension : kExtensions) {
         if (extension == ".hdr") continue;  // below
-        const Picture back = decoded(extension, encoded(extension, picture));
+        const DecodedPicture back = decoded(extension, encoded(extension, picture));
         EXPECT_EQ(back.width, 16) << extension;
         EXPECT_EQ(back.height, 16) << extension;
         ASSERT_GE(back.channels.size(), 3u) << extension;
@@ -78,7 +78,7 @@ TEST(PictureFile, EveryFormatOfTheTableReadsBackWhatWasWritten)
 TEST(PictureFile, HdrKeepsRadianceAboveWhite)
 {
     const PictureSamples picture = gradient(4000.0f);
-    const Picture back = decoded(".hdr", encoded(".hdr", picture));
+    const DecodedPicture back = decoded(".hdr", encoded(".hdr", picture));
     EXPECT_EQ(back.sampleType, "float");
     ASSERT_EQ(back.samples.size(), picture.samples.size());
     // Eight bits of mantissa, shared by the pixel: 1/256 of the largest channel, cut and not
@@ -149,7 +149,7 @@ TEST(PictureFile, DamagedBytesAreRefusedOrRead)
 TEST(PictureFile, TheCheckSeesTheHeaderAndItsErrorComesOut)
 {
     const std::string bytes = encoded(".hdr", gradient(1.0f));
-    const auto refuse = [](const Picture& picture) {
+    const auto refuse = [](const DecodedPicture& picture) {
         EXPECT_EQ(picture.width, 16);
         EXPECT_EQ(picture.sampleType, "float");
         EXPECT_TRUE(picture.samples.empty());

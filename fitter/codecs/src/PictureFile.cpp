@@ -45,7 +45,7 @@ struct Decoding {
     size_t fileSize;
     const std::string& where;
     const PictureCheck& check;
-    Picture picture;
+    DecodedPicture picture;
     std::exception_ptr refusal;  ///< why the picture was refused; null if it was not
 };
 
@@ -78,7 +78,7 @@ void fillPicture(const fbrdf_picture_found& found, Decoding& decoding)
                           " pixels of " + std::to_string(found.channels) + " channels in " +
                           std::to_string(decoding.fileSize) + " bytes")
                         .expected("up to 2^24 pixels and far fewer in a small file"));
-    Picture& picture = decoding.picture;
+    DecodedPicture& picture = decoding.picture;
     picture.width = found.width;
     picture.height = found.height;
     picture.channels = namesOf(found.channelNames);
@@ -140,8 +140,8 @@ std::string encodePicture(const PictureSamples& picture, const PictureFormat& fo
     return bytes;
 }
 
-Picture decodePicture(std::string_view bytes, const char* format, const std::string& where,
-                      const PictureCheck& check)
+DecodedPicture decodePicture(std::string_view bytes, const char* format, const std::string& where,
+                             const PictureCheck& check)
 {
     const fbrdf_picture_module& module = pictureModule(ErrorKind::input, where);
     Decoding decoding{bytes.size(), where, check, {}, nullptr};

@@ -124,7 +124,7 @@ std::array<std::string, 3> channelsOf(const InputFile& file, const Imf::Header& 
     return found;
 }
 
-ExrImage emptyImage(const InputFile& file, const Imath::Box2i& window)
+TableImage emptyImage(const InputFile& file, const Imath::Box2i& window)
 {
     const int64_t width = int64_t(window.max.x) - window.min.x + 1,
                   height = int64_t(window.max.y) - window.min.y + 1;
@@ -137,14 +137,14 @@ ExrImage emptyImage(const InputFile& file, const Imath::Box2i& window)
                          "found " + std::to_string(width) + " x " + std::to_string(height) +
                              " pixels in " + std::to_string(file.size()) +
                              " bytes, expected up to 2^24 pixels and far fewer in a small file");
-    ExrImage image;
+    TableImage image;
     image.width = size_t(width);
     image.height = size_t(height);
     image.pixels.resize(image.width * image.height);
     return image;
 }
 
-ExrImage readFirstPart(const InputFile& file)
+TableImage readFirstPart(const InputFile& file)
 {
     MemoryStream stream(file);
     Imf::InputFile input(stream, 0);  // no threads of OpenEXR's own
@@ -152,7 +152,7 @@ ExrImage readFirstPart(const InputFile& file)
     requireFlat(file, header);
     const Imath::Box2i window = header.dataWindow();
     const std::array<std::string, 3> channels = channelsOf(file, header);
-    ExrImage image = emptyImage(file, window);
+    TableImage image = emptyImage(file, window);
     image.layout = textOf(header, "fbrdf:layout");
     image.angles = textOf(header, "fbrdf:theta_i");
     Imf::FrameBuffer buffer;
@@ -175,7 +175,7 @@ bool isExr(const InputFile& file)
     return file.bytes().substr(0, kExrMagic.size()) == kExrMagic;
 }
 
-ExrImage readExrImage(const InputFile& file)
+TableImage readExrImage(const InputFile& file)
 {
     requireAttributesWithin(file);
     try {

@@ -9,7 +9,7 @@
 
 namespace fbrdf {
 
-struct ExrImage {
+struct TableImage {
     size_t width = 0, height = 0;
     std::vector<Vec3f> pixels;  ///< height x width, top line first; grey where there is one channel
     std::string layout, angles;  ///< attributes fbrdf:layout and fbrdf:theta_i, empty if missing
@@ -23,6 +23,6 @@ bool isExr(const InputFile& file);
 /// Channels R, G, B, alone or of one layer ("diffuse.R"), or a single channel. Throws Error(input)
 /// for other channels, deep images, more than 2^24 pixels, and images that would take far more
 /// memory than their file.
-ExrImage readExrImage(const InputFile& file);
+TableImage readExrImage(const InputFile& file);
 
 }  // namespace fbrdf

@@ -26,7 +26,7 @@
 namespace fbrdf {
 namespace {
 
-Source sourceOfSlice(const ExrImage& image)
+Source sourceOfSlice(const TableImage& image)
 {
     Source source;
     for (size_t y = 0; y < image.height; ++y)
@@ -41,7 +41,7 @@ Source sourceOfSlice(const ExrImage& image)
     return source;
 }
 
-std::vector<double> tileAngles(const InputFile& file, const ExrImage& image)
+std::vector<double> tileAngles(const InputFile& file, const TableImage& image)
 {
     std::vector<std::string_view> fields;
     splitFields(image.angles, ',', fields);
@@ -56,7 +56,7 @@ std::vector<double> tileAngles(const InputFile& file, const ExrImage& image)
     return angles;
 }
 
-Source sourceOfLatLong(const InputFile& file, const ExrImage& image)
+Source sourceOfLatLong(const InputFile& file, const TableImage& image)
 {
     const std::vector<double> angles = tileAngles(file, image);
     const size_t lines = image.height / angles.size();
@@ -74,7 +74,7 @@ Source sourceOfLatLong(const InputFile& file, const ExrImage& image)
     return source;
 }
 
-Source sourceOfUtia(const InputFile& file, ExrImage image)
+Source sourceOfUtia(const InputFile& file, TableImage image)
 {
     if (image.width != kUtiaSide || image.height != kUtiaSide)
         throw inputError(file, "found layout utia on " + std::to_string(image.width) + " x " +
@@ -82,7 +82,7 @@ Source sourceOfUtia(const InputFile& file, ExrImage image)
     return makeUtiaSource(std::move(image.pixels));
 }
 
-std::string layoutOf(const ExrImage& image)
+std::string layoutOf(const TableImage& image)
 {
     if (!image.layout.empty()) return image.layout;
     return image.width == kUtiaSide && image.height == kUtiaSide ? "utia" : "slice";
@@ -99,7 +99,7 @@ Source readExrTable(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     if (!isExrTable(file)) throw inputError(file, 0, "found no OpenEXR magic number, expected it");
-    ExrImage image = readExrImage(file);
+    TableImage image = readExrImage(file);
     const std::string layout = layoutOf(image);
     if (layout == "utia") return sourceOfUtia(file, std::move(image));
     if (layout != "slice" && layout != "latlong")

@@ -47,7 +47,7 @@ std::string encodePicture(const PictureSamples& picture, const PictureFormat& fo
                           const std::string& where);
 
 /// A picture that was read. Integer samples are in [0, 1]; no curve was undone.
-struct Picture {
+struct DecodedPicture {
     int width = 0, height = 0;
     std::vector<std::string> channels;  ///< names, "R", "G", "B"
     std::string colourSpace;            ///< "sRGB", "linear", ...; empty where none is declared
@@ -56,15 +56,15 @@ struct Picture {
 };
 
 /// Judges a picture by its header: `samples` is empty yet. Throws an Error to refuse it.
-using PictureCheck = std::function<void(const Picture&)>;
+using PictureCheck = std::function<void(const DecodedPicture&)>;
 
 /// The first image of a file of OpenImageIO's format `format` ("tiff", "hdr", ...). `check` is
 /// called before a sample is decoded, so that files of kinds that nobody asked for meet no decoder;
 /// what it throws leaves this function. Throws Error(input) naming `where` if the module cannot be
 /// loaded, the file is damaged, has more than 2^24 pixels, or would take far more memory than its
 /// bytes.
-Picture decodePicture(std::string_view bytes, const char* format, const std::string& where,
-                      const PictureCheck& check = {});
+DecodedPicture decodePicture(std::string_view bytes, const char* format, const std::string& where,
+                             const PictureCheck& check = {});
 
 /// Opens the module, before long work whose result needs it. Throws Error(kind) naming `where` and
 /// every path that was tried.
