@@ -12,6 +12,7 @@ constexpr Format kFormats[] = {
     {"rgl", " bsdf ", false, isRgl, readRgl},
     {"columns", " f32c ", false, isBinaryColumns, readBinaryColumns},
     {"exr", " exr ", false, isExrTable, readExrTable},
+    {"picture", " hdr tif tiff ", false, isPictureTable, readPictureTable},
     {"merl", " binary ", false, isMerl, readMerl},
     {"npf", "", true, isNpf, readNpf, npfRows},
     {"utia", " bin ", false, isUtia, readUtia},

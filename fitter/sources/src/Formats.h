@@ -68,5 +68,7 @@ bool isKlems(const InputFile& file);
 Source readKlems(const FileRequest& request);
 bool isExrTable(const InputFile& file);
 Source readExrTable(const FileRequest& request);
+bool isPictureTable(const InputFile& file);
+Source readPictureTable(const FileRequest& request);
 
 }  // namespace fbrdf

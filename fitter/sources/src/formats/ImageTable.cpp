@@ -1,0 +1,92 @@
+#include "formats/ImageTable.h"
+
+#include "formats/UtiaTable.h"
+#include "SampleRow.h"
+
+#include <fbrdf/base/Text.h>
+#include <fbrdf/brdf/HalfDifference.h>
+
+#include <cmath>
+
+namespace fbrdf {
+namespace {
+
+Source sourceOfSlice(const TableImage& image)
+{
+    Source source;
+    for (size_t y = 0; y < image.height; ++y)
+        for (size_t x = 0; x < image.width; ++x) {
+            const double theta_h = (double(x) + 0.5) / double(image.width) * kPi / 2;
+            const double theta_d = (1.0 - (double(y) + 0.5) / double(image.height)) * kPi / 2;
+            const DirectionPair<double> pair =
+                pairFromHalfDifference({theta_h, 0.0, theta_d, kPi / 2});
+            addUnitRow({pair.wo, pair.wi, Vec3d(image.at(x, y))}, source.samples, source.report);
+        }
+    source.description = "slice over theta_h and theta_d, linear RGB, 1/sr";
+    return source;
+}
+
+std::vector<double> tileAngles(const InputFile& file, const TableImage& image)
+{
+    std::vector<std::string_view> fields;
+    splitFields(image.angles, ',', fields);
+    std::vector<double> angles(fields.size());
+    for (size_t i = 0; i < fields.size(); ++i)
+        if (!parseNumber(fields[i], angles[i]))
+            throw inputError(file, "found fbrdf:theta_i " + inQuotes(image.angles) +
+                                       ", expected zenith angles in degrees");
+    if (image.height % angles.size() != 0)
+        throw inputError(file, "found " + std::to_string(image.height) + " lines, expected " +
+                                   std::to_string(angles.size()) + " tiles of equal height");
+    return angles;
+}
+
+Source sourceOfLatLong(const InputFile& file, const TableImage& image)
+{
+    const std::vector<double> angles = tileAngles(file, image);
+    const size_t lines = image.height / angles.size();
+    Source source;
+    for (size_t y = 0; y < image.height; ++y)
+        for (size_t x = 0; x < image.width; ++x) {
+            const double theta = (double(y % lines) + 0.5) / double(lines) * kPi / 2;
+            const double phi = (double(x) + 0.5) / double(image.width) * 2 * kPi;
+            addRow({directionFromAngles(theta, phi), directionFromDegrees(angles[y / lines], 0.0),
+                    Vec3d(image.at(x, y)), std::sin(theta)},
+                   source.samples, source.report);
+        }
+    source.description = "lat-long tables of " + std::to_string(angles.size()) +
+                         " incident angles, linear RGB, 1/sr";
+    return source;
+}
+
+Source sourceOfUtia(const InputFile& file, TableImage image)
+{
+    if (image.width != kUtiaSide || image.height != kUtiaSide)
+        throw inputError(file, "found layout utia on " + std::to_string(image.width) + " x " +
+                                   std::to_string(image.height) + " pixels, expected 288 x 288");
+    return makeUtiaSource(std::move(image.pixels));
+}
+
+std::string layoutOf(const TableImage& image)
+{
+    if (!image.layout.empty()) return image.layout;
+    return image.width == kUtiaSide && image.height == kUtiaSide ? "utia" : "slice";
+}
+
+}  // namespace
+
+Source sourceOfImage(const InputFile& file, TableImage image, const std::string& format)
+{
+    const std::string layout = layoutOf(image);
+    if (layout == "utia") return sourceOfUtia(file, std::move(image));
+    if (layout != "slice" && layout != "latlong")
+        throw inputError(
+            file, "found fbrdf:layout " + inQuotes(layout) + ", expected utia, slice or latlong");
+    Source source = layout == "slice" ? sourceOfSlice(image) : sourceOfLatLong(file, image);
+    source.description = format + " " + source.description;
+    source.isotropic = true;
+    requireSamples(source, file.path());
+    return source;
+}
+
+}  // namespace fbrdf
