@@ -61,6 +61,23 @@ TEST(OpenSource, TextOfNoFormatIsAnInputError)
     expectInputError(folder.write("letter.txt", "Dear reader,\nthis is not a BRDF.\n"), "letter");
 }
 
+TEST(OpenSource, AFileOfNoFormatIsDescribed)
+{
+    const TempFolder folder;
+    const std::string lightTools =
+        "# own\nSymmetry Isotropic\nAOI 0 30\nPOI 0\nSide Front\n0.1 0.1\n";
+    const std::string path = folder.write("a.bsdf", lightTools);
+    expectInputError(path, "text, 59 bytes that start with '# own'");
+    expectInputError(path, "resembles LightTools' BSDF");
+    expectInputError(path,
+                     "as .bsdf it could be rgl (binary that starts with tensor_file) or zemax");
+    expectInputError(folder.write("a.brdf", "Dear reader\n"), "as .brdf it could be cornell");
+    expectInputError(folder.write("a.dat", "a letter\n"), "as .dat it could be mit-aniso");
+    expectInputError(folder.write("a.csv", std::string("PK\x03\x04\0\0", 6)),
+                     "a spreadsheet (.xlsx)");
+    expectInputError(folder.write("a", "<html></html>"), "resembles a web page");
+}
+
 TEST(OpenSource, UnreadableFilesAreInputErrors)
 {
     const TempFolder folder;

@@ -52,7 +52,7 @@ void expectSlice(const Source& source, double relative)
 {
     EXPECT_EQ(source.format, "picture");
     EXPECT_TRUE(source.isotropic);
-    EXPECT_EQ(source.assumptions.size(), 1u);
+    EXPECT_EQ(source.assumptions.size(), 2u);
     ASSERT_EQ(source.samples.size(), 80u);
     expectSound(source);
     for (const Sample& s : source.samples) {

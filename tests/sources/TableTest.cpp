@@ -49,9 +49,10 @@ using Pixel = std::function<float(int x, int y, int channel)>;
 /// Writes an OpenEXR image with the given string attributes.
 std::string writeExr(const TempFolder& folder, int width, int height, int channels,
                      const Pixel& pixel, const std::string& layout = "",
-                     const std::string& angles = "")
+                     const std::string& angles = "", const std::vector<std::string>& names = {})
 {
     OIIO::ImageSpec spec(width, height, channels, OIIO::TypeFloat);
+    if (!names.empty()) spec.channelnames = names;
     if (!layout.empty()) spec.attribute("fbrdf:layout", layout);
     if (!angles.empty()) spec.attribute("fbrdf:theta_i", angles);
     std::vector<float> pixels;
@@ -178,6 +179,35 @@ TEST(ExrTable, LatLongTilesAreViewHemispheres)
     EXPECT_FLOAT_EQ(s.weight, float(std::sin(1.5 / 4 * 90 * kDegree)));
 }
 
+TEST(ExrTable, ChannelsAreToldByName)
+{
+    const TempFolder folder;
+    const auto colourOf = [&](const std::vector<std::string>& names,
+                              const std::vector<float>& values) {
+        const auto pixel = [&](int, int, int c) { return values[size_t(c)]; };
+        return openSource(writeExr(folder, 4, 4, int(names.size()), pixel, "", "", names))
+            .samples.at(0)
+            .f;
+    };
+    const std::vector<float> d65 = {0.3f * 0.95047f, 0.3f, 0.3f * 1.08883f};
+    for (const std::string& layer : {std::string(), std::string("utia."), std::string("a.b.")}) {
+        const Vec3f white = colourOf({layer + "X", layer + "Y", layer + "Z"}, d65);
+        EXPECT_LT(glm::length(white - Vec3f(0.3f)), 1e-3f) << layer;
+        EXPECT_EQ(colourOf({layer + "R", layer + "G", layer + "B"}, {0.1f, 0.2f, 0.3f}),
+                  Vec3f(0.1f, 0.2f, 0.3f));
+    }
+    EXPECT_EQ(colourOf({"B", "R", "G", "A"}, {0.3f, 0.1f, 0.2f, 1.0f}), Vec3f(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(colourOf({"red", "green", "blue", "Z"}, {0.1f, 0.2f, 0.3f, 9.0f}),
+              Vec3f(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(colourOf({"Y", "A"}, {0.25f, 1.0f}), Vec3f(0.25f));
+    // Channels of two layers make no colour.
+    const auto one = [](int, int, int) { return 1.0f; };
+    expectInputError(writeExr(folder, 4, 4, 3, one, "", "", {"a.R", "a.G", "b.B"}),
+                     "found the channels a.G, a.R, b.B");
+    expectInputError(writeExr(folder, 4, 4, 3, one, "", "", {"RY", "Y", "BY"}),
+                     "found the channels");
+}
+
 TEST(ExrTable, RefusesLayoutsThatDoNotFit)
 {
     const TempFolder folder;
@@ -189,7 +219,7 @@ TEST(ExrTable, RefusesLayoutsThatDoNotFit)
     expectInputError(writeExr(folder, 4, 4, 3, one, "latlong", "0,1,2"), "3 tiles");
     expectInputError(writeExr(folder, 4, 4, 3, one, "latlong", "90,95,100,110"),
                      "no usable sample");
-    expectInputError(writeExr(folder, 4, 4, 2, one), "2 channels");
+    expectInputError(writeExr(folder, 4, 4, 2, one), "found the channels");
     expectInputError(writeExr(folder, 4, 4, 3, [](int, int, int) { return NAN; }),
                      "no usable sample");
 }

@@ -64,13 +64,30 @@ TEST(Zemax, TristimulusBlocksBecomeColours)
     EXPECT_LT(glm::length(source.samples[3].f - Vec3f(2.0f)), 1e-4f);
 }
 
+TEST(Zemax, TheNamesOfBlocksDecideAndCaseDoesNot)
+{
+    const auto component = [](const char* name, double value) {
+        const std::string v = std::to_string(value) + " ";
+        return std::string(name) + "\nDATABEGIN\ntis 1\n" + v + v + v + v + "\ndataend\n";
+    };
+    const Source source =
+        read(zemax(component("tristimulusY", 2.0) + component("TRISTIMULUS Z", 2 * 1.08883) +
+                       component("TristimulusX", 2 * 0.95047),
+                   "xyz", "brdf"));
+    EXPECT_LT(glm::length(source.samples.at(3).f - Vec3f(2.0f)), 1e-4f);
+    const std::string x = component("TristimulusX", 1.0), y = component("TristimulusY", 1.0);
+    expectRefused(zemax(x + x + y, "XYZ"), "found a block of data twice");
+    expectRefused(zemax(x + y + component("TristimulusW", 1.0), "XYZ"), "found Tristimulus 'w'");
+    expectRefused(zemax(x + y + x.substr(x.find('\n') + 1), "XYZ"), "found data without a name");
+}
+
 TEST(Zemax, RefusesTransmissionAndWhatDoesNotAddUp)
 {
     expectRefused(zemax(kBlock, "Monochrome", "BTDF"), "found a BTDF");
     expectRefused(zemax(kBlock, "Spectral"), "found 'Spectral', expected Monochrome or XYZ");
     expectRefused(zemax(kBlock, "XYZ"), "found 1 blocks of data, expected 3");
     expectRefused(zemax(""), "found 0 blocks");
-    expectRefused(zemax(kBlock + kBlock), "found 2 blocks");
+    expectRefused(zemax(kBlock + kBlock), "found a block of data twice");
     expectRefused(zemax("Monochrome\nDataBegin\nTIS 0.1\n1 2 3\nDataEnd\n"),
                   "found 3 values, expected 4");
     expectRefused(zemax("Monochrome\nDataBegin\nTIS 0.1\n1 2 3 4\n"), "end of the file");
@@ -78,7 +95,7 @@ TEST(Zemax, RefusesTransmissionAndWhatDoesNotAddUp)
     expectRefused("ScatterType BRDF\nDataBegin\n1\nDataEnd\n", "all four lists");
     expectRefused("ScatterType BRDF\nSampleRotation 999999999\n", "expected a count");
     expectRefused("ScatterType BRDF\nSampleRotation -1\n0\n", "expected a count");
-    expectRefused("ScatterType BRDF\nNonsense\n", "found 'Nonsense'");
+    expectRefused("ScatterType BRDF\nNonsense\n", "found 'nonsense'");
 }
 
 TEST(Zemax, NotFiniteAndBelowTheHorizonIsCounted)

@@ -1,73 +1,93 @@
 #include "Formats.h"
 
-#include <cctype>
-#include <cstdio>
+#include "UnknownFormat.h"
+
+#include <fbrdf/base/Text.h>
 
 namespace fbrdf {
 namespace {
 
-/// In the order in which they are tried: a beginning that nothing else has, then a size that
-/// nothing else has, then text with marks of its own, and last what is only columns of numbers.
-constexpr Format kFormats[] = {
-    {"rgl", " bsdf ", false, isRgl, readRgl},
-    {"columns", " f32c ", false, isBinaryColumns, readBinaryColumns},
-    {"exr", " exr ", false, isExrTable, readExrTable},
-    {"picture", " hdr tif tiff ", false, isPictureTable, readPictureTable},
-    {"merl", " binary ", false, isMerl, readMerl},
-    {"npf", "", true, isNpf, readNpf, npfRows},
-    {"utia", " bin ", false, isUtia, readUtia},
-    {"nbrdf", " f32 ", true, isNbrdf, readNbrdf, nbrdfRows},
-    {"klems", " xml ", true, isKlems, readKlems},
-    {"fred", "", false, isFred, readFred},
-    {"zemax", "", false, isZemax, readZemax},
-    {"alta", " alta dat ", false, isAlta, readAlta},
-    {"astm", " astm ", true, isAstm, readAstm},
-    {"lumos", "", false, isLumos, readLumos},
-    {"csv", " csv ", false, isCsv, readCsv},
-    {"rt300s", "", false, isRt300s, readRt300s},
-    {"nist", "", true, isNist, readNist},
-    {"cornell", " brdf ", true, isCornell, readCornell},
-    {"scattered", "", false, isScattered, readScattered},
-};
-
-bool hasExtension(const Format& format, const std::string& extension)
+bool isText(const InputFile& file)
 {
-    return !extension.empty() &&
-           std::string(format.extensions).find(" " + extension + " ") != std::string::npos;
+    return looksLikeText(file.bytes());
 }
 
-std::string firstBytes(std::string_view bytes)
+bool isBinary(const InputFile& file)
 {
-    std::string text;
-    for (const char c : bytes.substr(0, 8)) {
-        char hex[8];
-        std::snprintf(hex, sizeof hex, text.empty() ? "%02x" : " %02x",
-                      unsigned(static_cast<unsigned char>(c)));
-        text += hex;
-    }
-    return text;
+    return !isText(file);
 }
 
-std::string formatNames()
+bool startsWithMark(const InputFile& file)
 {
-    std::string names;
-    for (const Format& format : kFormats)
-        names += std::string(names.empty() ? "" : ", ") + format.name;
-    return names;
+    return isText(file) && trimmed(file.bytes()).substr(0, 1) == "#";
+}
+
+bool startsWithTag(const InputFile& file)
+{
+    return isText(file) && trimmed(file.bytes()).substr(0, 1) == "<";
+}
+
+/// True for text whose first word is a whole number.
+bool startsWithCount(const InputFile& file)
+{
+    WordReader words(file.bytes());
+    std::string_view word;
+    long long count = 0;
+    return isText(file) && words.next(word) && parseInteger(word, count);
 }
 
 }  // namespace
 
+const std::vector<Format>& formats()
+{
+    // A beginning that nothing else has comes first, then a size that nothing else has, then text
+    // with marks of its own, and last what is only columns of numbers.
+    static const std::vector<Format> all = {
+        {"rgl", " bsdf ", "binary that starts with tensor_file", false, isRgl, readRgl, isBinary},
+        {"columns", " f32c ", "a first line 'fbrdf-columns 1'", false, isBinaryColumns,
+         readBinaryColumns, isBinary},
+        {"exr", " exr ", "OpenEXR", false, isExrTable, readExrTable, isBinary},
+        {"picture", " hdr tif tiff ", "TIFF or Radiance HDR", false, isPictureTable,
+         readPictureTable, isBinary},
+        {"mit-aniso", " dat ", "binary of 16 int32 and planes of float32", false, isMitAniso,
+         readMitAniso, isBinary},
+        {"merl", " binary ", "binary of 90 x 90 x 180 x 3 float64", false, isMerl, readMerl,
+         isBinary},
+        {"npf", "", "binary of 256 x 512 x 3 float32", true, isNpf, readNpf, nullptr, npfRows},
+        {"utia", " bin ", "binary of 288 x 288 x 3 float64", false, isUtia, readUtia, isBinary},
+        {"nbrdf", " f32 ", "binary of 675 float32 a material", true, isNbrdf, readNbrdf, isBinary,
+         nbrdfRows},
+        {"klems", " xml ", "XML with a WindowElement", true, isKlems, readKlems, startsWithTag},
+        {"fred", "", "text with 'type bsdf_data'", false, isFred, readFred, nullptr},
+        {"zemax", " bsdf ", "text with SpectralContent and ScatterType", false, isZemax, readZemax,
+         nullptr},
+        {"alta", " alta dat ", "lines #DIM, #PARAM_IN and #PARAM_OUT", false, isAlta, readAlta,
+         startsWithMark},
+        {"astm", " astm ", "text with a line VARS", true, isAstm, readAstm, isText},
+        {"lumos", "", "a comment 'phi_i theta_i phi_o theta_o brdf'", false, isLumos, readLumos,
+         nullptr},
+        {"csv", " csv ", "text with a header that names the columns", false, isCsv, readCsv,
+         isText},
+        {"rt300s", "", "columns stage_deg, theta_i_deg, A_deg, R_deg, brdf", false, isRt300s,
+         readRt300s, nullptr},
+        {"nist", "", "columns lambda, thetai, phi, thetar, phir, f_r", true, isNist, readNist,
+         nullptr},
+        {"cornell", " brdf ", "text that starts with the number of wavelengths", true, isCornell,
+         readCornell, startsWithCount},
+        {"scattered", "", "text with 7 or 9 numbers a row", false, isScattered, readScattered,
+         nullptr},
+    };
+    return all;
+}
+
 const Format& formatOf(const InputFile& file)
 {
-    for (const Format& format : kFormats)
+    for (const Format& format : formats())
         if (format.recognises(file)) return format;
-    const std::string extension = file.extension();
-    for (const Format& format : kFormats)
-        if (hasExtension(format, extension)) return format;
-    throw inputError(file, "found an unknown format (" + std::to_string(file.size()) +
-                               " bytes that start with " + firstBytes(file.bytes()) +
-                               "), expected one of " + formatNames() + ", or a material");
+    for (const Format& format : formats())
+        if (hasExtension(format, file.extension()) && format.resembles && format.resembles(file))
+            return format;
+    throw unknownFormat(file);
 }
 
 }  // namespace fbrdf

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace fbrdf {
 
@@ -18,14 +19,21 @@ struct FileRequest {
 };
 
 struct Format {
-    const char* name;        ///< as in Source::format
-    const char* extensions;  ///< tried when no content is recognised: " csv txt "; "" for none
-    bool takesChoice;        ///< FILE@choice or FILE#choice means something
+    const char* name;                           ///< as in Source::format
+    const char* extensions;                     ///< of such files: " csv txt "; "" for none
+    const char* sign;                           ///< by what the content is recognised, in words
+    bool takesChoice;                           ///< FILE@choice or FILE#choice means something
     bool (*recognises)(const InputFile& file);  ///< by content alone
     Source (*read)(const FileRequest& request);
+    /// True for content that might be meant as this format though it is not recognised: the reader
+    /// of the extension then tells what is wrong with it. Null for never.
+    bool (*resembles)(const InputFile& file);
     /// Materials in a collection, each a row; null for a file that is one data set.
     size_t (*rows)(const InputFile& file) = nullptr;
 };
+
+/// All formats, in the order in which they are tried.
+const std::vector<Format>& formats();
 
 /// The format of a file. Throws Error(input) when there is none.
 const Format& formatOf(const InputFile& file);
@@ -58,6 +66,8 @@ bool isZemax(const InputFile& file);
 Source readZemax(const FileRequest& request);
 bool isAlta(const InputFile& file);
 Source readAlta(const FileRequest& request);
+bool isMitAniso(const InputFile& file);
+Source readMitAniso(const FileRequest& request);
 bool isAstm(const InputFile& file);
 Source readAstm(const FileRequest& request);
 bool isScattered(const InputFile& file);

@@ -1,84 +1,25 @@
-// Alta.cpp - text data of the ALTA library (Belcour, Barla, Pacanowski: "ALTA: a BRDF analysis
-// library", MAM 2014).
-// Header lines "#KEY value": #DIM nX nY, #PARAM_IN and #PARAM_OUT name the columns, #VS how
-// many columns of confidence follow (not read); other keys are for people. Then one row a sample:
-// nX coordinates, nY values, radians, white space. L is the light (wi), V the view (wo), both away
-// from the surface; h and d are Rusinkiewicz' half and difference vectors, where ALTA's d is that
-// of V.
-//   PARAM_IN   COS_TH; COS_TH_TD; RUSIN_TH_TD (phi_d = pi/2); RUSIN_TH_TD_PD (phi_h = 0);
-//              RUSIN_TH_PH_TD_PD; SPHERICAL_TL_PL_TV_PV; ISOTROPIC_TV_TL_DPHI (V at azimuth 0, L at
-//              dphi); ISOTROPIC_TV_PROJ_DPHI and ISOTROPIC_TL_TV_PROJ_DPHI (theta_V cos dphi,
-//              theta_V sin dphi with L at azimuth 0, so dphi = 0 is RETRO-reflection and pi the
-//              mirror); CARTESIAN (V, then L)
-//   PARAM_OUT  INV_STERADIAN (1/sr), INV_STERADIAN_COSINE_FACTOR (times cos theta_V, divided out
-//              here), RGB_COLOR (linear), XYZ_COLOR (to linear sRGB)
-// This follows the documentation of ALTA's `params` class. A file that does not declare both is
-// refused: a cosine is not to be guessed.
+// Alta.cpp - data of the ALTA library, as text and binary (Belcour, Barla, Pacanowski: "ALTA: a
+// BRDF analysis library", MAM 2014). Header lines "#KEY value": #DIM nX nY; #PARAM_IN names the
+// coordinates (AltaInputs.h), L is the light (wi) and V the view (wo), both away from the surface;
+// #PARAM_OUT the values: INV_STERADIAN (1/sr), INV_STERADIAN_COSINE_FACTOR (times cos theta_V,
+// divided out here), RGB_COLOR (linear), XYZ_COLOR (to linear sRGB). A file that does not declare
+// both is refused: a cosine is not to be guessed. #VS tells how many columns of confidence follow,
+// which are not read. Text has one row a sample. With "#FORMAT binary" there are #SAMPLE_COUNT rows
+// after the line #ALTA_END_HEADER, each of nX + nY numbers and perhaps more, in the #ENDIAN
+// "little" or "big" and the #PRECISION "ieee754-double" or "ieee754-single". This follows the
+// documentation of ALTA and its reader.
 #include "Formats.h"
+#include "formats/AltaInputs.h"
 #include "NumberRows.h"
-
-#include <fbrdf/brdf/HalfDifference.h>
-#include <fbrdf/sources/Spectrum.h>
+#include "Tristimulus.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 namespace fbrdf {
 namespace {
-
-using Pair = DirectionPair<double>;
-
-/// One input parameterisation: its name, its coordinates, and the pair they stand for.
-struct Parameterisation {
-    const char* name;
-    size_t dimension;
-    bool isotropic;
-    Pair (*pair)(const double* x);
-};
-
-/// ALTA's difference vector is the view's, Rusinkiewicz' the light's.
-Pair fromHalf(double theta_h, double phi_h, double theta_d, double phi_d)
-{
-    const Pair pair = pairFromHalfDifference({theta_h, phi_h, theta_d, phi_d});
-    return {pair.wi, pair.wo};
-}
-
-/// Zenith angle and azimuth as a point of the plane: (theta cos phi, theta sin phi).
-Vec3d fromProjected(double x, double y)
-{
-    return directionFromAngles(std::hypot(x, y), std::atan2(y, x));
-}
-
-constexpr Parameterisation kInputs[] = {
-    {"COS_TH", 1, true, [](const double* x) { return fromHalf(std::acos(x[0]), 0, 0, 0); }},
-    {"COS_TH_TD", 2, true,
-     [](const double* x) { return fromHalf(std::acos(x[0]), 0, std::acos(x[1]), 0); }},
-    {"RUSIN_TH_TD", 2, true, [](const double* x) { return fromHalf(x[0], 0, x[1], kPi / 2); }},
-    {"RUSIN_TH_TD_PD", 3, true, [](const double* x) { return fromHalf(x[0], 0, x[1], x[2]); }},
-    {"RUSIN_TH_PH_TD_PD", 4, false,
-     [](const double* x) { return fromHalf(x[0], x[1], x[2], x[3]); }},
-    {"SPHERICAL_TL_PL_TV_PV", 4, false,
-     [](const double* x) {
-         return Pair{directionFromAngles(x[2], x[3]), directionFromAngles(x[0], x[1])};
-     }},
-    {"ISOTROPIC_TV_TL_DPHI", 3, true,
-     [](const double* x) {
-         return Pair{directionFromAngles(x[0], 0), directionFromAngles(x[1], x[2])};
-     }},
-    {"ISOTROPIC_TV_PROJ_DPHI", 2, true,
-     [](const double* x) {
-         return Pair{fromProjected(x[0], x[1]), Vec3d(0, 0, 1)};
-     }},
-    {"ISOTROPIC_TL_TV_PROJ_DPHI", 3, true,
-     [](const double* x) {
-         return Pair{fromProjected(x[1], x[2]), directionFromAngles(x[0], 0)};
-     }},
-    {"CARTESIAN", 6, false,
-     [](const double* x) {
-         return Pair{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
-     }},
-};
 
 enum class Output { inverseSteradian, withCosine, rgb, xyz };
 const std::map<std::string, Output> kOutputs = {
@@ -89,45 +30,65 @@ const std::map<std::string, Output> kOutputs = {
 };
 
 struct AltaLayout {
-    const Parameterisation* input = nullptr;
+    const AltaInput* input = nullptr;
     Output output = Output::inverseSteradian;
     size_t values = 1;  ///< 1 or 3
+
+    size_t columns() const { return input->dimension + values; }
 };
 
-using Header = std::map<std::string, std::vector<std::string>>;
+struct AltaHeader {
+    std::map<std::string, std::vector<std::string>> lines;
+    size_t end = 0;  ///< byte after the line that ends the header; 0 where none does
 
-Header readHeader(std::string_view text)
+    /// First word after a key, empty where there is none.
+    std::string first(const std::string& key) const
+    {
+        const auto found = lines.find(key);
+        return found == lines.end() || found->second.empty() ? "" : found->second.front();
+    }
+};
+
+bool endsHeader(std::string_view key)
 {
-    Header header;
-    LineReader lines(text);
-    std::string_view line;
+    return key == "ALTA_END_HEADER" || key == "ALTA_HEADER_END";
+}
+
+/// Reads the lines that start with '#', blank ones among them.
+AltaHeader readHeader(std::string_view text)
+{
+    constexpr size_t kLongestLine = 4096;
+    AltaHeader header;
     std::vector<std::string_view> words;
-    while (lines.next(line)) {
-        if (trimmed(line).empty()) continue;
-        if (line.front() != '#') break;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = text.substr(at, kLongestLine).find_first_of("\r\n");
+        const std::string_view line = trimmed(text.substr(at, end));
+        if (!line.empty() && line.front() != '#') break;
+        at = end == std::string_view::npos ? text.size() : at + end + 1;
+        if (line.empty() || !looksLikeText(line)) continue;
         splitWords(line.substr(1), words);
-        if (!words.empty())
-            header[std::string(words[0])] =
-                std::vector<std::string>(words.begin() + 1, words.end());
+        if (words.empty()) continue;
+        header.lines[std::string(words[0])] = {words.begin() + 1, words.end()};
+        if (!endsHeader(words[0])) continue;
+        if (text.substr(at - 1, 2) == "\r\n") ++at;
+        header.end = at;
+        break;
     }
     return header;
 }
 
-std::string firstOf(const InputFile& file, const Header& header, const std::string& key)
+std::string requireFirst(const InputFile& file, const AltaHeader& header, const std::string& key)
 {
-    const auto found = header.find(key);
-    if (found == header.end() || found->second.empty())
+    const std::string word = header.first(key);
+    if (word.empty())
         throw inputError(file, "found no #" + key + ", expected it: nothing is guessed");
-    return found->second.front();
+    return word;
 }
 
-const Parameterisation& inputNamed(const InputFile& file, const std::string& name)
+const AltaInput& inputNamed(const InputFile& file, const std::string& name)
 {
     std::string known;
-    for (const Parameterisation& input : kInputs) {
-        if (name == input.name) return input;
-        known += std::string(known.empty() ? "" : ", ") + input.name;
-    }
+    if (const AltaInput* input = altaInputNamed(name, known)) return *input;
     throw inputError(file, "found #PARAM_IN " + inQuotes(name) + ", expected one of " + known);
 }
 
@@ -141,13 +102,13 @@ Output outputNamed(const InputFile& file, const std::string& name)
     return found->second;
 }
 
-AltaLayout layoutOf(const InputFile& file, const Header& header)
+AltaLayout layoutOf(const InputFile& file, const AltaHeader& header)
 {
     AltaLayout layout;
-    layout.input = &inputNamed(file, firstOf(file, header, "PARAM_IN"));
-    layout.output = outputNamed(file, firstOf(file, header, "PARAM_OUT"));
-    firstOf(file, header, "DIM");
-    const std::vector<std::string>& dimensions = header.at("DIM");
+    layout.input = &inputNamed(file, requireFirst(file, header, "PARAM_IN"));
+    layout.output = outputNamed(file, requireFirst(file, header, "PARAM_OUT"));
+    requireFirst(file, header, "DIM");
+    const std::vector<std::string>& dimensions = header.lines.at("DIM");
     long long x = 0, y = 0;
     const bool read =
         dimensions.size() == 2 && parseInteger(dimensions[0], x) && parseInteger(dimensions[1], y);
@@ -164,45 +125,140 @@ AltaLayout layoutOf(const InputFile& file, const Header& header)
 
 SampleRow rowOf(const AltaLayout& layout, const std::vector<double>& numbers)
 {
-    const Pair pair = layout.input->pair(numbers.data());
+    const DirectionPair<double> pair = layout.input->pair(numbers.data());
     const double* y = numbers.data() + layout.input->dimension;
     Vec3d f = layout.values == 3 ? Vec3d(y[0], y[1], y[2]) : Vec3d(y[0]);
-    if (layout.output == Output::xyz) f = linearSrgbFromXyz(f);
+    if (layout.output == Output::xyz) f = linearSrgbFromXyz(f, XyzWhite::d65);
     if (layout.output == Output::withCosine)
         f *= glm::length(pair.wo) / std::max(pair.wo.z, kHorizonCosine);
     return {pair.wo, pair.wi, f};
+}
+
+void readText(const InputFile& file, const AltaLayout& layout, Source& source)
+{
+    LineReader lines(file.bytes());
+    std::string_view line;
+    std::vector<std::string_view> words;
+    std::vector<double> numbers;
+    while (lines.nextData(line)) {
+        splitNumbers(line, words);
+        if (words.size() < layout.columns())
+            throw lineError(file, lines.number(),
+                            "found " + std::to_string(words.size()) +
+                                " numbers, expected at least " + std::to_string(layout.columns()));
+        parseNumbers(file, lines.number(), words, numbers);
+        addRow(rowOf(layout, numbers), source.samples, source.report);
+    }
+}
+
+/// How the numbers of a binary file are stored.
+struct NumberFormat {
+    size_t bytes = 8;
+    bool big = false;
+};
+
+NumberFormat numberFormat(const InputFile& file, const AltaHeader& header)
+{
+    const std::string precision = lowerCase(header.first("PRECISION"));
+    const std::string endian = lowerCase(header.first("ENDIAN"));
+    NumberFormat format;
+    if (precision == "ieee754-single" || precision == "ieee754-float")
+        format.bytes = 4;
+    else if (precision != "ieee754-double")
+        throw inputError(file, "found #PRECISION " + inQuotes(precision) +
+                                   ", expected ieee754-double or ieee754-single");
+    if (endian != "little" && endian != "big")
+        throw inputError(file, "found #ENDIAN " + inQuotes(endian) + ", expected little or big");
+    format.big = endian == "big";
+    return format;
+}
+
+double numberAt(const char* at, const NumberFormat& format)
+{
+    char raw[8];
+    std::memcpy(raw, at, format.bytes);
+    if (format.big) std::reverse(raw, raw + format.bytes);  // our machines are little endian
+    if (format.bytes == 4) {
+        float value = 0.0f;
+        std::memcpy(&value, raw, sizeof value);
+        return double(value);
+    }
+    double value = 0.0;
+    std::memcpy(&value, raw, sizeof value);
+    return value;
+}
+
+/// Numbers in each row, of which the layout needs the first.
+size_t columnsOf(const InputFile& file, const AltaHeader& header, const AltaLayout& layout,
+                 const NumberFormat& format)
+{
+    const std::string text = requireFirst(file, header, "SAMPLE_COUNT");
+    long long rows = 0;
+    if (!parseInteger(text, rows) || rows < 1)
+        throw inputError(file, "found #SAMPLE_COUNT " + inQuotes(text) + ", expected at least 1");
+    const size_t numbers = (file.size() - header.end) / format.bytes;
+    const size_t columns = numbers / static_cast<size_t>(rows);
+    const bool whole =
+        columns * static_cast<size_t>(rows) * format.bytes == file.size() - header.end;
+    if (!whole || columns < layout.columns())
+        throw inputError(file, header.end,
+                         "found " + std::to_string(file.size() - header.end) +
+                             " bytes of data, expected " + text + " rows of at least " +
+                             std::to_string(layout.columns() * format.bytes) + " bytes");
+    return columns;
+}
+
+void readBinary(const InputFile& file, const AltaHeader& header, const AltaLayout& layout,
+                Source& source)
+{
+    if (header.end == 0)
+        throw inputError(file, "found no line #ALTA_END_HEADER, expected it before binary data");
+    const NumberFormat format = numberFormat(file, header);
+    const size_t columns = columnsOf(file, header, layout, format);
+    std::vector<double> numbers(layout.columns());
+    for (size_t at = header.end; at < file.size(); at += columns * format.bytes) {
+        for (size_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = numberAt(file.bytes().data() + at + i * format.bytes, format);
+        addRow(rowOf(layout, numbers), source.samples, source.report);
+    }
+}
+
+void noteAssumptions(const AltaLayout& layout, Source& source)
+{
+    if (layout.output == Output::xyz) source.assumptions.push_back(describeWhite(XyzWhite::d65));
+    if (layout.values == 1) source.assumptions.emplace_back("one channel as grey");
+    if (layout.input->isotropic)
+        source.assumptions.emplace_back("isotropic, as the coordinates have no azimuth");
+    if (layout.input->dimension < 3)
+        source.assumptions.emplace_back(
+            "light and view in one plane, as the coordinates leave open");
 }
 
 }  // namespace
 
 bool isAlta(const InputFile& file)
 {
-    if (!looksLikeText(file.bytes())) return false;
-    return readHeader(file.bytes()).count("DIM") != 0;
+    const std::string_view bytes = file.bytes();
+    if (!looksLikeText(bytes.substr(0, 64))) return false;
+    return readHeader(bytes).lines.count("DIM") != 0;
 }
 
 Source readAlta(const FileRequest& request)
 {
     const InputFile& file = *request.file;
-    const AltaLayout layout = layoutOf(file, readHeader(file.bytes()));
-    const size_t least = layout.input->dimension + layout.values;
-    LineReader lines(file.bytes());
+    const AltaHeader header = readHeader(file.bytes());
+    const AltaLayout layout = layoutOf(file, header);
+    const bool binary = lowerCase(header.first("FORMAT")) == "binary";
     Source source;
-    std::string_view line;
-    std::vector<std::string_view> words;
-    std::vector<double> numbers;
-    while (lines.nextData(line)) {
-        splitNumbers(line, words);
-        if (words.size() < least)
-            throw lineError(file, lines.number(),
-                            "found " + std::to_string(words.size()) +
-                                " numbers, expected at least " + std::to_string(least));
-        parseNumbers(file, lines.number(), words, numbers);
-        addRow(rowOf(layout, numbers), source.samples, source.report);
-    }
+    if (binary)
+        readBinary(file, header, layout, source);
+    else
+        readText(file, layout, source);
     source.isotropic = layout.input->isotropic;
-    source.description = std::string("ALTA data, ") + layout.input->name +
+    source.description = std::string(binary ? "binary ALTA data, " : "ALTA data, ") +
+                         layout.input->name +
                          (layout.values == 3 ? ", three channels" : ", one channel") + ", 1/sr";
+    noteAssumptions(layout, source);
     requireSamples(source, file.path());
     return source;
 }

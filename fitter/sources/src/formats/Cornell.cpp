@@ -18,7 +18,7 @@ namespace fbrdf {
 namespace {
 
 constexpr long long kMostWavelengths = 4096;
-constexpr size_t kAngleColumns = 4;
+constexpr size_t kAngleNumbers = 4;
 
 /// The number of wavelengths when the text starts with one, else 0.
 long long wavelengthCount(WordReader& words)
@@ -106,9 +106,9 @@ Source readCornell(const FileRequest& request)
     WordReader words(file.bytes());
     BandColour colour(request, readWavelengths(file, words));
     AngleRows rows;
-    std::vector<double> record(kAngleColumns + colour.bands());
+    std::vector<double> record(kAngleNumbers + colour.bands());
     while (readRecord(file, words, record))
-        rows.add(record[0], record[1], record[2], record[3], colour(record.data() + kAngleColumns));
+        rows.add(record[0], record[1], record[2], record[3], colour(record.data() + kAngleNumbers));
     Source source;
     rows.addTo(source);
     if (colour.isSpectral()) source.report.outOfGamut = source.report.negative;

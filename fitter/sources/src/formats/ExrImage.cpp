@@ -2,19 +2,25 @@
 // tested than those of the core library, which fbrdf::io uses for ZIP alone.
 #include "formats/ExrImage.h"
 
+#include "Tristimulus.h"
+
 #include <fbrdf/base/Text.h>
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfChromaticities.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
+#include <optional>
 
 namespace fbrdf {
 namespace {
@@ -103,25 +109,114 @@ std::string_view lastName(std::string_view name)
     return name.substr(name.rfind('.') + 1);
 }
 
-/// Names of the channels for red, green and blue; thrice the same where there is only one channel.
-std::array<std::string, 3> channelsOf(const InputFile& file, const Imf::Header& header)
+/// The layer of a channel's name: "diffuse." of "diffuse.R".
+std::string layerOf(std::string_view name)
 {
-    std::array<std::string, 3> found;
-    std::string all;
-    size_t count = 0;
-    for (auto i = header.channels().begin(); i != header.channels().end(); ++i, ++count) {
+    return std::string(name.substr(0, name.size() - lastName(name).size()));
+}
+
+/// Channels that are read together, and what they are.
+struct Channels {
+    std::array<std::string, 3> names;
+    enum class Kind { grey, rgb, xyz } kind = Kind::grey;
+};
+
+/// Channels of a layer, by the last part of their names in upper case.
+using Layer = std::map<std::string, std::string>;
+
+std::string upperCase(std::string_view text)
+{
+    std::string upper = lowerCase(text);
+    for (char& c : upper)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return upper;
+}
+
+/// The channels of each layer; that without a name comes first, as its name is the least.
+std::map<std::string, Layer> layersOf(const Imf::Header& header, std::string& all)
+{
+    std::map<std::string, Layer> layers;
+    for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
         const std::string name = i.name();
+        layers[layerOf(name)][upperCase(lastName(name))] = name;
         all += (all.empty() ? "" : ", ") + name;
-        const size_t c = std::string_view("RGB").find(lastName(name));
-        // "R" itself comes before the "R" of a layer, of which the first in the file counts.
-        if (c < 3 && lastName(name).size() == 1 && (found[c].empty() || name.size() == 1))
-            found[c] = name;
     }
-    if (count == 1) found.fill(all);
-    if (std::any_of(found.begin(), found.end(), [](const auto& name) { return name.empty(); }))
-        throw inputError(file, "found " + std::to_string(count) + " channels (" + all +
-                                   "), expected R, G, B or a single one");
-    return found;
+    return layers;
+}
+
+std::optional<Channels> channelsOf(const Layer& layer)
+{
+    const auto find = [&](std::array<const char*, 3> names, Channels::Kind kind) {
+        std::optional<Channels> found(Channels{{}, kind});
+        for (size_t c = 0; found && c < 3; ++c) {
+            const auto channel = layer.find(names[c]);
+            if (channel == layer.end())
+                found.reset();
+            else
+                found->names[c] = channel->second;
+        }
+        return found;
+    };
+    if (auto rgb = find({"R", "G", "B"}, Channels::Kind::rgb)) return rgb;
+    if (auto rgb = find({"RED", "GREEN", "BLUE"}, Channels::Kind::rgb)) return rgb;
+    if (auto xyz = find({"X", "Y", "Z"}, Channels::Kind::xyz)) return xyz;
+    const bool alpha = layer.count("A") != 0;
+    if (layer.size() != (alpha ? 2u : 1u)) return {};
+    Channels grey;
+    grey.names.fill(layer.begin()->first == "A" ? layer.rbegin()->second : layer.begin()->second);
+    return grey;
+}
+
+/// The channels of the first layer that has a colour, or of the only one where that is grey.
+Channels channelsOf(const InputFile& file, const Imf::Header& header)
+{
+    std::string all;
+    const std::map<std::string, Layer> layers = layersOf(header, all);
+    for (const auto& [name, layer] : layers)
+        if (const auto found = channelsOf(layer);
+            found && (found->kind != Channels::Kind::grey || layers.size() == 1))
+            return *found;
+    throw inputError(file, "found the channels " + all +
+                               ", expected R, G, B or X, Y, Z of one layer, or a single one");
+}
+
+/// True for primaries and a white that are those of Rec. 709, within rounding.
+bool isRec709(const Imf::Chromaticities& c)
+{
+    const Imf::Chromaticities rec709;
+    const auto near = [](const Imath::V2f& a, const Imath::V2f& b) {
+        return (a - b).length() < 2e-3f;
+    };
+    return near(c.red, rec709.red) && near(c.green, rec709.green) && near(c.blue, rec709.blue) &&
+           near(c.white, rec709.white);
+}
+
+/// Turns pixels into linear sRGB, and notes how.
+void convertColours(const Imf::Header& header, Channels::Kind kind, TableImage& image)
+{
+    if (kind == Channels::Kind::grey) {
+        for (Vec3f& pixel : image.pixels) pixel = Vec3f(pixel.x);
+        image.assumptions.emplace_back("one channel as grey");
+        return;
+    }
+    const bool declared = Imf::hasChromaticities(header);
+    const Imf::Chromaticities primaries =
+        declared ? Imf::chromaticities(header) : Imf::Chromaticities();
+    if (kind == Channels::Kind::xyz) {
+        if (!declared) image.assumptions.push_back(describeWhite(XyzWhite::d65));
+        for (Vec3f& pixel : image.pixels)
+            pixel = Vec3f(linearSrgbFromXyz(Vec3d(pixel), double(primaries.white.x),
+                                            double(primaries.white.y)));
+        return;
+    }
+    if (!declared) image.assumptions.emplace_back("primaries of R, G, B are those of Rec. 709");
+    if (isRec709(primaries)) return;
+    const Imath::M44f toXyz = Imf::RGBtoXYZ(primaries, 1.0f);
+    for (Vec3f& pixel : image.pixels) {
+        const Imath::V3f xyz = Imath::V3f(pixel.x, pixel.y, pixel.z) * toXyz;
+        pixel = Vec3f(linearSrgbFromXyz({double(xyz.x), double(xyz.y), double(xyz.z)},
+                                        double(primaries.white.x), double(primaries.white.y)));
+    }
 }
 
 TableImage emptyImage(const InputFile& file, const Imath::Box2i& window)
@@ -151,20 +246,19 @@ TableImage readFirstPart(const InputFile& file)
     const Imf::Header& header = input.header();
     requireFlat(file, header);
     const Imath::Box2i window = header.dataWindow();
-    const std::array<std::string, 3> channels = channelsOf(file, header);
+    const Channels channels = channelsOf(file, header);
     TableImage image = emptyImage(file, window);
     image.layout = textOf(header, "fbrdf:layout");
     image.angles = textOf(header, "fbrdf:theta_i");
     Imf::FrameBuffer buffer;
-    const bool grey = channels[0] == channels[1];
+    const bool grey = channels.kind == Channels::Kind::grey;
     for (size_t c = 0; c < (grey ? 1u : 3u); ++c)
-        buffer.insert(channels[c],
+        buffer.insert(channels.names[c],
                       Imf::Slice::Make(Imf::FLOAT, &image.pixels[0][static_cast<int>(c)], window,
                                        sizeof(Vec3f), image.width * sizeof(Vec3f)));
     input.setFrameBuffer(buffer);
     input.readPixels(window.min.y, window.max.y);
-    if (grey)
-        for (Vec3f& pixel : image.pixels) pixel = Vec3f(pixel.x);
+    convertColours(header, channels.kind, image);
     return image;
 }
 

@@ -1,6 +1,7 @@
 // ExrTable.cpp - reflectance in OpenEXR images of any compression, scan lines or tiles. Channels R,
-// G, B (of a layer, too: "diffuse.R") or a single one. The string attributes "fbrdf:layout" and
-// "fbrdf:theta_i" give layout and angles (ImageTable.h).
+// G, B or X, Y, Z (of a layer, too: "diffuse.R") or a single one, with primaries and white as
+// ExrImage.h has them. The string attributes "fbrdf:layout" and "fbrdf:theta_i" give layout and
+// angles (ImageTable.h).
 #include "Formats.h"
 #include "formats/ExrImage.h"
 

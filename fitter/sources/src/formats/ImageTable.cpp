@@ -78,13 +78,20 @@ std::string layoutOf(const TableImage& image)
 Source sourceOfImage(const InputFile& file, TableImage image, const std::string& format)
 {
     const std::string layout = layoutOf(image);
-    if (layout == "utia") return sourceOfUtia(file, std::move(image));
+    std::vector<std::string> assumptions = image.assumptions;
+    if (image.layout.empty()) assumptions.push_back("the layout " + layout + ", by its size");
+    if (layout == "utia") {
+        Source source = sourceOfUtia(file, std::move(image));
+        source.assumptions = assumptions;
+        return source;
+    }
     if (layout != "slice" && layout != "latlong")
         throw inputError(
             file, "found fbrdf:layout " + inQuotes(layout) + ", expected utia, slice or latlong");
     Source source = layout == "slice" ? sourceOfSlice(image) : sourceOfLatLong(file, image);
     source.description = format + " " + source.description;
     source.isotropic = true;
+    source.assumptions = assumptions;
     requireSamples(source, file.path());
     return source;
 }

@@ -26,7 +26,8 @@ namespace fbrdf {
 struct TableImage {
     size_t width = 0, height = 0;
     std::vector<Vec3f> pixels;  ///< height x width, top line first; grey where there is one channel
-    std::string layout, angles;  ///< empty where the file does not give them
+    std::string layout, angles;            ///< empty where the file does not give them
+    std::vector<std::string> assumptions;  ///< about the meaning of the channels
 
     const Vec3f& at(size_t x, size_t y) const { return pixels[y * width + x]; }
 };

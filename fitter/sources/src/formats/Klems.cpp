@@ -1,222 +1,151 @@
-// Klems.cpp - WINDOW / Radiance BSDF XML on Klems' angle basis (LBNL; genBSDF), reflection only.
-// AngleBasis: rings, each with nPhis patches between LowerTheta and UpperTheta degrees, patch k of
-// n about azimuth 360 k / n; a basis with 145 patches is "LBNL/Klems Full". WavelengthDataBlock:
-// WavelengthDataDirection "Reflection Front" or "Reflection Back" and ScatteringData, an n x n
-// matrix in 1/sr, without the cosine: row = outgoing patch, column = incident patch
-// (IncidentDataStructure Columns; Rows is the transpose). The incident patch's azimuth is that of
-// PROPAGATION, so the source of patch j is at azimuth + 180 and the mirror of a patch is itself.
-// Wavelength "Visible" is a luminance, and grey here; blocks "CIE-X", "CIE-Z" beside it are colour,
-// with Visible as Y, and become linear sRGB. From the WINDOW 6 technical documentation, genBSDF's
-// manual, and files of measured and simulated shades. FILE.xml takes the front, FILE.xml@back the
-// back. `evaluate` is the patch that a pair falls into; the samples are the patches' centres.
-#include <fbrdf/base/Text.h>
-#include "Formats.h"
+// Klems.cpp - BSDF XML of WINDOW (LBNL) and Radiance (genBSDF, bsdf2ttree), reflection only.
+// IncidentDataStructure is Columns or Rows (a matrix over an angle basis, KlemsBasis.h, that has
+// the incident patches in its columns or rows), or TensorTree3 or TensorTree4 (TensorTree.h); words
+// are compared without case. WavelengthData: a Wavelength, and blocks WavelengthDataBlock, each
+// with WavelengthDataDirection "Reflection Front" or "Reflection Back", ColumnAngleBasis,
+// RowAngleBasis and ScatteringData in 1/sr, without the cosine. The incident patch's azimuth is
+// that of PROPAGATION, so the source of patch j is at azimuth + 180 and the mirror of a patch is
+// itself. Wavelength "Visible" is a luminance, and grey here; blocks "CIE-X", "CIE-Z" beside it are
+// colour, with Visible as Y, and become linear sRGB. Radiance computes them so that grey has X = Y
+// = Z; a table whose sums have the proportions of D65 is taken to have that white. From the WINDOW
+// 6 technical documentation, the manuals and sources of Radiance, and files of measured and
+// simulated shades. FILE@BAND/SIDE/WHITE chooses: a Wavelength, front or back, d65 or e. `evaluate`
+// is the patch or cell that a pair falls into; the samples of a matrix are the patches' centres,
+// and a tree has none.
+#include "formats/KlemsBasis.h"
+#include "formats/KlemsXml.h"
+#include "formats/TensorTree.h"
 #include "SampleRow.h"
+#include "Tristimulus.h"
 
 #include <fbrdf/base/Error.h>
-#include <fbrdf/sources/Spectrum.h>
+#include <fbrdf/base/Fields.h>
+#include <fbrdf/base/Text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <pugixml.hpp>
+#include <memory>
 
 namespace fbrdf {
 namespace {
 
-constexpr size_t kMostPatches = 4096;
-
-struct Ring {
-    double theta = 0.0, lower = 0.0, upper = 0.0;  ///< degrees
-    size_t phis = 1, first = 0;                    ///< patches, and the index of the first
-};
-
-struct Basis {
-    std::vector<Ring> rings;
-    size_t patches = 0;
-};
-
-/// One incident-outgoing matrix in 1/sr, outgoing x incident.
+/// One matrix in 1/sr, outgoing x incident.
 struct KlemsTable {
-    Basis basis;
+    KlemsBasis outgoing, incident;
     std::vector<Vec3f> f;
 };
 
-/// Child element by name, whatever namespace prefix it has.
-pugi::xml_node child(const pugi::xml_node& parent, const char* name)
+struct KlemsTrees {
+    std::unique_ptr<TensorTree> x, y, z;  ///< x and z are null where there is no colour
+    XyzWhite white = XyzWhite::equalEnergy;
+};
+
+enum class Structure { columns, rows, tree3, tree4 };
+
+Structure structureOf(const InputFile& file, const pugi::xml_node& root,
+                      std::vector<std::string>& assumptions)
 {
-    for (const pugi::xml_node node : parent.children()) {
-        const std::string_view full = node.name();
-        if (full.substr(full.find(':') + 1) == name || full == name) return node;
+    const std::vector<pugi::xml_node> found = elementsNamed(root, "IncidentDataStructure");
+    const std::string text = found.empty() ? "" : textWithin(found.front());
+    std::vector<std::string_view> words;
+    std::string flat = text;
+    std::replace(flat.begin(), flat.end(), '\n', ' ');
+    splitWords(flat, words);
+    const std::string word = words.size() == 1 ? lowerCase(words.front()) : lowerCase(flat);
+    if (found.empty() || words.empty()) {
+        assumptions.emplace_back("incident patches in columns");
+        return Structure::columns;
     }
-    return {};
+    if (word == "columns") return Structure::columns;
+    if (word == "rows") return Structure::rows;
+    if (word == "tensortree3") return Structure::tree3;
+    if (word == "tensortree4") return Structure::tree4;
+    throw inputError(file, "found the IncidentDataStructure " + inQuotes(trimmed(flat)) +
+                               ", expected Columns, Rows, TensorTree3 or TensorTree4");
 }
 
-std::string textOf(const pugi::xml_node& parent, const char* name)
+const KlemsBasis& basisNamed(const InputFile& file, const std::map<std::string, KlemsBasis>& bases,
+                             const pugi::xml_node& block, const char* element)
 {
-    return std::string(trimmed(child(parent, name).text().get()));
+    const std::string name = childText(block, element);
+    const auto found = bases.find(lowerCase(name));
+    if (found != bases.end()) return found->second;
+    throw inputError(file, "found the " + std::string(element) + " " + inQuotes(name) +
+                               ", expected an AngleBasis of the file or LBNL/Klems Full, Half or "
+                               "Quarter");
 }
 
-/// All elements of that name below a node, in document order.
-void collect(const pugi::xml_node& parent, const char* name, std::vector<pugi::xml_node>& found)
+/// The numbers of a block's ScatteringData, in their order.
+std::vector<double> readNumbers(const InputFile& file, const pugi::xml_node& block, size_t rows,
+                                size_t columns)
 {
-    struct Walker : pugi::xml_tree_walker {
-        const char* name;
-        std::vector<pugi::xml_node>* found;
-        bool for_each(pugi::xml_node& node) override
-        {
-            const std::string_view full = node.name();
-            if (full == name || full.substr(full.find(':') + 1) == name) found->push_back(node);
-            return true;
-        }
-    } walker;
-    walker.name = name;
-    walker.found = &found;
-    pugi::xml_node root = parent;
-    root.traverse(walker);
-}
-
-double numberOf(const InputFile& file, const pugi::xml_node& parent, const char* name)
-{
-    double value = 0.0;
-    const std::string text = textOf(parent, name);
-    if (!parseNumber(text, value) || !std::isfinite(value))
-        throw inputError(
-            file, std::string("found ") + inQuotes(text) + " as " + name + ", expected a number");
-    return value;
-}
-
-Ring readRing(const InputFile& file, const pugi::xml_node& block, size_t first)
-{
-    const double phis = numberOf(file, block, "nPhis");
-    const pugi::xml_node bounds = child(block, "ThetaBounds");
-    Ring ring{numberOf(file, block, "Theta"), numberOf(file, bounds, "LowerTheta"),
-              numberOf(file, bounds, "UpperTheta"), 1, first};
-    if (!(phis >= 1.0 && phis <= 360.0) || phis != std::floor(phis) || !(ring.lower >= 0.0) ||
-        !(ring.upper > ring.lower && ring.upper <= 90.0))
-        throw inputError(file, "found a ring of " + std::to_string(phis) + " patches from " +
-                                   std::to_string(ring.lower) + " to " +
-                                   std::to_string(ring.upper) + " degrees");
-    ring.phis = static_cast<size_t>(phis);
-    return ring;
-}
-
-Basis readBasis(const InputFile& file, const pugi::xml_node& node)
-{
-    Basis basis;
-    std::vector<pugi::xml_node> blocks;
-    collect(node, "AngleBasisBlock", blocks);
-    for (const pugi::xml_node& block : blocks) {
-        basis.rings.push_back(readRing(file, block, basis.patches));
-        basis.patches += basis.rings.back().phis;
-        if (basis.patches > kMostPatches) throw inputError(file, "found over 4096 patches");
-    }
-    for (size_t i = 1; i < basis.rings.size(); ++i)
-        if (basis.rings[i].lower < basis.rings[i - 1].upper)
-            throw inputError(file, "found rings that overlap, expected ascending angles");
-    return basis;
-}
-
-std::map<std::string, Basis> readBases(const InputFile& file, const pugi::xml_node& root)
-{
-    std::vector<pugi::xml_node> nodes;
-    collect(root, "AngleBasis", nodes);
-    std::map<std::string, Basis> bases;
-    for (const pugi::xml_node& node : nodes)
-        bases[textOf(node, "AngleBasisName")] = readBasis(file, node);
-    return bases;
-}
-
-std::vector<double> readMatrix(const InputFile& file, const pugi::xml_node& block, size_t patches,
-                               bool transposed)
-{
-    std::string numbers = child(block, "ScatteringData").text().get();
-    std::replace(numbers.begin(), numbers.end(), ',', ' ');
+    std::string numbers = textWithin(childNamed(block, "ScatteringData"));
+    std::replace_if(
+        numbers.begin(), numbers.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
     WordReader words(numbers);
-    std::vector<double> matrix(patches * patches);
-    std::string_view word;
+    std::vector<double> values;
+    values.reserve(rows * columns);
     size_t count = 0;
-    for (; words.next(word); ++count) {
-        const size_t i = transposed ? count % patches * patches + count / patches : count;
-        if (count < matrix.size() && !parseNumber(word, matrix[i]))
+    for (std::string_view word; words.next(word); ++count) {
+        if (count == rows * columns) continue;
+        values.push_back(0.0);
+        if (!parseField(word, values.back()))
             throw inputError(file,
                              "found " + inQuotes(word) + " in ScatteringData, expected numbers");
     }
-    if (count != matrix.size())
+    if (count != rows * columns)
         throw inputError(file, "found " + std::to_string(count) +
-                                   " numbers of ScatteringData, expected " +
-                                   std::to_string(patches) + " x " + std::to_string(patches));
+                                   " numbers of ScatteringData, expected " + std::to_string(rows) +
+                                   " x " + std::to_string(columns));
+    return values;
+}
+
+/// Reads one matrix as outgoing x incident and checks its bases against those of the table.
+std::vector<double> readMatrix(const InputFile& file, const KlemsBlock& block,
+                               const KlemsTable& table, Structure structure)
+{
+    const size_t out = table.outgoing.patches(), in = table.incident.patches();
+    const bool rows = structure == Structure::rows;
+    std::vector<double> numbers = readNumbers(file, block.node, rows ? in : out, rows ? out : in);
+    if (!rows) return numbers;
+    std::vector<double> matrix(numbers.size());
+    for (size_t i = 0; i < numbers.size(); ++i) matrix[i % out * in + i / out] = numbers[i];
     return matrix;
 }
 
-/// The blocks of one side by wavelength.
-std::map<std::string, pugi::xml_node> blocksOf(const pugi::xml_node& root, const std::string& side)
+/// The white of X, Y, Z, chosen or as their sums suggest.
+XyzWhite whiteOf(const KlemsChoice& choice, const Vec3d& sums,
+                 std::vector<std::string>& assumptions)
 {
-    std::vector<pugi::xml_node> wavelengths, blocks;
-    collect(root, "WavelengthData", wavelengths);
-    std::map<std::string, pugi::xml_node> found;
-    for (const pugi::xml_node& wavelength : wavelengths) {
-        blocks.clear();
-        collect(wavelength, "WavelengthDataBlock", blocks);
-        for (const pugi::xml_node& block : blocks)
-            if (lowerCase(textOf(block, "WavelengthDataDirection")) == "reflection " + side)
-                found.emplace(textOf(wavelength, "Wavelength"), block);
-    }
-    return found;
+    if (!choice.white.empty()) return choice.white == "d65" ? XyzWhite::d65 : XyzWhite::equalEnergy;
+    const XyzWhite white = isGreyUnderD65(sums) ? XyzWhite::d65 : XyzWhite::equalEnergy;
+    assumptions.push_back(describeWhite(white) + ", " +
+                          (white == XyzWhite::d65
+                               ? "as the sums of the table are; FILE@e takes equal energy"
+                               : "as Radiance has it; FILE@d65 takes D65"));
+    return white;
 }
 
-const Basis& basisOf(const InputFile& file, const std::map<std::string, Basis>& bases,
-                     const pugi::xml_node& block)
+KlemsTable readTable(const InputFile& file, const pugi::xml_node& root, Structure structure,
+                     const KlemsChoice& choice, KlemsSelection& selection)
 {
-    const std::string column = textOf(block, "ColumnAngleBasis");
-    const std::string row = textOf(block, "RowAngleBasis");
-    const auto found = bases.find(column);
-    if (found == bases.end() || row != column || found->second.patches == 0)
-        throw inputError(file, "found bases " + inQuotes(column) + " and " + inQuotes(row) +
-                                   ", expected one AngleBasis for both");
-    return found->second;
-}
-
-KlemsTable readTable(const InputFile& file, const pugi::xml_node& root, const std::string& side)
-{
-    const std::map<std::string, pugi::xml_node> blocks = blocksOf(root, side);
-    const auto visible = blocks.find("Visible");
-    if (visible == blocks.end())
-        throw inputError(file, "found no visible 'Reflection " + side + "', expected it");
-    std::vector<pugi::xml_node> structures;
-    collect(root, "IncidentDataStructure", structures);
-    const bool rows =
-        !structures.empty() && trimmed(structures.front().text().get()) == std::string_view("Rows");
+    const std::map<std::string, KlemsBasis> bases = klemsBases(file, root);
+    const KlemsBasis& column = basisNamed(file, bases, selection.y->node, "ColumnAngleBasis");
+    const KlemsBasis& row = basisNamed(file, bases, selection.y->node, "RowAngleBasis");
     KlemsTable table;
-    table.basis = basisOf(file, readBases(file, root), visible->second);
-    const size_t n = table.basis.patches;
-    const std::vector<double> y = readMatrix(file, visible->second, n, rows);
-    const auto x = blocks.find("CIE-X"), z = blocks.find("CIE-Z");
+    table.incident = structure == Structure::rows ? row : column;
+    table.outgoing = structure == Structure::rows ? column : row;
+    const std::vector<double> y = readMatrix(file, *selection.y, table, structure);
     for (const double value : y) table.f.push_back(Vec3f(static_cast<float>(value)));
-    if (x == blocks.end() || z == blocks.end()) return table;
-    const std::vector<double> xs = readMatrix(file, x->second, n, rows);
-    const std::vector<double> zs = readMatrix(file, z->second, n, rows);
+    if (!selection.x) return table;
+    const std::vector<double> x = readMatrix(file, *selection.x, table, structure);
+    const std::vector<double> z = readMatrix(file, *selection.z, table, structure);
+    Vec3d sums(0.0);
+    for (size_t i = 0; i < y.size(); ++i) sums += Vec3d(x[i], y[i], z[i]);
+    const XyzWhite white = whiteOf(choice, sums, selection.assumptions);
     for (size_t i = 0; i < y.size(); ++i)
-        table.f[i] = Vec3f(linearSrgbFromXyz({xs[i], y[i], zs[i]}));
+        table.f[i] = Vec3f(linearSrgbFromXyz({x[i], y[i], z[i]}, white));
     return table;
-}
-
-Vec3d centreOf(const Basis& basis, size_t patch)
-{
-    const auto above = std::upper_bound(basis.rings.begin(), basis.rings.end(), patch,
-                                        [](size_t p, const Ring& ring) { return p < ring.first; });
-    const Ring& ring = *(above - 1);
-    return directionFromDegrees(ring.theta, 360.0 * double(patch - ring.first) / double(ring.phis));
-}
-
-size_t patchOf(const Basis& basis, const Vec3d& w)
-{
-    const double theta = std::acos(std::clamp(w.z, -1.0, 1.0)) * 180.0 / kPi;
-    const auto above = std::upper_bound(basis.rings.begin(), basis.rings.end() - 1, theta,
-                                        [](double t, const Ring& ring) { return t < ring.upper; });
-    const double turn = std::atan2(w.y, w.x) / (2.0 * kPi) * double(above->phis);
-    const long phis = static_cast<long>(above->phis);
-    return above->first + static_cast<size_t>((std::lround(turn) % phis + phis) % phis);
 }
 
 /// The source of an incident patch, whose azimuth is that of propagation.
@@ -225,24 +154,15 @@ Vec3d opposite(const Vec3d& w)
     return {-w.x, -w.y, w.z};
 }
 
-std::string sideOf(const FileRequest& request)
-{
-    std::string side = lowerCase(request.choice.empty() ? "front" : request.choice);
-    if (side != "front" && side != "back")
-        throw Error(ErrorKind::usage, request.file->path(),
-                    "found " + inQuotes(request.choice) + ", expected front or back");
-    return side;
-}
-
 SampleStream streamOf(const std::shared_ptr<const KlemsTable>& table)
 {
     SampleStream stream;
-    const size_t n = table->basis.patches;
-    stream.rows = n * n;
-    stream.read = [table, n](uint64_t first, size_t count, std::vector<Sample>& samples,
-                             SampleReport& report) {
+    stream.rows = table->f.size();
+    stream.read = [table](uint64_t first, size_t count, std::vector<Sample>& samples,
+                          SampleReport& report) {
+        const size_t in = table->incident.patches();
         for (size_t i = size_t(first); i < size_t(first) + count; ++i)
-            addRow({centreOf(table->basis, i / n), opposite(centreOf(table->basis, i % n)),
+            addRow({table->outgoing.centre(i / in), opposite(table->incident.centre(i % in)),
                     Vec3d(table->f[i])},
                    samples, report);
     };
@@ -252,10 +172,61 @@ SampleStream streamOf(const std::shared_ptr<const KlemsTable>& table)
 Vec3d evaluateKlems(const KlemsTable& table, const Vec3d& wo, const Vec3d& wi)
 {
     if (wo.z <= 0.0 || wi.z <= 0.0) return Vec3d(0.0);
-    const size_t row = patchOf(table.basis, wo), column = patchOf(table.basis, opposite(wi));
-    const Vec3f f = table.f[row * table.basis.patches + column];
+    const size_t row = table.outgoing.patchOf(wo), column = table.incident.patchOf(opposite(wi));
+    const Vec3f f = table.f[row * table.incident.patches() + column];
     const bool finite = std::isfinite(f.x) && std::isfinite(f.y) && std::isfinite(f.z);
     return finite ? glm::max(Vec3d(f), Vec3d(0.0)) : Vec3d(0.0);
+}
+
+Source sourceOfTable(KlemsTable read)
+{
+    const auto table = std::make_shared<const KlemsTable>(std::move(read));
+    const size_t out = table->outgoing.patches(), in = table->incident.patches();
+    Source source;
+    source.description = "Klems matrix of " + std::to_string(out) +
+                         (out == in ? "" : " outgoing and " + std::to_string(in) + " incident") +
+                         " patches";
+    source.evaluate = [table](const Vec3d& wo, const Vec3d& wi) {
+        return evaluateKlems(*table, wo, wi);
+    };
+    source.stream = streamOf(table);
+    return source;
+}
+
+std::unique_ptr<TensorTree> readTree(const InputFile& file, const KlemsBlock* block, int rank)
+{
+    if (!block) return nullptr;
+    const std::string text = textWithin(childNamed(block->node, "ScatteringData"));
+    return std::make_unique<TensorTree>(file, text, rank);
+}
+
+Vec3d evaluateTrees(const KlemsTrees& trees, const Vec3d& wo, const Vec3d& wi)
+{
+    if (wo.z <= 0.0 || wi.z <= 0.0) return Vec3d(0.0);
+    const double y = (*trees.y)(wo, wi);
+    if (!trees.x) return Vec3d(std::max(y, 0.0));
+    const Vec3d xyz((*trees.x)(wo, wi), y, (*trees.z)(wo, wi));
+    return glm::max(linearSrgbFromXyz(xyz, trees.white), Vec3d(0.0));
+}
+
+Source sourceOfTrees(const InputFile& file, int rank, const KlemsChoice& choice,
+                     KlemsSelection& selection)
+{
+    const auto trees = std::make_shared<KlemsTrees>();
+    trees->y = readTree(file, selection.y, rank);
+    trees->x = readTree(file, selection.x, rank);
+    trees->z = readTree(file, selection.z, rank);
+    if (trees->x)
+        trees->white = whiteOf(choice, {trees->x->mean(), trees->y->mean(), trees->z->mean()},
+                               selection.assumptions);
+    Source source;
+    source.description = "tensor tree of rank " + std::to_string(rank) + ", " +
+                         std::to_string(trees->y->size()) + " values";
+    source.isotropic = rank == 3;
+    source.evaluate = [trees](const Vec3d& wo, const Vec3d& wi) {
+        return evaluateTrees(*trees, wo, wi);
+    };
+    return source;
 }
 
 }  // namespace
@@ -264,27 +235,26 @@ bool isKlems(const InputFile& file)
 {
     const std::string_view head = file.bytes().substr(0, 4096);
     return looksLikeText(head) && head.find('<') != std::string_view::npos &&
-           head.find("WindowElement") != std::string_view::npos;
+           lowerCase(head).find("windowelement") != std::string::npos;
 }
 
 Source readKlems(const FileRequest& request)
 {
     const InputFile& file = *request.file;
-    const std::string side = sideOf(request);
+    const KlemsChoice choice = klemsChoice(request);
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed =
-        document.load_buffer(file.bytes().data(), file.size(), pugi::parse_default);
-    if (!parsed)
-        throw inputError(file, uint64_t(parsed.offset),
-                         std::string("found ") + parsed.description() + ", expected XML");
-    const auto table = std::make_shared<const KlemsTable>(readTable(file, document, side));
-    Source source;
-    source.description = "Klems matrix of " + std::to_string(table->basis.patches) +
-                         " patches, reflection " + side + ", 1/sr";
-    source.evaluate = [table](const Vec3d& wo, const Vec3d& wi) {
-        return evaluateKlems(*table, wo, wi);
-    };
-    source.stream = streamOf(table);
+    parseKlemsXml(file, document);
+    const std::vector<KlemsBlock> blocks = klemsBlocks(document);
+    KlemsSelection selection = selectBlocks(request, choice, blocks);
+    const Structure structure = structureOf(file, document, selection.assumptions);
+    const bool matrix = structure == Structure::columns || structure == Structure::rows;
+    Source source =
+        matrix ? sourceOfTable(readTable(file, document, structure, choice, selection))
+               : sourceOfTrees(file, structure == Structure::tree3 ? 3 : 4, choice, selection);
+    source.description += ", reflection " + selection.side + ", " +
+                          (selection.x ? "XYZ to linear sRGB" : selection.band) + ", 1/sr";
+    if (!selection.x) selection.assumptions.push_back("the band " + selection.band + " as grey");
+    source.assumptions = selection.assumptions;
     return source;
 }
 

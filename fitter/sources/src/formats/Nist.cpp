@@ -20,7 +20,7 @@ namespace fbrdf {
 namespace {
 
 /// Half of the least difference between two laser lines in a table with three decimals.
-constexpr double kSameLine = 5e-4;
+constexpr double kSameLaserLine = 5e-4;
 
 /// Wavelength in um, 0 for all.
 double chosenWavelength(const FileRequest& request)
@@ -70,7 +70,7 @@ Source readNist(const FileRequest& request)
     while (table.next()) {
         const double wavelength = table.number(0);
         wavelengths.insert(wavelength);
-        if (chosen > 0.0 && std::abs(wavelength - chosen) > kSameLine) continue;
+        if (chosen > 0.0 && std::abs(wavelength - chosen) > kSameLaserLine) continue;
         addRow({directionFromDegrees(table.number(3), table.number(4)),
                 directionFromDegrees(table.number(1), table.number(2)), Vec3d(table.number(5))},
                source.samples, source.report);

@@ -16,7 +16,8 @@
 namespace fbrdf {
 namespace {
 
-const std::vector<std::string> kColumns = {"stage_deg", "theta_i_deg", "a_deg", "r_deg", "brdf"};
+const std::vector<std::string> kScopeColumns = {"stage_deg", "theta_i_deg", "a_deg", "r_deg",
+                                                "brdf"};
 
 Vec3d turnedAboutNormal(const Vec3d& w, double angle)
 {
@@ -35,7 +36,7 @@ bool isRt300s(const InputFile& file)
 {
     if (!looksLikeText(file.bytes())) return false;
     const std::vector<std::string> names = columnNamesOf(file.bytes().substr(0, 8192));
-    return std::all_of(kColumns.begin(), kColumns.end(), [&](const std::string& column) {
+    return std::all_of(kScopeColumns.begin(), kScopeColumns.end(), [&](const std::string& column) {
         return std::count(names.begin(), names.end(), column) == 1;
     });
 }
@@ -45,7 +46,7 @@ Source readRt300s(const FileRequest& request)
     const InputFile& file = *request.file;
     NamedTable table(file);
     std::array<size_t, 5> columns{};
-    for (size_t i = 0; i < columns.size(); ++i) columns[i] = table.column(kColumns[i]);
+    for (size_t i = 0; i < columns.size(); ++i) columns[i] = table.column(kScopeColumns[i]);
     Source source;
     while (table.next()) {
         const auto value = [&](size_t i) { return table.number(columns[i]); };

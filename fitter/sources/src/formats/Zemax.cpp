@@ -10,7 +10,9 @@
 // Z) = (sin R cos A, sin R sin A, cos R) turned by I: wo = (-cos I X + sin I Z, Y, sin I X + cos I
 // Z), so azimuth 0 points from the mirror direction to the normal. Both are turned by the sample's
 // rotation about the normal. PlaneSymmetrical files give azimuths 0 to 180 of a pattern that
-// mirrors in the plane of incidence. XYZ blocks become linear sRGB.
+// mirrors in the plane of incidence. XYZ blocks, in any order, become linear sRGB under D65.
+// Keywords are compared without case.
+#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "SampleRow.h"
@@ -18,8 +20,10 @@
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/Spectrum.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace fbrdf {
 namespace {
@@ -30,7 +34,7 @@ constexpr long long kMostAngles = 100000;
 struct ZemaxTable {
     std::vector<double> rotation, incidence, azimuth, radial;
     bool tristimulus = false, symmetrical = false;
-    std::vector<std::vector<double>> blocks;  ///< one, or X, Y, Z
+    std::vector<std::vector<double>> blocks{3};  ///< X, Y, Z, or one
 
     size_t valueCount() const
     {
@@ -45,11 +49,15 @@ public:
     ZemaxTable read()
     {
         std::string_view word;
-        while (words_.next(word)) readKeyword(std::string(word));
+        while (words_.next(word)) readKeyword(lowerCase(word));
         const size_t expected = table_.tristimulus ? 3 : 1;
-        if (table_.blocks.size() != expected)
-            throw fail("found " + std::to_string(table_.blocks.size()) +
-                       " blocks of data, expected " + std::to_string(expected));
+        const auto found = static_cast<size_t>(
+            std::count_if(table_.blocks.begin(), table_.blocks.end(),
+                          [](const std::vector<double>& block) { return !block.empty(); }));
+        if (found != expected)
+            throw fail("found " + std::to_string(found) + " blocks of data, expected " +
+                       std::to_string(expected));
+        table_.blocks.resize(expected);
         return std::move(table_);
     }
 
@@ -72,29 +80,43 @@ private:
         return value;
     }
 
+    /// `key` is lower case, as keywords are compared without case.
     void readKeyword(const std::string& key)
     {
-        if (key == "Source")
+        if (key == "source")
             word("a source");
-        else if (key == "Symmetry")
+        else if (key == "symmetry")
             table_.symmetrical = lowerCase(word("a symmetry")) == "planesymmetrical";
-        else if (key == "SpectralContent")
+        else if (key == "spectralcontent")
             table_.tristimulus = oneOf("Monochrome", "XYZ") == 1;
-        else if (key == "ScatterType")
+        else if (key == "scattertype")
             requireReflection();
         else if (std::vector<double>* angles = anglesNamed(key))
             readAngles(*angles);
-        else if (key == "DataBegin")
+        else if (key == "databegin")
             readBlock();
-        else if (key != "Monochrome" && key.substr(0, 11) != "Tristimulus")
+        else if (key == "monochrome")
+            block_ = 0;
+        else if (key.substr(0, 11) == "tristimulus")
+            readComponent(key.substr(11));
+        else
             throw fail("found " + inQuotes(key) + ", expected a keyword");
+    }
+    /// The name of a block decides what it has, wherever it stands.
+    void readComponent(std::string name)
+    {
+        if (name.empty()) name = lowerCase(word("X, Y or Z"));
+        const size_t component = std::string_view("xyz").find(name);
+        if (name.size() != 1 || component == std::string_view::npos)
+            throw fail("found Tristimulus " + inQuotes(name) + ", expected X, Y or Z");
+        block_ = component;
     }
     int oneOf(const char* first, const char* second)
     {
         const std::string value(word(first));
-        if (value != first && value != second)
+        if (!sameWord(value, first) && !sameWord(value, second))
             throw fail("found " + inQuotes(value) + ", expected " + first + " or " + second);
-        return value == second;
+        return sameWord(value, second);
     }
     void requireReflection()
     {
@@ -102,10 +124,10 @@ private:
     }
     std::vector<double>* anglesNamed(const std::string& key)
     {
-        if (key == "SampleRotation") return &table_.rotation;
-        if (key == "AngleOfIncidence") return &table_.incidence;
-        if (key == "ScatterAzimuth") return &table_.azimuth;
-        if (key == "ScatterRadial") return &table_.radial;
+        if (key == "samplerotation") return &table_.rotation;
+        if (key == "angleofincidence") return &table_.incidence;
+        if (key == "scatterazimuth") return &table_.azimuth;
+        if (key == "scatterradial") return &table_.radial;
         return nullptr;
     }
     void readAngles(std::vector<double>& angles)
@@ -120,14 +142,16 @@ private:
     void readBlock()
     {
         if (table_.valueCount() == 0) throw fail("found data, expected all four lists of angles");
+        if (!block_)
+            throw fail("found data without a name, expected Monochrome or TristimulusX, Y, Z");
         std::vector<double> values;
         for (;;) {
             const std::string_view text = word("DataEnd");
             double value = 0.0;
-            if (text == "DataEnd") break;
-            if (text == "TIS")
+            if (sameWord(text, "DataEnd")) break;
+            if (sameWord(text, "TIS"))
                 number();
-            else if (parseNumber(text, value))
+            else if (parseField(text, value))
                 values.push_back(value);
             else
                 throw fail("found " + inQuotes(text) + ", expected a number, TIS or DataEnd");
@@ -135,12 +159,16 @@ private:
         if (values.size() != table_.valueCount())
             throw fail("found " + std::to_string(values.size()) + " values, expected " +
                        std::to_string(table_.valueCount()));
-        table_.blocks.push_back(std::move(values));
+        std::vector<double>& block = table_.blocks[*block_];
+        if (!block.empty()) throw fail("found a block of data twice, expected each once");
+        block = std::move(values);
+        block_.reset();
     }
 
     const InputFile& file_;
     WordReader words_;
     ZemaxTable table_;
+    std::optional<size_t> block_;  ///< the one whose name was read last
 };
 
 Vec3d turned(const Vec3d& w, double degrees)
@@ -202,7 +230,7 @@ bool isZemax(const InputFile& file)
     std::vector<std::string_view> words;
     for (int i = 0; i < 4 && lines.nextData(line); ++i) {
         splitWords(line, words);
-        if (words[0] == "SpectralContent" || words[0] == "ScatterType") return true;
+        if (sameWord(words[0], "SpectralContent") || sameWord(words[0], "ScatterType")) return true;
     }
     return false;
 }
@@ -217,6 +245,10 @@ Source readZemax(const FileRequest& request)
     source.description = std::string("Zemax tabular BSDF, ") +
                          (table.tristimulus ? "XYZ to linear sRGB" : "one channel") + ", 1/sr" +
                          (table.symmetrical ? ", symmetrical in the plane of incidence" : "");
+    source.assumptions.emplace_back("a value of 0 was not measured");
+    source.assumptions.emplace_back(table.tristimulus ? "white of X, Y, Z is D65"
+                                                      : "one channel as grey");
+    if (source.isotropic) source.assumptions.emplace_back("isotropic, as there is one rotation");
     requireSamples(source, file.path());
     return source;
 }
