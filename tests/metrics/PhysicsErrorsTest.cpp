@@ -70,6 +70,76 @@ TEST(DirectionalAlbedo, SeparatesChannels)
     EXPECT_EQ(albedo.z, 0.0);
 }
 
+// Midpoints of 1024 x 512 half vectors, as a check of the rule that refines.
+double albedoOnAFineGrid(const BrdfFunction& brdf, double theta_i)
+{
+    constexpr int kZeniths = 1024, kAzimuths = 512;
+    const Vec3d wi = directionFromAngles(theta_i, 0.0);
+    double sum = 0.0;
+    for (int i = 0; i < kZeniths; ++i) {
+        const double u = (i + 0.5) / kZeniths, theta_h = 0.5 * kPi * u * u;
+        for (int j = 0; j < kAzimuths; ++j) {
+            const Vec3d h = directionFromAngles(theta_h, 2.0 * kPi * (j + 0.5) / kAzimuths);
+            const double cosTheta_d = glm::dot(wi, h);
+            const Vec3d wo = 2.0 * cosTheta_d * h - wi;
+            if (cosTheta_d > 0.0 && wo.z > 0.0)
+                sum += brdf(wo, wi).x * 4.0 * cosTheta_d * wo.z * u * std::sin(theta_h);
+        }
+    }
+    return sum * kPi / kZeniths * 2.0 * kPi / kAzimuths;
+}
+
+// As tables have them: kinks along theta_h and theta_d, and narrow along x.
+Vec3d kinked(const Vec3d& wo, const Vec3d& wi)
+{
+    const Vec3d h = glm::normalize(wo + wi);
+    const double rough = std::abs(std::fmod(9.0 * std::acos(std::min(1.0, h.z)), 1.0) - 0.5);
+    const double along = std::exp(-200.0 * h.x * h.x - 20.0 * h.y * h.y);
+    return Vec3d(0.1 + 0.3 * rough + 2.0 * along * std::abs(glm::dot(wi, h) - 0.7));
+}
+
+TEST(DirectionalAlbedo, FollowsKinksAndAnisotropy)
+{
+    constexpr double kStated = 1e-4;
+    for (const double degrees : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0})
+        EXPECT_NEAR(directionalAlbedo(kinked, degrees * kPi / 180.0).x,
+                    albedoOnAFineGrid(kinked, degrees * kPi / 180.0), kStated)
+            << degrees;
+}
+
+TEST(DirectionalAlbedo, EvaluatesFewTimesWhatIsSmooth)
+{
+    int evaluations = 0;
+    const auto counted = [&](const Vec3d&, const Vec3d&) {
+        ++evaluations;
+        return Vec3d(1.0 / kPi);
+    };
+    directionalAlbedo(counted, 0.5);
+    EXPECT_LT(evaluations, 7000);
+}
+
+TEST(DirectionalAlbedo, EvaluatesStepsNotForEver)
+{
+    int evaluations = 0;
+    const auto steps = [&](const Vec3d& wo, const Vec3d&) {
+        ++evaluations;
+        return Vec3d(std::fmod(1e4 * std::abs(wo.x + wo.y), 1.0) < 0.5 ? 1.0 : 0.0);
+    };
+    directionalAlbedo(steps, 0.5);
+    EXPECT_LE(evaluations, 131072);
+}
+
+TEST(ReciprocityError, OfAnEighthOfThePairsIsNear)
+{
+    const auto wrong = [](const Vec3d& wo, const Vec3d& wi) {
+        return Vec3d(1.0 + 0.5 * std::sin(7.0 * wo.x) + 0.1 * wi.y);
+    };
+    const double whole = medianReciprocityError(wrong, 2);
+    EXPECT_GT(whole, 0.1);
+    // Twice the standard error that MaterialInfo.cpp states.
+    EXPECT_NEAR(medianReciprocityError(wrong, 2, 8192), whole, 0.026 * whole);
+}
+
 TEST(PhysicsErrors, OfALambertian)
 {
     const PhysicsErrors errors = physicsErrors(lambertian(0.8), 2);

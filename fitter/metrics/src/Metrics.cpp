@@ -159,31 +159,9 @@ std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample
                        [&](const Sample& s) { return Vec3f(brdf(Vec3d(s.wo), Vec3d(s.wi))); });
 }
 
-// The integral is taken over half vectors, dw_o = 4 (wi.h) dw_h: every wo above the horizon is the
-// mirror image of wi about exactly one h, and highlights sit at the pole, where theta_h = pi/2 u^2
-// puts most points (midpoint rule).
-Vec3d directionalAlbedo(const BrdfFunction& brdf, double theta_i, double phi_i)
+double medianReciprocityError(const BrdfFunction& brdf, int threads, size_t pairCount)
 {
-    constexpr int kZenith = 256, kAzimuth = 128;
-    const Vec3d wi = directionFromAngles(theta_i, phi_i);
-    Vec3d sum(0.0);
-    for (int i = 0; i < kZenith; ++i) {
-        const double u = (i + 0.5) / kZenith, theta_h = 0.5 * kPi * u * u;
-        const double width = kPi * u / kZenith * (2.0 * kPi / kAzimuth) * std::sin(theta_h);
-        for (int j = 0; j < kAzimuth; ++j) {
-            const Vec3d h = directionFromAngles(theta_h, 2.0 * kPi * (j + 0.5) / kAzimuth);
-            const double cosTheta_d = glm::dot(wi, h);
-            const Vec3d wo = 2.0 * cosTheta_d * h - wi;
-            if (cosTheta_d > 0.0 && wo.z > 0.0)
-                sum += brdf(wo, wi) * (4.0 * cosTheta_d * wo.z * width);
-        }
-    }
-    return sum;
-}
-
-double medianReciprocityError(const BrdfFunction& brdf, int threads)
-{
-    const std::vector<DirectionPair<double>> pairs = uniformPairs(kUniformTestPairs);
+    const std::vector<DirectionPair<double>> pairs = uniformPairs(pairCount);
     std::vector<Vec3d> errors(pairs.size());
     parallelFor(pairs.size(), threads, [&](size_t i) {
         const Vec3d forth = brdf(pairs[i].wo, pairs[i].wi), back = brdf(pairs[i].wi, pairs[i].wo);

@@ -48,8 +48,8 @@ std::array<double, 4> sobolPoint(uint32_t index, uint64_t seed)
     std::array<double, 4> point{};
     for (std::size_t d = 0; d < point.size(); ++d) {
         uint32_t digits = 0;
-        for (uint32_t i = 0; i < kBits; ++i)
-            if ((index >> i) & 1u) digits ^= directions[d][i];
+        for (uint32_t i = 0, bits = index; bits != 0; ++i, bits >>= 1)
+            digits ^= directions[d][i] & (0u - (bits & 1u));  // no branch: bits are as if at random
         if (seed != 0) digits ^= static_cast<uint32_t>(splitMix64(seed * 4 + d) >> 32);
         point[d] = (static_cast<double>(digits) + 0.5) / 4294967296.0;
     }

@@ -11,6 +11,10 @@
 namespace fbrdf::tool {
 namespace {
 
+// An eighth of the uniform test set. The standard error of the median is then about 1.3 % of it,
+// where the text shows two digits, and the command starts in a third of the time.
+constexpr size_t kReciprocityPairs = 8192;
+
 struct Range {
     Vec3f least, most;
 };
@@ -143,7 +147,7 @@ std::string notesText(const Material& material)
 MaterialInfo materialInfo(const Reflectance& opened, int threads)
 {
     FBRDF_ASSERT(opened.material, !=, nullptr);
-    return {opened.material, medianReciprocityError(opened.brdf, threads),
+    return {opened.material, medianReciprocityError(opened.brdf, threads, kReciprocityPairs),
             albedoTable(opened.brdf, threads)};
 }
 
@@ -184,7 +188,7 @@ std::string textOf(const MaterialInfo& info)
                 {"size", withSeparators(materialBytes(material)) + " bytes"},
                 {"scale", scalesText(material) + "  (1/sr, linear Rec. 709)"},
                 {"reciprocity",
-                 fmt::format("{:.3g}  (median |ln f(a, b) / f(b, a)|)", info.reciprocity)}}) +
+                 fmt::format("{:.2g}  (median |ln f(a, b) / f(b, a)|)", info.reciprocity)}}) +
            "  tables\n" + tablesText(material) + textOf(info.albedo) + errorsText(material) +
            notesText(material);
 }
