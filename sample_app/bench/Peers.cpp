@@ -1,5 +1,7 @@
 #include "bench/Peers.h"
 
+#include <fbrdf/base/Number.h>
+
 #include "bench/Materials.h"
 #include "bench/Network.h"
 
@@ -18,7 +20,7 @@ namespace {
 
 std::string text(double value)
 {
-    return std::to_string(value);
+    return fixedText(value);
 }
 
 std::string colour(const Vec3d& c)

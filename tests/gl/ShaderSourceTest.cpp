@@ -1,3 +1,5 @@
+#include "support/CommaLocale.h"
+
 #include <fbrdf/base/Error.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
@@ -41,6 +43,20 @@ TEST(ShaderSource, StartsWithTheVersion)
                       .rfind(start, 0),
                   0u);
     }
+}
+
+TEST(ShaderSource, IsTheSameWhereTheDecimalSignIsAComma)
+{
+    const auto all = [] {
+        std::string text = vertexSource(330);
+        for (const Form& form : {formPqp(8, 0.5), formHdio(9, 7, 5), formPqp(2048, 0.25)})
+            for (const Technique technique : {Technique::single, Technique::batched})
+                text += sourceOf(form, specOf(form, technique, 1234)) + describe(form);
+        return text;
+    };
+    const std::string before = all();
+    const test::CommaLocale comma;
+    EXPECT_EQ(all(), before);
 }
 
 TEST(ShaderSource, RefusesOtherVersions)

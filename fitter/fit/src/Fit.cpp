@@ -5,6 +5,7 @@
 #include "search/Search.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 
 namespace fbrdf {
 namespace {
@@ -88,7 +89,7 @@ void measure(const Source& source, const Job& job, const Fitted& fitted, FitSumm
 
 void requireAbove(double value, double least, const std::string& option)
 {
-    if (!(value > least)) refuse(option, std::to_string(value), "above " + std::to_string(least));
+    if (!(value > least)) refuse(option, numberText(value), "above " + numberText(least));
 }
 
 void checkSolver(const SolverOptions& solver)
@@ -107,7 +108,7 @@ void checkOptions(const FitOptions& options)
     if (options.lookups < 1) refuse("lookups", std::to_string(options.lookups), "at least 1");
     if (options.terms < 1) refuse("terms", std::to_string(options.terms), "at least 1");
     if (options.smoothness && !(*options.smoothness > 0.0))
-        refuse("smoothness", std::to_string(*options.smoothness), "above 0");
+        refuse("smoothness", numberText(*options.smoothness), "above 0");
     checkSolver(options.solver);
     if (options.formData) {
         validate(*options.formData, "form");

@@ -1,11 +1,11 @@
 #include <fbrdf/metrics/Misfit.h>
 
 #include <fbrdf/base/Assert.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <unordered_map>
 
@@ -189,13 +189,6 @@ MisfitRegion emptyRegion(size_t index)
     return region;
 }
 
-std::string text(const char* format, double a, double b = 0, double c = 0, double d = 0)
-{
-    char line[160];
-    std::snprintf(line, sizeof line, format, a, b, c, d);
-    return line;
-}
-
 std::string channelNames(const std::array<bool, 3>& channels)
 {
     if (channels[0] && channels[1] && channels[2]) return "all channels";
@@ -250,13 +243,16 @@ std::vector<MisfitRegion> misfitRegions(const std::vector<Sample>& samples,
 
 std::string describe(const MisfitRegion& region)
 {
-    std::string line = text("theta_h %g to %g, theta_d %g to %g degrees", region.theta_hFrom,
-                            region.theta_hTo, region.theta_dFrom, region.theta_dTo);
+    std::string line = "theta_h " + numberText(region.theta_hFrom) + " to " +
+                       numberText(region.theta_hTo) + ", theta_d " +
+                       numberText(region.theta_dFrom) + " to " + numberText(region.theta_dTo) +
+                       " degrees";
     if (region.theta_dTo <= kRetroAngle && region.theta_hFrom > 0.0)
         line += " (back towards the light)";
     else if (region.theta_hFrom == 0.0)
         line += " (about the mirror direction)";
-    line += ", " + channelNames(region.channels) + text(": off by a factor of %.2g", region.factor);
+    line += ", " + channelNames(region.channels) + ": off by a factor of " +
+            numberText(region.factor, 2);
     constexpr double kOneSided = 1.2;
     if (region.bias > kOneSided) line += ", too bright";
     if (region.bias < 1.0 / kOneSided) line += ", too dark";
@@ -293,10 +289,10 @@ Coverage coverageOf(const std::vector<Sample>& samples)
 
 std::string describe(const Coverage& coverage)
 {
-    std::string line =
-        coverage.incidences == 1
-            ? text("light at %.3g degrees alone", coverage.theta_iTo)
-            : text("light from %.3g to %.3g degrees", coverage.theta_iFrom, coverage.theta_iTo);
+    std::string line = coverage.incidences == 1
+                           ? "light at " + numberText(coverage.theta_iTo, 3) + " degrees alone"
+                           : "light from " + numberText(coverage.theta_iFrom, 3) + " to " +
+                                 numberText(coverage.theta_iTo, 3) + " degrees";
     if (coverage.inPlane)
         line += ", view in the plane of incidence only: beside it the material is a guess";
     return line;

@@ -1,6 +1,7 @@
 #include <fbrdf/peers/GgxFit.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/base/Parallel.h>
 
 #include <ceres/ceres.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace fbrdf {
@@ -258,15 +258,12 @@ Vec3d evaluate(const GgxModel& model, const Vec3d& wo, const Vec3d& wi)
 std::string describe(const GgxModel& model)
 {
     const auto colour = [](const Vec3d& v) {
-        char text[80];
-        std::snprintf(text, sizeof text, "%.3g/%.3g/%.3g", v.x, v.y, v.z);
-        return std::string(text);
+        return numberText(v.x, 3) + "/" + numberText(v.y, 3) + "/" + numberText(v.z, 3);
     };
     std::string all = "kd " + colour(model.kd);
     for (const GgxLobe& lobe : model.lobes) {
-        char text[80];
-        std::snprintf(text, sizeof text, "%.3g x %.3g f0 %.3g", lobe.alphaX, lobe.alphaY, lobe.f0);
-        all += ", alpha " + std::string(text) + " scale " + colour(lobe.scale);
+        all += ", alpha " + numberText(lobe.alphaX, 3) + " x " + numberText(lobe.alphaY, 3) +
+               " f0 " + numberText(lobe.f0, 3) + " scale " + colour(lobe.scale);
     }
     return all;
 }

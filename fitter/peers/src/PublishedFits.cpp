@@ -1,29 +1,29 @@
 #include <fbrdf/peers/PublishedFits.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Fields.h>
+#include <fbrdf/base/Number.h>
+#include <fbrdf/base/Text.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 namespace fbrdf {
 namespace {
 
+constexpr int kExact = 17;  // digits that give every double back
+
 std::vector<std::string> fieldsOf(const std::string& line)
 {
-    std::vector<std::string> fields;
-    std::istringstream text(line);
-    for (std::string field; std::getline(text, field, ',');) fields.push_back(field);
-    return fields;
+    std::vector<std::string_view> fields;
+    splitFields(line, Separator::comma, fields);
+    return {fields.begin(), fields.end()};
 }
 
 double numberOf(const std::string& text, const std::string& where)
 {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() || *end != '\0' || !std::isfinite(value))
+    double value = 0.0;
+    if (!parseNumber(text, value) || !std::isfinite(value))
         throw Error(ErrorKind::input, where, "found '" + text + "', expected a number");
     return value;
 }
@@ -38,13 +38,6 @@ ParameterRow rowOf(const std::vector<std::string>& header, const std::vector<std
     ParameterRow row;
     for (size_t i = 1; i < fields.size(); ++i) row[header[i]] = numberOf(fields[i], where);
     return row;
-}
-
-std::string exactText(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
 }
 
 }  // namespace
@@ -70,7 +63,7 @@ std::string specFromRow(const std::string& model, const ParameterRow& row,
         const auto found = row.find(column);
         if (found == row.end())
             throw Error(ErrorKind::input, model, "found no column " + column + ", expected one");
-        return exactText(found->second);
+        return numberText(found->second, kExact);
     };
     std::string spec = model;
     for (const auto& [key, column] : parameters) {

@@ -1,6 +1,7 @@
 #include <fbrdf/sources/Spectrum.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 
 #include <algorithm>
 #include <array>
@@ -61,8 +62,8 @@ void requireAscending(const std::vector<double>& wavelengths)
     for (const double wavelength : wavelengths) {
         if (!(wavelength > last) || !std::isfinite(wavelength))
             throw Error(ErrorKind::input, "spectrum",
-                        "found wavelength " + std::to_string(wavelength) + " nm after " +
-                            std::to_string(last) + ", expected ascending wavelengths above 0");
+                        "found wavelength " + numberText(wavelength) + " nm after " +
+                            numberText(last) + ", expected ascending wavelengths above 0");
         last = wavelength;
     }
     if (wavelengths.empty())

@@ -1,12 +1,13 @@
 #include "Errors.h"
 
+#include <fbrdf/base/Text.h>
+
 #include "TextTable.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace fbrdf::tool {
 namespace {
@@ -121,8 +122,11 @@ Json jsonOf(double number)
 Json jsonOf(const Vec3f& colour)
 {
     Json json = Json::array();
-    for (int c = 0; c < 3; ++c)  // 0.1f as 0.1, not as 0.10000000149011612
-        json.push_back(jsonOf(std::strtod(fmt::format("{}", colour[c]).c_str(), nullptr)));
+    for (int c = 0; c < 3; ++c) {  // 0.1f as 0.1, not as 0.10000000149011612
+        double shortest = 0.0;
+        parseNumber(fmt::format("{}", colour[c]), shortest);
+        json.push_back(jsonOf(shortest));
+    }
     return json;
 }
 

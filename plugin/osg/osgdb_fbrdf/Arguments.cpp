@@ -2,6 +2,8 @@
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <fbrdf/base/Text.h>
+
 #include <osgDB/FileNameUtils>
 
 #include <cstdlib>
@@ -68,10 +70,9 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
     if (name == "technique") return setTechnique(effect, text);
     if (name == "transfer") return setTransfer(effect, text);
     if (name == "exposure") {
-        char* end = nullptr;
-        const float value = std::strtof(text.c_str(), &end);
-        if (text.empty() || *end != '\0' || !(value >= 0.0f)) return false;
-        effect.setExposure(value);
+        double value = 0.0;
+        if (!fbrdf::parseNumber(text, value) || !(value >= 0.0)) return false;
+        effect.setExposure(static_cast<float>(value));
     } else if (name == "lightsPerPass") {
         if (!integer(text, 1, number)) return false;
         effect.setLightsPerPass(number);

@@ -1,9 +1,9 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/Form.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace fbrdf {
 namespace {
@@ -37,21 +37,14 @@ bool directionDependsOnLight(const Direction& direction)
     return true;
 }
 
-std::string number(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 void validateAxis(const Axis& axis, const std::string& where)
 {
     if (axis.size < 1 || axis.size > kMaxSize)
         fail(where, "axis of " + std::to_string(axis.size) + " knots, expected 1 to " +
                         std::to_string(kMaxSize));
     if (!(axis.map.exponent > 0.0) || !(axis.map.exponent <= 16.0))
-        fail(where,
-             "axis exponent " + number(axis.map.exponent) + ", expected above 0 and at most 16");
+        fail(where, "axis exponent " + numberText(axis.map.exponent) +
+                        ", expected above 0 and at most 16");
 }
 
 void validateDomain(const TableSpec& spec, const std::string& where)
@@ -61,10 +54,10 @@ void validateDomain(const TableSpec& spec, const std::string& where)
             fail(where, "disc map of " + std::to_string(disc->size) + " texels, expected 2 to " +
                             std::to_string(kMaxSize));
         if (!(disc->gamma > 0.0) || !(disc->gamma <= 16.0))
-            fail(where, "gamma " + number(disc->gamma) + ", expected above 0 and at most 16");
+            fail(where, "gamma " + numberText(disc->gamma) + ", expected above 0 and at most 16");
         if (!(disc->radius > 0.0) || !(disc->radius <= 0.5 * (disc->size - 1)))
             fail(where,
-                 "disc radius " + number(disc->radius) + ", expected at most half of size - 1");
+                 "disc radius " + numberText(disc->radius) + ", expected at most half of size - 1");
         if (spec.uniform) fail(where, "a uniform disc map, expected one axis of at most 64 knots");
         return;
     }
@@ -77,7 +70,7 @@ void validateDomain(const TableSpec& spec, const std::string& where)
         texels *= axis.size;
     }
     if (texels > double(kMaxSize) * kMaxSize)
-        fail(where, number(texels) + " texels, expected at most 2^24");
+        fail(where, numberText(texels) + " texels, expected at most 2^24");
     if (grid.symmetric && (grid.axes.size() != 2 || grid.axes[0].size != grid.axes[1].size ||
                            grid.axes[0].map.from != grid.axes[1].map.from ||
                            grid.axes[0].map.exponent != grid.axes[1].map.exponent))
@@ -90,21 +83,22 @@ void validateDirection(const Direction& direction, const std::string& where)
 {
     for (const double weight : {direction.weight_wo, direction.weight_wi, direction.weight_n})
         if (!(std::abs(weight) <= kMaxWeight))
-            fail(where, "direction weight " + number(weight) + ", expected at most " +
-                            number(kMaxWeight) + " in magnitude");
+            fail(where, "direction weight " + numberText(weight) + ", expected at most " +
+                            numberText(kMaxWeight) + " in magnitude");
 }
 
 std::string describe(const Domain& domain)
 {
     if (const auto* disc = std::get_if<DiscDomain>(&domain))
         return "[disc " + std::to_string(disc->size) + "x" + std::to_string(disc->size) +
-               " gamma " + number(disc->gamma) + "]";
+               " gamma " + numberText(disc->gamma) + "]";
     std::string text = "[";
     const auto& grid = std::get<GridDomain>(domain);
     for (size_t i = 0; i < grid.axes.size(); ++i) {
         const AxisMap& map = grid.axes[i].map;
         text += (i ? " x " : "") + std::to_string(grid.axes[i].size) +
-                (map.from == AxisMap::From::cosine ? " cos^" : " (1-cos)^") + number(map.exponent);
+                (map.from == AxisMap::From::cosine ? " cos^" : " (1-cos)^") +
+                numberText(map.exponent);
     }
     return text + (grid.symmetric ? " symmetric]" : "]");
 }
@@ -128,8 +122,8 @@ std::string directionName(const Direction& direction)
     if (direction == Direction::h) return "h";
     if (direction == Direction::d) return "d";
     if (direction == Direction::mirror) return "mirror";
-    return "norm(" + number(direction.weight_wi) + " wi + " + number(direction.weight_wo) +
-           " wo + " + number(direction.weight_n) + " n)";
+    return "norm(" + numberText(direction.weight_wi) + " wi + " + numberText(direction.weight_wo) +
+           " wo + " + numberText(direction.weight_n) + " n)";
 }
 
 const char* angleName(Angle angle)

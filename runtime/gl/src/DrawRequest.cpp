@@ -4,6 +4,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -47,10 +48,10 @@ void checkDepth(const Device& device, const DepthOptions& depth)
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
     for (const float value : {depth.rangeLow, depth.rangeHigh, depth.clear})
         if (!(value >= 0.0f && value <= 1.0f))
-            fail("found depth " + std::to_string(value) + ", expected one in [0, 1]");
+            fail("found depth " + numberText(double(value)) + ", expected one in [0, 1]");
     if (!passes(depth.rangeLow, depth.test, depth.clear) &&
         !passes(depth.rangeHigh, depth.test, depth.clear))
-        fail("found clear depth " + std::to_string(depth.clear) +
+        fail("found clear depth " + numberText(double(depth.clear)) +
              " against which no depth of the range passes the depth test, expected one");
     if (depth.clip == ClipDepth::zeroToOne && !device.capabilities.clipControl)
         throw Error(ErrorKind::gl, "view",
@@ -64,7 +65,7 @@ void checkTarget(const Device& device, const Target& target)
         fail("found " + std::to_string(target.width) + "x" + std::to_string(target.height) +
              " pixels, expected at least one");
     if (!(target.exposure > 0.0f) || !std::isfinite(target.exposure))
-        fail("found exposure " + std::to_string(target.exposure) +
+        fail("found exposure " + numberText(double(target.exposure)) +
              ", expected a finite number above 0");
     if (target.framebuffer != 0 && !device.capabilities.framebufferObjects)
         fail("found framebuffer object " + std::to_string(target.framebuffer) +

@@ -1,5 +1,7 @@
 #include "Codes.h"
 
+#include <fbrdf/base/Number.h>
+
 #include <fbrdf/brdf/Half.h>
 
 #include <charconv>
@@ -90,8 +92,9 @@ void decodeTexels(Table& table, const std::string& where)
         const float code = table.texels[i];
         const int index = static_cast<int>(i / channels), channel = static_cast<int>(i % channels);
         if (!(code >= 0.0f) || !(code <= float(kLastCode)) || code != std::floor(code))
-            failInput(where + ": texel " + std::to_string(index),
-                      "found code " + std::to_string(code) + ", expected an integer of 0 to 255");
+            failInput(
+                where + ": texel " + std::to_string(index),
+                "found code " + numberText(double(code)) + ", expected an integer of 0 to 255");
         table.texels[i] = texelFromCode(table, index, channel, static_cast<int>(code));
         if (codeOf(table, index, channel) != static_cast<int>(code))
             failInput(where + ": texel " + std::to_string(index),
@@ -138,7 +141,7 @@ void checkStorable(const Table& table, ErrorKind kind, const std::string& where)
     for (size_t i = 0; i < table.texels.size(); ++i)
         if (!holdsTexel(table, i))
             throw Error(kind, where,
-                        "table '" + table.name + "': found " + std::to_string(table.texels[i]) +
+                        "table '" + table.name + "': found " + numberText(double(table.texels[i])) +
                             ", expected numbers that " + storageName(table.storage) +
                             " holds: quantize the table first");
 }

@@ -5,13 +5,12 @@
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Text.h>
 #include <fbrdf/pictures/Png.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace fbrdf {
 namespace {
@@ -42,11 +41,8 @@ struct Lines {
 Lines linesOf(const std::string& bytes, const std::string& where)
 {
     Lines lines{{}, where};
-    std::istringstream stream(bytes);
-    for (std::string line; std::getline(stream, line);) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        lines.text.push_back(line);
-    }
+    LineReader reader(bytes);
+    for (std::string_view line; reader.next(line);) lines.text.emplace_back(line);
     while (!lines.text.empty() && lines.text.back().empty()) lines.text.pop_back();
     return lines;
 }
@@ -54,15 +50,16 @@ Lines linesOf(const std::string& bytes, const std::string& where)
 // True when the line is `count` finite numbers >= 0 and nothing else.
 bool parseNumbers(const std::string& line, size_t count, float* numbers)
 {
-    const char* at = line.c_str();
+    std::vector<std::string_view> words;
+    splitWords(line, words);
+    if (words.size() != count) return false;
     for (size_t i = 0; i < count; ++i) {
-        char* end = nullptr;
-        numbers[i] = std::strtof(at, &end);
-        if (end == at || !std::isfinite(numbers[i]) || numbers[i] < 0.0f) return false;
-        at = end;
+        double number = 0.0;
+        if (!parseNumber(words[i], number)) return false;
+        numbers[i] = static_cast<float>(number);
+        if (!std::isfinite(numbers[i]) || numbers[i] < 0.0f) return false;
     }
-    return line.find_first_not_of(" \t", static_cast<size_t>(at - line.c_str())) ==
-           std::string::npos;
+    return true;
 }
 
 bool isAlphaFile(const Lines& lines)

@@ -2,12 +2,12 @@
 #include "Waterloo.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/pictures/Png.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace fbrdf {
 namespace {
@@ -143,7 +143,7 @@ Table specularMap(const Parts& parts, const std::string& path)
     const float peak = std::max({most.x, most.y, most.z});
     if (peak > 1.0f)
         throw Error(ErrorKind::usage, path,
-                    "found a specular map of up to " + std::to_string(peak) +
+                    "found a specular map of up to " + numberText(double(peak)) +
                         " 1/sr, expected at most 1: the 2001 layout has no scale for it");
     return quantized(map, Storage::linear8);
 }
@@ -209,10 +209,12 @@ std::string descriptionText(const Material& material, int kind, const Vec3f& alp
     for (char& c : title)
         if (static_cast<unsigned char>(c) < 32) c = ' ';
     const auto gain = material.notes.find("display_gain");
-    char numbers[128];  // %.9g takes at most 15 characters and gives every float back
-    std::snprintf(numbers, sizeof numbers, "%d\n%.9g %.9g %.9g\n", kind, double(alpha.x),
-                  double(alpha.y), double(alpha.z));
-    return title + "\n" + numbers + (gain == material.notes.end() ? "1" : gain->second) + "\n";
+    constexpr int kExact = 9;  // digits that give every float back
+    std::string numbers = std::to_string(kind);
+    for (int c = 0; c < 3; ++c)
+        numbers += (c == 0 ? "\n" : " ") + numberText(double(alpha[c]), kExact);
+    return title + "\n" + numbers + "\n" + (gain == material.notes.end() ? "1" : gain->second) +
+           "\n";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "ScaledPlan.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
@@ -141,8 +142,9 @@ Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capab
     if (!isCoarse(error)) return plan;
     Plan none;
     none.reason = "a sum of " + std::to_string(request.lights) +
-                  " lights in RGBA8 surfaces is off by up to " + std::to_string(error.absolute) +
-                  ", expected at most " + std::to_string(kCoarsestSum);
+                  " lights in RGBA8 surfaces is off by up to " +
+                  numberText(double(error.absolute)) + ", expected at most " +
+                  numberText(double(kCoarsestSum));
     return none;
 }
 

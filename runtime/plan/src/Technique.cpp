@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/plan/Plan.h>
 
 namespace fbrdf {
@@ -56,7 +57,7 @@ void validate(const PlanRequest& request)
         refuse("found a limit of " + std::to_string(request.maxLookups) +
                " look-ups, expected 0 (none) or more");
     if (!(request.recombination >= 0.0))
-        refuse("found a recombination error of " + std::to_string(request.recombination) +
+        refuse("found a recombination error of " + numberText(request.recombination) +
                ", expected 0 or more");
 }
 

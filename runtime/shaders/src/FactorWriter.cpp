@@ -1,18 +1,17 @@
 #include "FactorWriter.h"
 
+#include <fbrdf/base/Number.h>
+
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace fbrdf {
 namespace {
 
 std::string number(double value)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    std::string result = text;
+    std::string result = numberText(value, 9);
     if (result.find_first_of(".e") == std::string::npos) result += ".0";
     return result;
 }

@@ -1,5 +1,6 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/scene/Camera.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -54,7 +55,7 @@ Camera cameraFromText(const std::string& text)
     if (camera.eye == camera.centre)
         fail(Found("an eye that is the centre").expected("two different points"));
     if (!(value[6] > 0.0 && value[6] < 180.0))
-        fail(Found("a field of view of " + std::to_string(value[6]))
+        fail(Found("a field of view of " + numberText(value[6]))
                  .expected("degrees between 0 and 180"));
     camera.fovy = value[6] * kPi / 180.0;
     return camera;

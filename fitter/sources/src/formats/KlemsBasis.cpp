@@ -2,6 +2,7 @@
 
 #include "SampleRow.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
 
 #include <algorithm>
@@ -46,9 +47,8 @@ void addBlock(const InputFile& file, const pugi::xml_node& block, KlemsBasis& ba
                  upper = numberIn(file, bounds, "UpperTheta");
     if (!(phis >= 1.0 && phis <= 360.0) || phis != std::floor(phis) || !(lower >= 0.0) ||
         !(upper > lower && upper <= 90.0))
-        throw inputError(file, "found a ring of " + std::to_string(phis) + " patches from " +
-                                   std::to_string(lower) + " to " + std::to_string(upper) +
-                                   " degrees");
+        throw inputError(file, "found a ring of " + numberText(phis, 12) + " patches from " +
+                                   numberText(lower) + " to " + numberText(upper) + " degrees");
     if (lower < end) throw inputError(file, "found rings that overlap, expected ascending angles");
     if (basis.patches() + size_t(phis) > KlemsBasis::kMostPatches)
         throw inputError(file, "found over 4096 patches");

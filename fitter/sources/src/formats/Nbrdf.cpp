@@ -8,6 +8,8 @@
 // code. FILE.f32#name or #row; the samples are the network on the MERL grid, taken
 // all the way round phi_d: nothing makes a network reciprocal.
 #include "Collection.h"
+
+#include <fbrdf/base/Number.h>
 #include "MerlGrid.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
@@ -78,7 +80,7 @@ Weights readWeights(const InputFile& file, size_t row)
         if (!(std::abs(stored[i]) < kLargest))
             throw inputError(
                 file, row * kNetworkBytes + i * sizeof(float),
-                "found " + std::to_string(stored[i]) + ", expected a weight of a network");
+                "found " + numberText(double(stored[i])) + ", expected a weight of a network");
         weights[i] = double(stored[i]);
     }
     return weights;

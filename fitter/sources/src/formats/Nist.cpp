@@ -12,6 +12,7 @@
 #include "Wavelengths.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Number.h>
 
 #include <cmath>
 #include <set>
@@ -39,9 +40,7 @@ std::string listOf(const std::set<double>& wavelengths)
 {
     std::string list;
     for (const double wavelength : wavelengths) {
-        std::string text = std::to_string(wavelength);
-        text.erase(text.find_last_not_of('0') + 1);
-        list += (list.empty() ? "" : ", ") + text;
+        list += (list.empty() ? "" : ", ") + numberText(wavelength);
         if (list.size() > 200) return list + ", ...";
     }
     return list;

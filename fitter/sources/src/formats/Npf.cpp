@@ -59,7 +59,7 @@ NpfRow readNpfRow(const InputFile& file, size_t row)
         constexpr float kLargest = 1e9f;
         if (!(stored[i] >= 0.0f && stored[i] < kLargest))
             throw inputError(file, row * kNpfRowBytes + i * sizeof(float),
-                             "found " + std::to_string(stored[i]) + ", expected a factor >= 0");
+                             "found " + numberText(double(stored[i])) + ", expected a factor >= 0");
         table[i / 3][int(i % 3)] = double(stored[i]);
     }
     if (std::all_of(stored.begin(), stored.end(), [](float value) { return value == 0.0f; }))

@@ -228,7 +228,7 @@ int reductionOf(const InputFile& file, const std::vector<float>& phi)
     const double range = double(phi.back()) - double(phi.front());
     const double reduction = std::rint(2.0 * kPi / range);
     if (reduction != 1.0 && reduction != 2.0 && reduction != 4.0)
-        throw inputError(file, "found phi_i over " + std::to_string(range) +
+        throw inputError(file, "found phi_i over " + numberText(range) +
                                    " radians, expected the circle, a half or a quarter of it");
     return static_cast<int>(reduction);
 }

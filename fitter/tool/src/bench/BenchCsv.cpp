@@ -4,6 +4,7 @@
 #include "Output.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,17 +56,24 @@ const Score* scoreOf(const MaterialScores& material, const Contender& contender)
     return nullptr;
 }
 
+/// 0 where the field has no number.
+double numberIn(const std::string& field)
+{
+    double value = 0.0;
+    return parseNumber(field, value) ? value : 0.0;
+}
+
 Score scoreFrom(const Contender& contender, const Fields& fields)
 {
     Score score{contender,
                 std::strtoull(fields[4].c_str(), nullptr, 10),
                 std::atoi(fields[5].c_str()),
-                std::strtod(fields[6].c_str(), nullptr),
+                numberIn(fields[6]),
                 {},
                 fields[7]};
     for (size_t e = 0; e < errorNames().size(); ++e)
         if (!fields[kFixed + e].empty())
-            score.errors[errorNames()[e]] = std::strtod(fields[kFixed + e].c_str(), nullptr);
+            score.errors[errorNames()[e]] = numberIn(fields[kFixed + e]);
     return score;
 }
 

@@ -12,6 +12,7 @@
 #include <osgDB/Registry>
 
 #include <algorithm>
+#include <locale>
 #include <map>
 #include <sstream>
 
@@ -37,6 +38,7 @@ std::string recordOf(const Node& node)
     const osg::ref_ptr<Node> bare = new Node(node, osg::CopyOp::SHALLOW_COPY);
     bare->removeChildren(0, bare->getNumChildren());
     std::ostringstream text;
+    text.imbue(std::locale::classic());  // a host's global locale may write 0,5 and 1.000
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("Ascii");
     auto* format = asciiFormat();
     if (!format || !format->writeObject(*bare, text, options).success())
@@ -161,6 +163,7 @@ osg::ref_ptr<osg::Group> nodeFrom(osg::Group& plain, const std::string& record,
         given ? new osgDB::Options(*given) : new osgDB::Options;
     options->setOptionString("Ascii");
     std::istringstream text(record);
+    text.imbue(std::locale::classic());
     auto* format = asciiFormat();
     auto result = format ? format->readObject(text, options) : osgDB::ReaderWriter::ReadResult();
     const osg::ref_ptr<osg::Group> node = dynamic_cast<osg::Group*>(result.getObject());
