@@ -101,6 +101,35 @@ TEST(SampleSymmetry, OnePlaneOfIncidenceIsIsotropicUnlessItsSidesDiffer)
     EXPECT_FALSE(areIsotropic(spread(model(kPlastic), 10)));
 }
 
+/// A grid of 64 theta_i by 64 theta_o by 2,048 azimuths in this order: 8 million rows.
+Source gridStream(double brushedFrom)
+{
+    constexpr uint64_t kZeniths = 64, kAzimuths = 2048;
+    Source source;
+    source.stream.rows = kZeniths * kZeniths * kAzimuths;
+    source.stream.read = [=](uint64_t first, size_t count, std::vector<Sample>& out,
+                             SampleReport&) {
+        for (uint64_t row = first; row < first + count; ++row) {
+            const double theta_i = 1.4 * double(row / (kZeniths * kAzimuths)) / kZeniths,
+                         theta_o = 1.4 * double(row / kAzimuths % kZeniths) / kZeniths;
+            const double phi_i = 2 * kPi * double(row % 64) / 64,
+                         phi_o = 2 * kPi * double(row / 64 % 32) / 32;
+            const double brush = theta_o >= brushedFrom ? 0.05 * std::cos(2 * phi_i) : 0.0;
+            const Function f = [&](const Vec3d&, const Vec3d&) { return Vec3d(0.1 + brush); };
+            out.push_back(sampleAt(f, theta_i, phi_i, theta_o, phi_o));
+        }
+    };
+    return source;
+}
+
+// The rows that are read must not all have one theta_o because the grid has as many lines as there
+// are pieces.
+TEST(SampleSymmetry, OfAGridOfAnyPeriodAllAnglesAreRead)
+{
+    EXPECT_TRUE(hasIsotropicSamples(gridStream(2.0)));
+    EXPECT_FALSE(hasIsotropicSamples(gridStream(0.2)));
+}
+
 TEST(SampleSymmetry, TextAndColumnsAreRecognised)
 {
     for (const bool isotropic : {true, false}) {

@@ -101,13 +101,21 @@ bool areIsotropic(const std::vector<Sample>& samples)
 bool hasIsotropicSamples(const Source& source)
 {
     if (!source.stream) return areIsotropic(source.samples);
-    constexpr uint64_t kPieces = 64, kRows = 1024;
+    // Each piece lies at another place of its step: a grid may have as many lines as there are
+    // pieces, and a fixed place would see one angle of it alone.
+    constexpr uint64_t kPieces = 256, kRows = 256;
+    constexpr double kGoldenRatio = 0.6180339887498949;  // its multiples fill [0, 1) evenly
     std::vector<Sample> some;
     SampleReport ignored;
     const uint64_t rows = source.stream.rows, step = std::max(kRows, rows / kPieces);
-    for (uint64_t first = 0; first < rows; first += step)
+    double place = 0.0;
+    for (uint64_t start = 0; start < rows; start += step) {
+        const uint64_t first = start + static_cast<uint64_t>(place * double(step - kRows));
+        if (first >= rows) break;
         source.stream.read(first, static_cast<size_t>(std::min(kRows, rows - first)), some,
                            ignored);
+        place = std::fmod(place + kGoldenRatio, 1.0);
+    }
     return areIsotropic(some);
 }
 
