@@ -12,6 +12,7 @@
 #include "support/gl/Scenes.h"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 
 namespace fbrdf::test {
@@ -139,6 +140,26 @@ TEST_F(EsState, ADrawThatIsRefusedPutsBackWhatItFinds)
             EXPECT_THROW(renderer_->draw({flat.framebuffer(), 8, 8}, perspectiveView(), {}, {}),
                          Error);
         });
+}
+
+// EXT_clip_control is not in the list of states, because few contexts have it.
+TEST_F(EsState, DrawingPutsBackClipControl)
+{
+    const auto clipControl =
+        reinterpret_cast<PFNGLCLIPCONTROLPROC>(context_->loader()(nullptr, "glClipControlEXT"));
+    const auto* extensions = reinterpret_cast<const char*>(gl_.GetString(GL_EXTENSIONS));
+    if (!clipControl || !extensions || !std::strstr(extensions, "GL_EXT_clip_control"))
+        GTEST_SKIP() << "no EXT_clip_control";
+    const auto material = renderer_->createMaterial(testMaterials()[4]);
+    const Offscreen offscreen(context_->loader(), {kSize, kSize, OffscreenFormat::rgba8});
+    clipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+    renderer_->draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                    {{material.get(), mesh_.get()}}, testLights(3));
+    GLint origin = 0, depth = 0;
+    gl_.GetIntegerv(GL_CLIP_ORIGIN, &origin);
+    gl_.GetIntegerv(GL_CLIP_DEPTH_MODE, &depth);
+    EXPECT_EQ(origin, GL_UPPER_LEFT);
+    EXPECT_EQ(depth, GL_ZERO_TO_ONE);
 }
 
 // The tester itself: state that is not put back shows.

@@ -216,6 +216,7 @@ void StateGuard::restoreFixed() const
     gl_.DepthMask(depthMask_);
     gl_.clearDepth(clearDepth_);
     restoreDepthRangeAndViewport();
+    if (gl_.hasClipControl) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
     if (gl_.es) return;
     if (device_.capabilities.coreProfile) {
         gl_.PolygonMode(GL_FRONT_AND_BACK, enumOf(polygonMode_[0]));
@@ -224,7 +225,6 @@ void StateGuard::restoreFixed() const
         gl_.PolygonMode(GL_BACK, enumOf(polygonMode_[1]));
         if (gl_.version >= 30) gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, enumOf(clampColour_));
     }
-    if (gl_.hasClipControl) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
 }
 
 void StateGuard::setDepthRange(double low, double high) const
