@@ -126,8 +126,8 @@ TEST(Manifest, NamesEveryBrokenField)
         {"/name", "1", "expected a string"},
         {"/scales", "[[1,1,1],[1,1,1]]", "2 scales, expected one for each of 1 terms"},
         {"/scales/0", "[1,1]", "expected three numbers"},
-        {"/scales/0/1", "-1", "a scale that is not finite and >= 0"},
-        {"/scales/0/1", "1e300", "a scale that is not finite and >= 0"},
+        {"/scales/0/1", "-1", "a scale that is negative or not finite"},
+        {"/scales/0/1", "1e300", "a scale that is negative or not finite"},
         {"/maps", "[]", "expected one map for each of 2 tables"},
         {"/maps/0/storage", "\"log9\"",
          "expected 'log8', 'half', 'float', 'linear8' or "

@@ -5,16 +5,11 @@
 #include "search/Search.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 
 namespace fbrdf {
 namespace {
-
-[[noreturn]] void refuse(const std::string& option, const std::string& found,
-                         const std::string& expected)
-{
-    throw Error(ErrorKind::usage, option, "found " + found + ", expected " + expected);
-}
 
 Form formFor(const Job& job)
 {
@@ -29,8 +24,9 @@ void checkLookups(const FitOptions& options, const Form& form)
 {
     const int lookups = lookupsPerPass(form);
     if (lookups > options.lookups)
-        refuse("lookups", std::to_string(options.lookups),
-               "at least " + std::to_string(lookups) + " for " + form.name);
+        throw Error(ErrorKind::usage, "lookups",
+                    Found(std::to_string(options.lookups))
+                        .expected("at least " + std::to_string(lookups) + " for " + form.name));
 }
 
 void checkLimits(const Job& job, const Form& form)
@@ -38,8 +34,10 @@ void checkLimits(const Job& job, const Form& form)
     const FitOptions& options = job.options;
     const size_t bytes = bytesOf(job, form);
     if (options.maxBytes > 0 && bytes > options.maxBytes)
-        refuse("max-bytes", std::to_string(options.maxBytes),
-               "at least " + std::to_string(bytes) + " for this form and resolution");
+        throw Error(
+            ErrorKind::usage, "max-bytes",
+            Found(std::to_string(options.maxBytes))
+                .expected("at least " + std::to_string(bytes) + " for this form and resolution"));
     checkLookups(options, form);
 }
 
@@ -89,7 +87,9 @@ void measure(const Source& source, const Job& job, const Fitted& fitted, FitSumm
 
 void requireAbove(double value, double least, const std::string& option)
 {
-    if (!(value > least)) refuse(option, numberText(value), "above " + numberText(least));
+    if (!(value > least))
+        throw Error(ErrorKind::usage, option,
+                    Found(numberText(value)).expected("above " + numberText(least)));
 }
 
 void checkSolver(const SolverOptions& solver)
@@ -105,15 +105,21 @@ void checkSolver(const SolverOptions& solver)
 
 void checkOptions(const FitOptions& options)
 {
-    if (options.lookups < 1) refuse("lookups", std::to_string(options.lookups), "at least 1");
-    if (options.terms < 1) refuse("terms", std::to_string(options.terms), "at least 1");
+    if (options.lookups < 1)
+        throw Error(ErrorKind::usage, "lookups",
+                    Found(std::to_string(options.lookups)).expected("at least 1"));
+    if (options.terms < 1)
+        throw Error(ErrorKind::usage, "terms",
+                    Found(std::to_string(options.terms)).expected("at least 1"));
     if (options.smoothness && !(*options.smoothness > 0.0))
-        refuse("smoothness", numberText(*options.smoothness), "above 0");
+        throw Error(ErrorKind::usage, "smoothness",
+                    Found(numberText(*options.smoothness)).expected("above 0"));
     checkSolver(options.solver);
     if (options.formData) {
         validate(*options.formData, "form");
         if (options.resolution > 0)
-            refuse("resolution", "it beside a form as data", "the sizes of the form alone");
+            throw Error(ErrorKind::usage, "resolution",
+                        Found("it beside a form as data").expected("the sizes of the form alone"));
     } else if (isMade(options)) {
         checkMadeOptions(options);
     } else {

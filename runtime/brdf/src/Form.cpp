@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/Form.h>
 
@@ -12,12 +13,6 @@ namespace {
 constexpr int kMaxSize = 4096;
 constexpr int kMaxTables = 64;
 constexpr double kMaxWeight = 1e3;
-
-/// what: "X, expected Y".
-[[noreturn]] void fail(const std::string& where, const std::string& what)
-{
-    throw Error(ErrorKind::input, where, "found " + what);
-}
 
 constexpr bool isInOrder()
 {
@@ -40,51 +35,64 @@ bool directionDependsOnLight(const Direction& direction)
 void validateAxis(const Axis& axis, const std::string& where)
 {
     if (axis.size < 1 || axis.size > kMaxSize)
-        fail(where, "axis of " + std::to_string(axis.size) + " knots, expected 1 to " +
-                        std::to_string(kMaxSize));
+        throw Error(ErrorKind::input, where,
+                    Found("axis of " + std::to_string(axis.size) + " knots")
+                        .expected("1 to " + std::to_string(kMaxSize)));
     if (!(axis.map.exponent > 0.0) || !(axis.map.exponent <= 16.0))
-        fail(where, "axis exponent " + numberText(axis.map.exponent) +
-                        ", expected above 0 and at most 16");
+        throw Error(ErrorKind::input, where,
+                    Found("axis exponent " + numberText(axis.map.exponent))
+                        .expected("above 0 and at most 16"));
 }
 
 void validateDomain(const TableSpec& spec, const std::string& where)
 {
     if (const auto* disc = std::get_if<DiscDomain>(&spec.domain)) {
         if (disc->size < 2 || disc->size > kMaxSize)
-            fail(where, "disc map of " + std::to_string(disc->size) + " texels, expected 2 to " +
-                            std::to_string(kMaxSize));
+            throw Error(ErrorKind::input, where,
+                        Found("disc map of " + std::to_string(disc->size) + " texels")
+                            .expected("2 to " + std::to_string(kMaxSize)));
         if (!(disc->gamma > 0.0) || !(disc->gamma <= 16.0))
-            fail(where, "gamma " + numberText(disc->gamma) + ", expected above 0 and at most 16");
+            throw Error(
+                ErrorKind::input, where,
+                Found("gamma " + numberText(disc->gamma)).expected("above 0 and at most 16"));
         if (!(disc->radius > 0.0) || !(disc->radius <= 0.5 * (disc->size - 1)))
-            fail(where,
-                 "disc radius " + numberText(disc->radius) + ", expected at most half of size - 1");
-        if (spec.uniform) fail(where, "a uniform disc map, expected one axis of at most 64 knots");
+            throw Error(ErrorKind::input, where,
+                        Found("disc radius " + numberText(disc->radius))
+                            .expected("at most half of size - 1"));
+        if (spec.uniform)
+            throw Error(ErrorKind::input, where,
+                        Found("a uniform disc map").expected("one axis of at most 64 knots"));
         return;
     }
     const auto& grid = std::get<GridDomain>(spec.domain);
     if (grid.axes.empty() || grid.axes.size() > 3)
-        fail(where, std::to_string(grid.axes.size()) + " axes, expected 1 to 3");
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(grid.axes.size()) + " axes").expected("1 to 3"));
     double texels = 1.0;
     for (const Axis& axis : grid.axes) {
         validateAxis(axis, where);
         texels *= axis.size;
     }
     if (texels > double(kMaxSize) * kMaxSize)
-        fail(where, numberText(texels) + " texels, expected at most 2^24");
+        throw Error(ErrorKind::input, where,
+                    Found(numberText(texels) + " texels").expected("at most 2^24"));
     if (grid.symmetric && (grid.axes.size() != 2 || grid.axes[0].size != grid.axes[1].size ||
                            grid.axes[0].map.from != grid.axes[1].map.from ||
                            grid.axes[0].map.exponent != grid.axes[1].map.exponent))
-        fail(where, "a symmetric table with unequal axes, expected two equal axes");
+        throw Error(ErrorKind::input, where,
+                    Found("a symmetric table with unequal axes").expected("two equal axes"));
     if (spec.uniform && (grid.axes.size() != 1 || grid.axes[0].size > 64))
-        fail(where, "a uniform table, expected one axis of at most 64 knots");
+        throw Error(ErrorKind::input, where,
+                    Found("a uniform table").expected("one axis of at most 64 knots"));
 }
 
 void validateDirection(const Direction& direction, const std::string& where)
 {
     for (const double weight : {direction.weight_wo, direction.weight_wi, direction.weight_n})
         if (!(std::abs(weight) <= kMaxWeight))
-            fail(where, "direction weight " + numberText(weight) + ", expected at most " +
-                            numberText(kMaxWeight) + " in magnitude");
+            throw Error(ErrorKind::input, where,
+                        Found("direction weight " + numberText(weight))
+                            .expected("at most " + numberText(kMaxWeight) + " in magnitude"));
 }
 
 std::string describe(const Domain& domain)
@@ -149,27 +157,34 @@ bool isIsotropic(const Form& form)
 void validate(const Form& form, const std::string& where)
 {
     if (form.tables.empty() || form.tables.size() > kMaxTables)
-        fail(where, std::to_string(form.tables.size()) + " tables, expected 1 to " +
-                        std::to_string(kMaxTables));
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(form.tables.size()) + " tables")
+                        .expected("1 to " + std::to_string(kMaxTables)));
     for (const TableSpec& spec : form.tables)
         validateDomain(spec, where + ": table '" + spec.name + "'");
     if (form.terms.empty() || form.terms.size() > kMaxTables)
-        fail(where, std::to_string(form.terms.size()) + " terms, expected 1 to " +
-                        std::to_string(kMaxTables));
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(form.terms.size()) + " terms")
+                        .expected("1 to " + std::to_string(kMaxTables)));
     for (const Term& term : form.terms) {
-        if (term.factors.empty()) fail(where, "a term without factors, expected at least one");
+        if (term.factors.empty())
+            throw Error(ErrorKind::input, where,
+                        Found("a term without factors").expected("at least one"));
         if (term.factors.size() > kMaxTables)
-            fail(where, "a term of " + std::to_string(term.factors.size()) +
-                            " factors, expected at most " + std::to_string(kMaxTables));
+            throw Error(ErrorKind::input, where,
+                        Found("a term of " + std::to_string(term.factors.size()) + " factors")
+                            .expected("at most " + std::to_string(kMaxTables)));
         for (const Factor& factor : term.factors) {
             if (factor.table < 0 || factor.table >= static_cast<int>(form.tables.size()))
-                fail(where, "table index " + std::to_string(factor.table) + ", expected below " +
-                                std::to_string(form.tables.size()));
+                throw Error(ErrorKind::input, where,
+                            Found("table index " + std::to_string(factor.table))
+                                .expected("below " + std::to_string(form.tables.size())));
             const TableSpec& spec = form.tables[static_cast<size_t>(factor.table)];
             if (!argumentFits(spec.domain, factor.argument))
-                fail(where, "table '" + spec.name + "' looked up with " +
-                                describe(factor.argument) +
-                                ", expected one direction for a disc or one angle an axis");
+                throw Error(
+                    ErrorKind::input, where,
+                    Found("table '" + spec.name + "' looked up with " + describe(factor.argument))
+                        .expected("one direction for a disc or one angle an axis"));
             if (const auto* direction = std::get_if<Direction>(&factor.argument))
                 validateDirection(*direction, where + ": table '" + spec.name + "'");
         }

@@ -1,5 +1,6 @@
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/Material.h>
 
 #include <algorithm>
@@ -8,37 +9,38 @@
 namespace fbrdf {
 namespace {
 
-/// what: "X, expected Y".
-[[noreturn]] void failMaterial(const std::string& where, const std::string& what)
-{
-    throw Error(ErrorKind::input, where, "found " + what);
-}
-
 // Evaluation looks up a table's own domain with the form's arguments, so both must have one domain.
 void validateTable(const Table& table, const TableSpec& spec, const std::string& where)
 {
     const std::string name = "table '" + spec.name + "'";
     if (!sameDomain(table.domain, spec.domain))
-        failMaterial(where, name + " over another domain, expected the form's");
+        throw Error(ErrorKind::input, where,
+                    Found(name + " over another domain").expected("the form's"));
     if (table.channels != 1 && table.channels != 3)
-        failMaterial(where,
-                     name + " of " + std::to_string(table.channels) + " channels, expected 1 or 3");
+        throw Error(
+            ErrorKind::input, where,
+            Found(name + " of " + std::to_string(table.channels) + " channels").expected("1 or 3"));
     const size_t numbers =
         static_cast<size_t>(texelCount(table.domain)) * static_cast<size_t>(table.channels);
     if (table.texels.size() != numbers)
-        failMaterial(where, name + " of " + std::to_string(table.texels.size()) +
-                                " numbers, expected " + std::to_string(numbers));
+        throw Error(ErrorKind::input, where,
+                    Found(name + " of " + std::to_string(table.texels.size()) + " numbers")
+                        .expected(std::to_string(numbers)));
     if (!table.unsupported.empty() &&
         table.unsupported.size() != static_cast<size_t>(texelCount(table.domain)))
-        failMaterial(where, name + " with " + std::to_string(table.unsupported.size()) +
-                                " marks, expected one a texel or none");
+        throw Error(ErrorKind::input, where,
+                    Found(name + " with " + std::to_string(table.unsupported.size()) + " marks")
+                        .expected("one a texel or none"));
     for (const float texel : table.texels)
         if (!std::isfinite(texel))
-            failMaterial(where,
-                         name + " with a number that is not finite, expected finite numbers");
+            throw Error(
+                ErrorKind::input, where,
+                Found(name + " with a number that is not finite").expected("finite numbers"));
     for (int c = 0; c < 3; ++c)
         if (!std::isfinite(table.lower[c]) || !std::isfinite(table.upper[c]))
-            failMaterial(where, name + " with a range that is not finite, expected finite numbers");
+            throw Error(
+                ErrorKind::input, where,
+                Found(name + " with a range that is not finite").expected("finite numbers"));
 }
 
 template <class T>
@@ -77,17 +79,20 @@ void validate(const Material& material, const std::string& where)
 {
     validate(material.form, where);
     if (material.tables.size() != material.form.tables.size())
-        failMaterial(where, std::to_string(material.tables.size()) +
-                                " tables, expected the form's " +
-                                std::to_string(material.form.tables.size()));
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(material.tables.size()) + " tables")
+                        .expected("the form's " + std::to_string(material.form.tables.size())));
     if (material.scales.size() != material.form.terms.size())
-        failMaterial(where, std::to_string(material.scales.size()) +
-                                " scales, expected one for each of " +
-                                std::to_string(material.form.terms.size()) + " terms");
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(material.scales.size()) + " scales")
+                        .expected("one for each of " + std::to_string(material.form.terms.size()) +
+                                  " terms"));
     for (const Vec3f& scale : material.scales)
         for (int c = 0; c < 3; ++c)
             if (!std::isfinite(scale[c]) || scale[c] < 0.0f)
-                failMaterial(where, "a scale that is not finite and >= 0");
+                throw Error(ErrorKind::input, where,
+                            Found("a scale that is negative or not finite")
+                                .expected("finite numbers >= 0"));
     for (size_t k = 0; k < material.tables.size(); ++k)
         validateTable(material.tables[k], material.form.tables[k], where);
 }

@@ -6,6 +6,7 @@
 #include "Support.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/AnalyticFactors.h>
 #include <fbrdf/fit/Svd.h>
 #include <fbrdf/metrics/SampleSets.h>
@@ -24,12 +25,6 @@ constexpr int kSmallestSize = 8;   // to which a small budget shrinks q, and few
 constexpr size_t kSamplesPerCell = 2;
 constexpr size_t kTestPairs = 65536;  // docs/method.md, section Errors: the uniform test set
 
-[[noreturn]] void refuseMade(const std::string& where, const std::string& found,
-                             const std::string& expected)
-{
-    throw Error(ErrorKind::usage, where, "found " + found + ", expected " + expected);
-}
-
 // The N of "svdN"; 0 for "svd" alone; nothing for other names.
 std::optional<int> svdTerms(const std::string& name)
 {
@@ -40,7 +35,8 @@ std::optional<int> svdTerms(const std::string& name)
     if (digits.empty()) return 0;
     const int terms = digits.size() > 3 ? kMaxSvdTerms + 1 : std::stoi(digits);
     if (terms < 1 || terms > kMaxSvdTerms)
-        refuseMade("form", name, "svd1 to svd" + std::to_string(kMaxSvdTerms));
+        throw Error(ErrorKind::usage, "form",
+                    Found(name).expected("svd1 to svd" + std::to_string(kMaxSvdTerms)));
     return terms;
 }
 
@@ -78,9 +74,11 @@ Form svdFormFor(const Source& source, const Job& job)
                                           texelCount(one.tables[1].domain)}))));
     const Form form = formSvd(std::max(1, terms), size, isotropic);
     if (!fits(form, options, Storage::signedHalf))
-        refuseMade("max-bytes", std::to_string(options.maxBytes),
-                   "at least " + std::to_string(formBytes(form, Storage::signedHalf)) + " for " +
-                       form.name);
+        throw Error(
+            ErrorKind::usage, "max-bytes",
+            Found(std::to_string(options.maxBytes))
+                .expected("at least " + std::to_string(formBytes(form, Storage::signedHalf)) +
+                          " for " + form.name));
     return form;
 }
 
@@ -89,9 +87,12 @@ Form svdFormFor(const Source& source, const Job& job)
 BrdfFunction resamplingOf(const Source& source, const Job& job, int excludedFold)
 {
     if (!isIsotropicSource(source))
-        refuseMade("form", std::string(kSvd) + " for scattered samples not known to be isotropic",
-                   "a function, such as a model, a table or a material: its grid would have four "
-                   "dimensions");
+        throw Error(
+            ErrorKind::usage, "form",
+            Found(std::string(kSvd) + " for scattered samples not known to be isotropic")
+                .expected(
+                    "a function, such as a model, a table or a material: its grid would have four "
+                    "dimensions"));
     const Form form = formSvdGrid(svdSizeFor(source, job));
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));
@@ -118,18 +119,20 @@ bool hasFactors(const Source& source)
 Material analyticOf(const Source& source, const FitOptions& options)
 {
     if (!hasFactors(source))
-        refuseMade(
-            "form", std::string(kAnalytic) + " for " + source.name,
-            "a model whose structure gives the factors: ward, ashikhmin-shirley, or a preset "
-            "of them");
+        throw Error(ErrorKind::usage, "form",
+                    Found(std::string(kAnalytic) + " for " + source.name)
+                        .expected("a model whose structure gives the factors: ward, "
+                                  "ashikhmin-shirley, or a preset "
+                                  "of them"));
     const int largest = options.resolution > 0 ? options.resolution : kAnalyticSize;
     for (int size = largest;; size -= size / 4) {
         Material material = *analyticFactors(source.name, size, options.storage);
         const size_t bytes = materialBytes(material);
         if (options.maxBytes == 0 || bytes <= options.maxBytes) return material;
         if (size <= kSmallestSize || options.resolution > 0)
-            refuseMade("max-bytes", std::to_string(options.maxBytes),
-                       "at least " + std::to_string(bytes) + " for " + kAnalytic);
+            throw Error(ErrorKind::usage, "max-bytes",
+                        Found(std::to_string(options.maxBytes))
+                            .expected("at least " + std::to_string(bytes) + " for " + kAnalytic));
     }
 }
 
@@ -150,17 +153,21 @@ void checkMadeOptions(const FitOptions& options)
 {
     const bool analytic = options.form == kAnalytic;
     if (options.metric != Metric::log)
-        refuseMade("metric", metricName(options.metric),
-                   analytic ? "none: the factors are written down"
-                            : "none: singular values minimise the absolute error");
+        throw Error(ErrorKind::usage, "metric",
+                    Found(metricName(options.metric))
+                        .expected(analytic ? "none: the factors are written down"
+                                           : "none: singular values minimise the absolute error"));
     if (options.sharedShape)
-        refuseMade("shared", "it beside form " + options.form, "maps of three channels");
+        throw Error(ErrorKind::usage, "shared",
+                    Found("it beside form " + options.form).expected("maps of three channels"));
     if (analytic && options.storage == Storage::linear8)
-        refuseMade("storage", "linear8 for the form analytic", "log8, half or float");
+        throw Error(ErrorKind::usage, "storage",
+                    Found("linear8 for the form analytic").expected("log8, half or float"));
     const int least = 4, most = 256;
     if (options.resolution != 0 && (options.resolution < least || options.resolution > most))
-        refuseMade("resolution", std::to_string(options.resolution),
-                   std::to_string(least) + " to " + std::to_string(most));
+        throw Error(ErrorKind::usage, "resolution",
+                    Found(std::to_string(options.resolution))
+                        .expected(std::to_string(least) + " to " + std::to_string(most)));
 }
 
 Fitted makeFitted(const Source& source, const Job& job)
