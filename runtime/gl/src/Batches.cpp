@@ -53,6 +53,7 @@ void Renderer::State::drawPacked(Executor& executor, const Batch& batch,
     std::vector<Sphere> bounds;
     const MeshResources& mesh = batch.mesh->resources();
     const CompiledHooks* const hooks = hooksOf(batch);
+    // A vertex hook may move vertices as far as its reach.
     const Sphere meshBounds = reached(mesh.bounds(), hooks);
     for (const Instance* const* i = first; i != last; ++i) {
         const auto& place =
@@ -78,6 +79,7 @@ void Renderer::State::drawGroup(Executor& executor, const Batch& batch,
                                 const std::vector<const Instance*>& objects,
                                 const DrawRequest& request, DrawStats& stats)
 {
+    // Materials whose tables differ in size cannot be layers of one array.
     if (!material.isPacked()) {
         for (const Instance* object : objects)
             attempt(stats, 1, [&] {

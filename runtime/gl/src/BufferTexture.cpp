@@ -17,11 +17,13 @@ void BufferTexture::update(size_t texels, size_t bytes, const void* data)
                     "found " + std::to_string(texels) + " texels, expected at most " +
                         std::to_string(device_->maxBufferTexels));
     FBRDF_ASSERT(device_->capabilities.bufferTextures, ==, true);
+    // Made by the first use: most renderers never draw a batch or a list of lights.
     if (!texture_) create();
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     if (bytes > bytes_) {
         // Doubling keeps the number of reallocations small while a scene grows.
         bytes_ = std::max(bytes, 2 * bytes_);
+        // The texture follows: it refers to the buffer by name, not to its storage.
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_DRAW);
     }
     if (bytes > 0) gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
@@ -38,6 +40,7 @@ void BufferTexture::create()
     gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_DRAW);
     texture_ = createObject(device_, ObjectKind::texture);
     gl.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+    // The buffer has storage by now, so that the texture has a texel to read in every case.
     gl.TexBuffer(GL_TEXTURE_BUFFER, format_, buffer_.name());
     label(*device_, ObjectKind::buffer, buffer_, name_);
     label(*device_, ObjectKind::texture, texture_, name_);

@@ -12,6 +12,7 @@ namespace {
 constexpr int kMostErrors = 16;
 
 /// True where the context has no fixed function.
+// 3.1 has no profiles, but an extension that brings the fixed function back.
 bool isCoreProfile(const Functions& gl)
 {
     if (gl.es) return true;
@@ -33,6 +34,7 @@ int glslVersion(const Functions& gl)
     return 120;
 }
 
+// GL cannot be asked whether a CPU draws, so names decide; an unknown one only costs speed.
 bool isSoftware(const Functions& gl)
 {
     const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
@@ -156,6 +158,7 @@ DevicePtr createDevice(const RendererOptions& options)
     device->capabilities.debug = device->capabilities.debug && options.debugLabels;
     device->logTo = options.log;
     device->state = options.state;
+    // GL sets an error on names that it does not know, so each limit waits for its version.
     if (device->gl.version >= 31)
         device->maxBufferTexels = integer(device->gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     if (device->gl.version >= 30) device->drawBuffers = integer(device->gl, GL_MAX_DRAW_BUFFERS);

@@ -23,6 +23,7 @@ bool isFinite(const glm::mat4& m)
     return true;
 }
 
+// Lights are moved to eye space and pixels back by these matrices: NaN would spread silently.
 void checkView(const View& view)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
@@ -49,6 +50,7 @@ void checkDepth(const Device& device, const DepthOptions& depth)
     for (const float value : {depth.rangeLow, depth.rangeHigh, depth.clear})
         if (!(value >= 0.0f && value <= 1.0f))
             fail("found depth " + numberText(double(value)) + ", expected one in [0, 1]");
+    // Everything would be hidden: most often reversed depth with the usual test or clear value.
     if (!passes(depth.rangeLow, depth.test, depth.clear) &&
         !passes(depth.rangeHigh, depth.test, depth.clear))
         fail("found clear depth " + numberText(double(depth.clear)) +
@@ -88,6 +90,8 @@ bool isInvertible(const glm::mat4& model)
 
 void setLights(DrawRequest& request, const std::vector<Light>& lights)
 {
+    // In double: far from the origin of the world floats lose the distance between light and
+    // surface.
     const glm::dmat4 toEye(request.view.view);
     // Linear targets store radiance itself, without exposure (Target::exposure).
     const bool exposed = request.target.transfer != Transfer::linear;
@@ -122,6 +126,8 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
 
 void putNeighboursTogether(EyeLights& lights, const DrawRequest& request)
 {
+    // By their places on screen: neighbours in space may be far apart there, and the other way
+    // round.
     std::vector<PixelRect> rects;
     for (const LightVectors& light : lights.vectors)
         rects.push_back(pixelBounds(light, glm::dmat4(request.view.projection),

@@ -46,6 +46,7 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
     program_ = nullptr;
     int maxLookups = 0;
     bool offscreenCleared = false;
+    // Passes of an item differ in program and state, never in arrays.
     const MeshBinding binding(item.mesh);
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
@@ -78,6 +79,7 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
 void Executor::bindSurface(const Pass& pass)
 {
     if (!device_.capabilities.framebufferObjects) return;
+    // Without framebuffer objects a plan has no surfaces, and the window is bound.
     gl_.BindFramebuffer(gl_.drawFramebuffer(), pass.writes == Surface::target
                                                    ? frame_.target.framebuffer
                                                    : surfaces_->framebuffer(pass.writes));
@@ -92,6 +94,7 @@ void Executor::setBlend(Blend blend)
     else
         blend == Blend::replace ? gl_.Disable(GL_BLEND) : gl_.Enable(GL_BLEND);
     if (blend == Blend::replace) return;
+    // (GL_DST_COLOR, GL_ZERO) is Blend::multiply, source x target. (0, 1) keeps alpha in both.
     const GLenum source = blend == Blend::add ? GL_ONE : GL_DST_COLOR,
                  target = blend == Blend::add ? GL_ONE : GL_ZERO;
     if (gl_.version >= 40) {
@@ -105,6 +108,8 @@ void Executor::setBlend(Blend blend)
 
 void Executor::setDepth(Depth depth)
 {
+    // The pass that writes depth decides what is visible; the others draw where depth is equal,
+    // which holds because all programs of an item compute positions by the same text (invariant).
     gl_.DepthFunc(depth == Depth::write ? functionOf(frame_.view.depth.test) : GL_EQUAL);
     gl_.DepthMask(depth == Depth::write ? GL_TRUE : GL_FALSE);
 }
@@ -113,6 +118,7 @@ void Executor::useProgram(const Drawable& item, const Program& program)
 {
     gl_.UseProgram(program.object.name());
     program_ = &program;
+    // Uniforms belong to the program, which several materials may share: they are set each time.
     setMatrices(item, program);
     bindTables(item.material, program);
     setUniforms(item.material, program.material);
@@ -122,6 +128,7 @@ void Executor::useProgram(const Drawable& item, const Program& program)
         state_.bindTexture(program.parametersUnit, GL_TEXTURE_BUFFER, item.material.parameters());
     if (program.normalMapUnit >= 0)
         state_.bindTexture(program.normalMapUnit, GL_TEXTURE_2D, item.surface.normalMap);
+    // After ours and with the program in use: the host sets its own by plain glUniform.
     if (item.surface.hooks && item.surface.hooks->get().setUniforms)
         item.surface.hooks->get().setUniforms(program.object.name());
     if (program.readScale >= 0)
@@ -152,6 +159,8 @@ void Executor::bindTables(const MaterialResources& material, const Program& prog
 void Executor::setLights(const Pass& pass, const Program& program)
 {
     const auto first = static_cast<size_t>(pass.firstLight);
+    // Location -1 and count 0 are legal for GL, but the pointer to the first light would not be
+    // valid.
     if (program.lights >= 0 && pass.lightCount > 0)
         gl_.Uniform4fv(program.lights, kVectorsPerLight * pass.lightCount,
                        glm::value_ptr(lights_->vectors[first].front()));

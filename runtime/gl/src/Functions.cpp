@@ -26,6 +26,7 @@ struct Loader {
         fail("found no gl" #name " in a context of version " + std::to_string(gl.version / 10) + \
              "." + std::to_string(gl.version % 10) + ", expected one");
 
+// What every context has, of whatever version, is checked without a condition.
 void checkPrograms(const Functions& gl)
 {
     FBRDF_NEEDS(true, AttachShader)
@@ -103,6 +104,8 @@ void checkBasics(const Functions& gl)
     FBRDF_NEEDS(true, Viewport)
 }
 
+// Conditions are those under which this library calls the function, which may be narrower than
+// those under which GL has it.
 void checkNewer(const Functions& gl)
 {
     const bool es = gl.es != 0, es30 = gl.es >= 30, gl30 = gl.version >= 30,
@@ -180,6 +183,7 @@ void findClipControl(Functions& gl, const Loader& loader)
     if (gl.es == 0) return;
     gl.hasClipControl = gl.hasExtension("GL_EXT_clip_control");
     if (gl.hasClipControl)
+        // The pointer takes the place of the desktop's, and callers need not know.
         gl.ClipControl =
             reinterpret_cast<PFNGLCLIPCONTROLPROC>(loader.load(loader.user, "glClipControlEXT"));
 }
@@ -188,6 +192,8 @@ void findClipControl(Functions& gl, const Loader& loader)
 
 bool Functions::hasExtension(const char* name) const
 {
+    // Contexts before 3.0 list all extensions in one text; core profiles no longer have that text.
+    // Blanks around both keep a name from matching the beginning of a longer one.
     if (!has(30, 30)) {
         const auto* all = reinterpret_cast<const char*>(GetString(GL_EXTENSIONS));
         return all && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") !=
@@ -220,6 +226,8 @@ Functions loadFunctions(LoadFunction load, void* user)
     const std::string text = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
     gl.version = 10 * GLAD_VERSION_MAJOR(version) + GLAD_VERSION_MINOR(version);
     if (text.compare(0, 9, "OpenGL ES") == 0) {
+        // Desktop 2.1 is what ES 2.0 can do, so that a test for a desktop version fails in ES
+        // unless it asks for ES as well (Functions::has).
         gl.es = gl.version;
         gl.version = 21;
         loadEmbedded(gl, loader);
@@ -228,6 +236,7 @@ Functions loadFunctions(LoadFunction load, void* user)
         fail("found version '" + text + "', expected OpenGL 2.1 or OpenGL ES 2.0 or newer");
     checkBasics(gl);
     checkPrograms(gl);
+    // checkNewer asks for glClipControl, so it has to be found first.
     findClipControl(gl, loader);
     checkNewer(gl);
     return gl;

@@ -68,6 +68,7 @@ int MaterialBinding::apply(int firstUnit) const
                     "found first unit " + std::to_string(firstUnit) + " for " +
                         std::to_string(used) + " textures, expected " + std::to_string(room) +
                         " units to suffice");
+    // The program stays current: the host draws with it next, and has its own state afterwards.
     gl.UseProgram(state_->program);
     setUniforms(state_->resources(), state_->uniforms);
     // Samplers are set each time: the host may have several materials for one program.
@@ -77,6 +78,7 @@ int MaterialBinding::apply(int firstUnit) const
         const GpuTable& table = state_->resources().tables()[i];
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         gl.BindTexture(table.target, table.texture.name());
+        // A sampler object of the host would override how the texture is filtered.
         if (gl.hasSamplers()) gl.BindSampler(static_cast<GLuint>(unit), 0);
         gl.Uniform1i(tables[i].sampler, unit++);
     }

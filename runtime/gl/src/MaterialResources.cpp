@@ -59,6 +59,7 @@ int largestSide(const Capabilities& c, GLenum target)
     return target == GL_TEXTURE_3D ? c.max3dTextureSize : c.maxTextureSize;
 }
 
+// Asked before the upload: GL would only set an error, without the limit.
 void checkTexels(const Capabilities& c, const Table& table, const TextureImage& image)
 {
     const GLenum target = targetOf(table, image);
@@ -92,6 +93,7 @@ void setSampling(const Functions& gl, GLenum target)
 
 void upload(const Functions& gl, GLenum target, const TextureImage& image)
 {
+    // Formats without a size (OpenGL ES 2.0) take theirs from the type of what is uploaded.
     const Format format = formatOf(image.type, gl);
     const GLsizei width = image.size[0], height = image.size[1];
     const auto* texels = static_cast<const unsigned char*>(texelsOf(image));

@@ -12,6 +12,7 @@ MaterialUniforms findUniforms(const MaterialResources& material, GLuint program)
         return material.device()->gl.GetUniformLocation(program,
                                                         (name + std::to_string(index)).c_str());
     };
+    // -1 stands for a uniform that the linker removed; GL ignores it, setUniforms saves the call.
     MaterialUniforms result;
     for (size_t i = 0; i < material.tables().size(); ++i)
         result.tables.push_back({location("fbrdfTable", i), location("fbrdfLower", i),

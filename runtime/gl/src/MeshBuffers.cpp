@@ -24,6 +24,7 @@ size_t sizeOf(const Functions& gl, GLuint buffer, const std::string& name)
 }
 
 /// Checks that a buffer contains `count` elements of so many bytes.
+// Reading beyond a buffer is undefined in GL, so it is checked here, once and not in every draw.
 void checkRange(const Functions& gl, const BufferArray& array, size_t count, size_t bytes,
                 const std::string& name)
 {
@@ -140,6 +141,7 @@ MeshArrays hostArrays(const Device& device, const MeshBuffers& mesh)
         if (mesh.extra[k].buffer == 0) failMesh("found buffer 0 for " + name + ", expected one");
         attributes[kExtra + k] = checkedArray(gl, mesh.extra[k], count, 4, name);
     }
+    // Indices themselves are not checked: that would read the whole buffer back.
     setIndices(device, mesh, arrays);
     // Last, for reading back waits for the GPU.
     arrays.bounds = checkedBounds(device, mesh);

@@ -18,6 +18,7 @@ MeshResources::MeshResources(DevicePtr device, const MeshData& mesh) : device_(s
 {
     const UploadGuard guard(*device_);
     bindVertexArray();
+    // The vertex array comes first: the binding of the index buffer is part of it.
     arrays_ = uploadArrays(device_, mesh, storage_);
     if (vertexArray_) setAttributes();
     checkErrors(*device_, "mesh");
@@ -66,6 +67,7 @@ void MeshResources::draw(int instances) const
     FBRDF_ASSERT(instances, >=, 0);
     const Functions& gl = device_->gl;
     const MeshArrays& a = arrays_;
+    // An instanced draw of one differs from a plain one: gl_InstanceID, and so the program.
     if (instances > 0)
         gl.DrawElementsInstanced(GL_TRIANGLES, a.indexCount, a.indexType, offset(a.indexOffset),
                                  instances);
@@ -83,6 +85,8 @@ MeshBinding::MeshBinding(const MeshResources& mesh) : mesh_(mesh)
         return;
     }
     if (mesh.device_->state == StateMode::restore) save();
+    // Without vertex arrays the attributes are global state, set anew for each mesh and saved
+    // before.
     mesh.setAttributes();
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.arrays_.indexBuffer);
 }
@@ -119,6 +123,8 @@ MeshBinding::~MeshBinding()
     if (!mesh_.hasTangents())
         gl.VertexAttrib4f(kTangent, tangent_[0], tangent_[1], tangent_[2], tangent_[3]);
     if (mesh_.vertexArray_) return;
+    // glVertexAttribPointer takes the buffer that is bound, so each pointer needs its buffer first.
+    // The host's own binding of GL_ARRAY_BUFFER is put back by StateGuard, which ends later.
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(elementBuffer_));
     for (GLuint i = 0; i < kAttributeCount; ++i) {
         const SavedAttribute& a = saved_[i];

@@ -67,6 +67,7 @@ void uploadVertices(const DevicePtr& device, const MeshData& mesh, MeshArrays& a
                     Object& vertices)
 {
     vertices = createObject(device, ObjectKind::buffer);
+    // Not interleaved: hosts pass separate arrays, and copying each whole is quickest.
     std::vector<unsigned char> bytes;
     const auto append = [&](GLuint attribute, GLint components, const auto& array) {
         if (array.empty()) return;

@@ -5,6 +5,7 @@
 namespace fbrdf::gl {
 namespace {
 
+// Labels take one set of names for kinds of objects, GL has no other use of it.
 GLenum identifierOf(ObjectKind kind)
 {
     switch (kind) {
@@ -23,6 +24,7 @@ GLenum identifierOf(ObjectKind kind)
 
 void Object::reset() noexcept
 {
+    // Names of an abandoned context may belong to other objects of a new one by now.
     const GLuint name = std::exchange(name_, 0u);
     if (name == 0 || !device_->alive) return;
     const Functions& gl = device_->gl;
@@ -48,6 +50,7 @@ Object createObject(const DevicePtr& device, ObjectKind kind)
         case ObjectKind::framebuffer: gl.GenFramebuffers(1, &name); break;
         case ObjectKind::renderbuffer: gl.GenRenderbuffers(1, &name); break;
         case ObjectKind::program: name = gl.CreateProgram(); break;
+        // Shaders are made by compiledShader, which knows their stage.
         case ObjectKind::shader: break;
     }
     if (name == 0)

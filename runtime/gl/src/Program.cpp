@@ -43,6 +43,7 @@ bool isOurs(const std::string& name)
 
 std::vector<std::string> activeSamplers(const Functions& gl, GLuint program)
 {
+    // Names of the host may be longer than the buffer: GL cuts them, and they are skipped anyway.
     GLint count = 0;
     gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
     std::vector<std::string> names;
@@ -169,6 +170,7 @@ Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& 
 {
     const Functions& gl = device->gl;
     Object shader(device, ObjectKind::shader, gl.CreateShader(stage));
+    // A lost context returns 0.
     if (!shader) failShader("found no shader object, expected one");
     const GLchar* text = source.c_str();
     gl.ShaderSource(shader.name(), 1, &text, nullptr);

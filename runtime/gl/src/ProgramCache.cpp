@@ -36,6 +36,7 @@ bool isSame(const ProgramSpec& a, const ProgramSpec& b)
                       [](const Part& x, const Part& y) { return isSame(x, y); });
 }
 
+// Addresses are used again by the next object; numbers of hooks and materials are not.
 uint64_t idOf(const CompiledHooks* hooks)
 {
     return hooks ? hooks->id() : 0;
@@ -105,6 +106,7 @@ void ProgramCache::build(Entry& entry, const MaterialResources& material, const 
         entry.program = std::make_unique<const Program>(
             linkedProgram(device_, material, *entry.vertexShader, text.fragment));
     } catch (const Error& error) {
+        // Remembered, so that a text that fails is not compiled in every draw.
         entry.failure = error.what();
     }
 }
@@ -147,6 +149,7 @@ void ProgramCache::evict()
     evictHooks();
     device_->retiredMaterials.clear();
     device_->retiredHooks.clear();
+    // The maps do not own, so what is left in them now are places of programs that are gone.
     eraseExpired(entries_);
     eraseExpired(vertexShaders_);
 }
@@ -168,6 +171,8 @@ void ProgramCache::evictHooks()
 void ProgramCache::release(std::shared_ptr<Entry> entry)
 {
     // Failures are forgotten, so that the next material tries again.
+    // A program whose last material has gone is kept for a while: replacing a material by one of
+    // the same form, frame after frame, would otherwise compile each time.
     if (entry.use_count() > 1 || !entry->program) return;
     unused_.push_back(std::move(entry));
     if (unused_.size() > kMostUnused) unused_.pop_front();

@@ -33,6 +33,8 @@ std::shared_ptr<GpuMaterial> Renderer::createMaterial(const Material& material,
 {
     state_->checkAlive();
     discardHostErrors(*state_->device);
+    // A map that cannot be recombined is no failure: it is looked up as it is, and the host can ask
+    // why.
     const auto resources = std::make_shared<MaterialResources>(state_->device, material, options);
     if (!resources->whyNotRecombined().empty())
         state_->device->log(Severity::warning, "material '" + resources->name() + "' has no " +
@@ -91,6 +93,7 @@ void Renderer::replaceMaterial(GpuLibrary& library, int index, const Material& m
                     "found material " + std::to_string(index) + ", expected one of " +
                         std::to_string(resources.places().size()));
     discardHostErrors(*state_->device);
+    // The old one stays where GL refuses the new one: it is prepared before it takes the place.
     resources.replace(static_cast<size_t>(index), material,
                       [this](const MaterialResources& made) { state_->prepareFirst(made); });
 }
@@ -105,6 +108,8 @@ void Renderer::prepare(const GpuMaterial& material, const DrawOptions& options, 
 void Renderer::prepare(const Item& item, const DrawOptions& options, int lights)
 {
     state_->checkAlive();
+    // Mesh and hooks decide on the text of the programs (tangents, hooks), so the item tells more
+    // than its material.
     const Drawable drawable = state_->drawableOf(item);
     state_->prepare(drawable.material, drawable.surface, options, lights);
 }
@@ -112,6 +117,7 @@ void Renderer::prepare(const Item& item, const DrawOptions& options, int lights)
 DrawStats Renderer::draw(const Target& target, const View& view, const std::vector<Item>& items,
                          const std::vector<Light>& lights, const DrawOptions& options)
 {
+    // All items share one guard: state is saved and restored once a call, not once an item.
     return state_->draw(target, view, lights, options,
                         [&](Executor& executor, const DrawRequest& request, DrawStats& stats) {
                             for (const Item& item : items)
@@ -130,6 +136,7 @@ DrawStats Renderer::drawBatch(const Target& target, const View& view, const Batc
 
 void Renderer::abandonContext() noexcept
 {
+    // Objects that outlive the context ask this flag before they delete a GL name (Object::reset).
     state_->device->alive = false;
 }
 

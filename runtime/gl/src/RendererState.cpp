@@ -20,6 +20,7 @@ bool needsSurfaces(const Plan& plan)
 void addPlan(DrawStats& stats, const Plan& plan)
 {
     const int passes = static_cast<int>(plan.passes.size());
+    // Name and format go with the item of most passes; bounds are the worst of all.
     if (passes > stats.passes) {
         stats.accumulation = colourFormatName(plan.accumulation);
         stats.technique = plan.technique;
@@ -93,6 +94,7 @@ std::vector<const Program*> Renderer::State::programsOf(const MaterialResources&
                                                         const SurfaceOptions& surface,
                                                         const Plan& plan, bool clustered)
 {
+    // What hooks of the host need of units and uniforms is not left for lights.
     const int maxLights =
         maxLightsInUniforms(material.form(), remaining(device->capabilities, surface.hooks));
     std::vector<const Program*> result;
@@ -115,6 +117,8 @@ ReadyPlan Renderer::State::planOf(const Form& form, PlanRequest& wanted,
         surfaces.find(target.framebuffer,
                       {target.width, target.height, ready.plan.surfaces, draw->info.floatDepth});
     if (ready.surfaces) return ready;
+    // A context may promise a format and refuse its size: the plan is made again for the target
+    // alone.
     wanted.offscreen = false;
     return {planPasses(form, wanted, capabilities), nullptr, {}};
 }
@@ -128,6 +132,7 @@ ReadyPlan Renderer::State::planFor(const MaterialResources& material, const Comp
     wanted.recombination = material.lookUpError();
     ReadyPlan ready = planOf(material.form(), wanted, capabilities, draw);
     if (ready.plan.feasible()) return ready;
+    // Once for each text, and so for each material and reason: draws come 60 times a second.
     device->logOnce(Severity::warning, "material '" + material.name() +
                                            "': " + techniqueName(wanted.technique) +
                                            " replaced by single: " + ready.plan.reason);
@@ -146,6 +151,7 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
                               const DrawOptions& options, int lights)
 {
     programs.evict();
+    // Linking sets samplers, for which the program has to be current: state changes here too.
     const StateGuard guard(*device);
     std::string whyReplaced;
     // An RGBA32F target needs no surfaces, and so no size, which is not known yet.
@@ -230,6 +236,7 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
 {
     checkAlive();
     checkRequest(*device, target, view);
+    // Between draws nothing of ours is in use, so what no material needs any more can go.
     programs.evict();
     surfaces.evict(target);
     DrawRequest request{target, view, options, {}, {}, {}};

@@ -82,6 +82,7 @@ StateGuard::StateGuard(const Device& device)
         saveBindings();
         saveFixed();
     }
+    // In all modes: what the host has set must not change what is drawn.
     disableAll();
     setFixed();
 }
@@ -112,6 +113,8 @@ void StateGuard::restoreBindings() const
 
 void StateGuard::saveBindings()
 {
+    // The index buffer is not saved: it belongs to the vertex array (or to MeshBinding, without
+    // them).
     program_ = integer(gl_, GL_CURRENT_PROGRAM);
     activeTexture_ = integer(gl_, GL_ACTIVE_TEXTURE);
     arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
@@ -122,6 +125,7 @@ void StateGuard::saveBindings()
 
 void StateGuard::saveFixed()
 {
+    // From 3.0 on each draw buffer has a mask of its own, which a call without an index overwrites.
     if (gl_.version < 30)
         gl_.GetBooleanv(GL_COLOR_WRITEMASK, colourMasks_.data());
     else
@@ -140,6 +144,7 @@ void StateGuard::saveFixed()
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
     gl_.GetFloatv(GL_VIEWPORT, viewport_);
     saveDepths();
+    // Two values come back where front and back may differ, which a core profile does not allow.
     if (!gl_.es) gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_);
     if (gl_.version >= 30 && !device_.capabilities.coreProfile)
         clampColour_ = integer(gl_, GL_CLAMP_FRAGMENT_COLOR);
@@ -168,6 +173,7 @@ void StateGuard::disableAll()
         if (!gl_.has(s.since, s.sinceEs) ||
             (s.fixedFunctionOnly && device_.capabilities.coreProfile))
             continue;
+        // Without restoring, what is off by default stays off; GL_DITHER alone is on by default.
         const bool onInTheEnd =
             mode_ == StateMode::restore ? isOn(gl_, s.name) : s.name == GL_DITHER;
         if (onInTheEnd) switches_.push_back(s.name);
@@ -184,6 +190,7 @@ void StateGuard::setFixed()
     for (int i = 1; i < device_.drawBuffers; ++i)
         gl_.ColorMaski(static_cast<GLuint>(i), GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     if (!gl_.es) gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    // Compatibility contexts may clamp what a shader writes to [0, 1], also in float targets.
     if (gl_.version >= 30 && !device_.capabilities.coreProfile)
         gl_.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FIXED_ONLY);
 }
@@ -218,6 +225,7 @@ void StateGuard::restoreFixed() const
     restoreDepthRangeAndViewport();
     if (gl_.hasClipControl) gl_.ClipControl(enumOf(clipOrigin_), enumOf(clipDepth_));
     if (gl_.es) return;
+    // GL_FRONT alone is an error in a core profile.
     if (device_.capabilities.coreProfile) {
         gl_.PolygonMode(GL_FRONT_AND_BACK, enumOf(polygonMode_[0]));
     } else {
@@ -239,6 +247,7 @@ void StateGuard::setDepth(const DepthOptions& depth)
 {
     setDepthRange(static_cast<double>(depth.rangeLow), static_cast<double>(depth.rangeHigh));
     gl_.clearDepth(static_cast<double>(depth.clear));
+    // Upper left would turn triangles around and the picture upside down, so it is reset as well.
     const GLenum clip =
         depth.clip == ClipDepth::zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE;
     if (gl_.hasClipControl) gl_.ClipControl(GL_LOWER_LEFT, clip);
@@ -247,6 +256,7 @@ void StateGuard::setDepth(const DepthOptions& depth)
 void StateGuard::restoreDepthRangeAndViewport() const
 {
     setDepthRange(depthRange_[0], depthRange_[1]);
+    // Defaults of the viewport are those of the window, which are not known here: ours stays.
     if (mode_ != StateMode::restore) return;
     if (gl_.version >= 41)
         gl_.ViewportIndexedf(0, viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
@@ -268,6 +278,7 @@ void StateGuard::setTarget(const Target& target)
 
 StateGuard::SavedUnit StateGuard::savedUnit(GLenum name) const
 {
+    // All targets of the unit: which one the next material of this draw binds is not known yet.
     return {name,
             integer(gl_, GL_TEXTURE_BINDING_2D),
             gl_.hasVolumes() ? integer(gl_, GL_TEXTURE_BINDING_3D) : 0,
@@ -307,6 +318,7 @@ void StateGuard::bindTexture(int unit, GLenum target, GLuint texture)
     // A pass may bind a unit that an earlier one has saved already.
     if (std::none_of(units_.begin(), units_.end(), isSaved)) {
         units_.push_back(mode_ == StateMode::restore ? savedUnit(name) : SavedUnit{name});
+        // A sampler object of the host would override the filters of our textures.
         if (gl_.hasSamplers()) gl_.BindSampler(name - GL_TEXTURE0, 0);
     }
     gl_.BindTexture(target, texture);

@@ -21,6 +21,7 @@ Surfaces::Surfaces(DevicePtr device, const SurfaceFormat& format)
     FBRDF_ASSERT(format.width, >, 0);
     FBRDF_ASSERT(format.height, >, 0);
     const UploadGuard guard(*device_);
+    // One depth buffer for all: passes into different surfaces must agree on what is visible.
     createDepth();
     usable_ =
         create(accumulation_, "accumulation") && create(scratch_, "scratch") && create(sum_, "sum");
@@ -39,6 +40,7 @@ void Surfaces::createDepth()
     depth_ = createObject(device_, ObjectKind::renderbuffer);
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
     const GLenum fixed = isOld(gl) ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
+    // Float depth where the target has it: what was told apart there must be told apart here.
     gl.RenderbufferStorage(GL_RENDERBUFFER, format_.floatDepth ? GL_DEPTH_COMPONENT32F : fixed,
                            format_.width, format_.height);
     label(*device_, ObjectKind::renderbuffer, depth_, "depth");

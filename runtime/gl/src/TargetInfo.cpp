@@ -28,6 +28,7 @@ GLint parameter(const Functions& gl, GLenum attachment, GLenum name)
 }
 
 /// The attachment by which the first draw buffer of a window is queried.
+// The query takes the name of one buffer; GL_FRONT and GL_BACK name two where there is stereo.
 GLenum queriedName(const Functions& gl, GLenum drawBuffer)
 {
     if (gl.es) return drawBuffer;
@@ -39,6 +40,7 @@ GLenum queriedName(const Functions& gl, GLenum drawBuffer)
     }
 }
 
+/// The depth buffer of a window has a name of its own.
 GLenum depthAttachment(GLuint framebuffer)
 {
     return framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
@@ -64,6 +66,7 @@ ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
 ColourFormat formatBefore30(const Functions& gl, GLuint framebuffer)
 {
     if (integer(gl, GL_DEPTH_BITS) == 0) fail(framebuffer, "found no depth buffer, expected one");
+    // Attachments cannot be queried before 3.0. Bits are those of the framebuffer that is bound.
     const bool isFloat = gl.ARB_color_buffer_float && integer(gl, GL_RGBA_FLOAT_MODE_ARB) != 0;
     return formatOf(isFloat, integer(gl, GL_RED_BITS));
 }
@@ -75,6 +78,7 @@ TargetInfo targetInfo(const Device& device, const Target& target)
     const Functions& gl = device.gl;
     const GLuint framebuffer = target.framebuffer;
     if (device.capabilities.framebufferObjects) {
+        // The guard has bound the target already, so queries without a name are about it.
         const GLenum status = gl.CheckFramebufferStatus(gl.drawFramebuffer());
         if (status != GL_FRAMEBUFFER_COMPLETE)
             fail(framebuffer,

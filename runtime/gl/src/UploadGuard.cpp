@@ -11,6 +11,7 @@ constexpr GLenum kUnpack[] = {GL_UNPACK_ALIGNMENT,   GL_UNPACK_ROW_LENGTH,  GL_U
 constexpr size_t kUnpackCount = sizeof kUnpack / sizeof *kUnpack;
 static_assert(kUnpackCount == UploadGuard::kUnpackStates);
 
+// Scales, biases and maps of the fixed function apply to uploads in compatibility contexts.
 struct Transfer {
     GLenum name;
     GLfloat neutral;
@@ -34,6 +35,7 @@ UploadGuard::UploadGuard(const Device& device) : device_(device), gl_(device.gl)
 
 UploadGuard::~UploadGuard()
 {
+    // The vertex array first, in every mode: a later binding of an index buffer would change ours.
     if (device_.capabilities.vertexArrays) gl_.BindVertexArray(unsignedOf(vertexArray_));
     if (device_.state == StateMode::leave) return;
     for (size_t i = 0; i < unpackStates(); ++i) gl_.PixelStorei(kUnpack[i], unpack_[i]);
