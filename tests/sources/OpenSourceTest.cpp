@@ -71,7 +71,8 @@ TEST(OpenSource, AFileOfNoFormatIsDescribed)
     expectInputError(path, "resembles LightTools' BSDF");
     expectInputError(path,
                      "as .bsdf it could be rgl (binary that starts with tensor_file) or zemax");
-    expectInputError(folder.write("a.brdf", "Dear reader\n"), "as .brdf it could be cornell");
+    expectInputError(folder.write("a.brdf", "Dear reader\n"),
+                     "as .brdf it could be speos (text with the title");
     expectInputError(folder.write("a.dat", "a letter\n"), "as .dat it could be mit-aniso");
     expectInputError(folder.write("a.csv", std::string("PK\x03\x04\0\0", 6)),
                      "a spreadsheet (.xlsx)");

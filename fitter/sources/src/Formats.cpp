@@ -27,6 +27,11 @@ bool startsWithTag(const InputFile& file)
     return isText(file) && trimmed(file.bytes()).substr(0, 1) == "<";
 }
 
+bool startsWithBrace(const InputFile& file)
+{
+    return isText(file) && trimmed(file.bytes()).substr(0, 1) == "{";
+}
+
 /// True for text whose first word is a whole number.
 bool startsWithCount(const InputFile& file)
 {
@@ -49,6 +54,8 @@ const std::vector<Format>& formats()
         {"exr", " exr ", "OpenEXR", false, isExrTable, readExrTable, isBinary},
         {"picture", " hdr tif tiff ", "TIFF or Radiance HDR", false, isPictureTable,
          readPictureTable, isBinary},
+        {"mbsdf", " mbsdf ", "binary that starts with 'NVIDIA ARC MBSDF V1'", false, isMbsdf,
+         readMbsdf, isBinary},
         {"mit-aniso", " dat ", "binary of 16 int32 and planes of float32", false, isMitAniso,
          readMitAniso, isBinary},
         {"merl", " binary ", "binary of 90 x 90 x 180 x 3 float64", false, isMerl, readMerl,
@@ -58,6 +65,10 @@ const std::vector<Format>& formats()
         {"nbrdf", " f32 ", "binary of 675 float32 a material", true, isNbrdf, readNbrdf, isBinary,
          nbrdfRows},
         {"klems", " xml ", "XML with a WindowElement", true, isKlems, readKlems, startsWithTag},
+        {"xompt", " xompt ", "JSON with OpenMATERIAL 3D's lookupTable", true, isXompt, readXompt,
+         startsWithBrace},
+        {"speos", " brdf anisotropicbsdf ", "text with the title 'OPTIS - brdf surface file'", true,
+         isSpeos, readSpeos, nullptr},
         {"fred", "", "text with 'type bsdf_data'", false, isFred, readFred, nullptr},
         {"zemax", " bsdf ", "text with SpectralContent and ScatterType", false, isZemax, readZemax,
          nullptr},
@@ -68,6 +79,8 @@ const std::vector<Format>& formats()
          nullptr},
         {"csv", " csv ", "text with a header that names the columns", false, isCsv, readCsv,
          isText},
+        {"planar-spectra", "", "columns Incident_angle, Measure_angle and wavelengths NNNnm", true,
+         isPlanarSpectra, readPlanarSpectra, nullptr},
         {"rt300s", "", "columns stage_deg, theta_i_deg, A_deg, R_deg, brdf", false, isRt300s,
          readRt300s, nullptr},
         {"nist", "", "columns lambda, thetai, phi, thetar, phir, f_r", true, isNist, readNist,

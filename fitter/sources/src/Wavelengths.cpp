@@ -1,6 +1,7 @@
 #include "Wavelengths.h"
 
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Spectrum.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,11 +23,6 @@ bool allWithin(const std::vector<double>& values, double lower, double upper)
                        [&](double value) { return value >= lower && value < upper; });
 }
 
-bool isVisible(double nm)
-{
-    return nm >= kFirstVisible && nm <= kLastVisible;
-}
-
 }  // namespace
 
 std::optional<double> nanometresInUnitOf(const std::vector<double>& wavelengths)
@@ -43,8 +39,22 @@ const char* nameOfWavelengthUnit(double nanometres)
     return nanometres == 1.0 ? "nm" : nanometres == kMicrometre ? "um" : "m";
 }
 
+double wavelengthNamed(const std::string& name)
+{
+    for (const auto& [unit, nanometres] :
+         {std::pair<std::string_view, double>{"nm", 1.0}, {"um", 1e3}, {"\xC2\xB5m", 1e3}}) {
+        double value = 0.0;
+        const std::string lower = lowerCase(name);
+        if (lower.size() <= unit.size() || lower.substr(lower.size() - unit.size()) != unit)
+            continue;
+        const std::string_view number = trimmed(lower).substr(0, lower.size() - unit.size());
+        if (parseLocalNumber(trimmed(number), value)) return value * nanometres;
+    }
+    return 0.0;
+}
+
 BandColour::BandColour(const FileRequest& request, const std::vector<double>& wavelengths)
-    : order_(wavelengths.size()), sorted_(wavelengths.size())
+    : order_(wavelengths.size())
 {
     const std::optional<double> unit = nanometresInUnitOf(wavelengths);
     if (!unit)
@@ -83,17 +93,25 @@ void BandColour::choose(const FileRequest& request)
                         ", expected one of the wavelengths " + listed() + " nm");
     }
     if (wavelengths_.size() == 1) return;
-    if (std::none_of(wavelengths_.begin(), wavelengths_.end(), isVisible))
+    if (wavelengths_.back() < kFirstVisible || wavelengths_.front() > kLastVisible)
         throw inputError(*request.file, "found no visible wavelength among " + listed() +
                                             " nm, expected a choice of one: FILE@WAVELENGTH");
-    weights_.emplace(wavelengths_);
+    const SpectrumToRgb toRgb(wavelengths_);
+    std::vector<double> unit(wavelengths_.size());
+    weights_.resize(wavelengths_.size());
+    for (size_t i = 0; i < order_.size(); ++i) {
+        unit[i] = 1.0;
+        weights_[order_[i]] = toRgb(unit.data());
+        unit[i] = 0.0;
+    }
 }
 
-Vec3d BandColour::operator()(const double* values)
+Vec3d BandColour::operator()(const double* values) const
 {
-    if (!weights_) return Vec3d(values[chosen_]);
-    for (size_t i = 0; i < order_.size(); ++i) sorted_[i] = values[order_[i]];
-    return (*weights_)(sorted_.data());
+    if (weights_.empty()) return Vec3d(values[chosen_]);
+    Vec3d rgb(0.0);
+    for (size_t i = 0; i < weights_.size(); ++i) rgb += weights_[i] * values[i];
+    return rgb;
 }
 
 std::string BandColour::listed() const
@@ -107,7 +125,7 @@ std::string BandColour::listed() const
 
 std::string BandColour::description() const
 {
-    if (!weights_) return fmt::format("one band, {:.6g} nm", wavelengths_.front());
+    if (weights_.empty()) return fmt::format("one band, {:.6g} nm", wavelengths_.front());
     return fmt::format("{} wavelengths from {:.6g} to {:.6g} nm to linear sRGB (D65, CIE 1931)",
                        wavelengths_.size(), wavelengths_.front(), wavelengths_.back());
 }
@@ -118,7 +136,7 @@ std::vector<std::string> BandColour::assumptions() const
     if (unit_ != 1.0)
         found.push_back(std::string("wavelengths in ") + nameOfWavelengthUnit(unit_) +
                         ", by their size");
-    if (!weights_) found.emplace_back("one band as grey");
+    if (weights_.empty()) found.emplace_back("one band as grey");
     return found;
 }
 

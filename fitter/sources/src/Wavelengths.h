@@ -2,8 +2,6 @@
 #pragma once
 #include "Formats.h"
 
-#include <fbrdf/sources/Spectrum.h>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +15,9 @@ std::optional<double> nanometresInUnitOf(const std::vector<double>& wavelengths)
 /// "nm", "um" or "m" of what the function above returns.
 const char* nameOfWavelengthUnit(double nanometres);
 
+/// Wavelength of a column named "532nm" or "0.532 um", in nm; 0 for any other name.
+double wavelengthNamed(const std::string& name);
+
 /// Turns the bands of one file into a colour: all of them into linear sRGB (Spectrum.h), or the one
 /// that FILE@WAVELENGTH chooses into grey.
 class BandColour {
@@ -28,11 +29,13 @@ public:
     BandColour(const FileRequest& request, const std::vector<double>& wavelengths);
 
     /// `values` - one for each wavelength.
-    Vec3d operator()(const double* values);
+    Vec3d operator()(const double* values) const;
     /// Number of wavelengths of the file.
     size_t bands() const { return order_.size(); }
+    /// Index of the value that is taken, where one is.
+    size_t chosen() const { return chosen_; }
     /// True where a colour may lie outside the gamut.
-    bool isSpectral() const { return weights_.has_value(); }
+    bool isSpectral() const { return !weights_.empty(); }
     /// "31 wavelengths from 400 to 700 nm to linear sRGB (D65, CIE 1931)" or "one band, 550 nm".
     std::string description() const;
     /// What was assumed about them, for Source::assumptions.
@@ -45,9 +48,8 @@ private:
     double unit_ = 1.0;
     std::vector<size_t> order_;        ///< indices of the values by ascending wavelength
     std::vector<double> wavelengths_;  ///< nm, ascending
-    std::optional<SpectrumToRgb> weights_;
-    size_t chosen_ = 0;           ///< index of the value that is taken where there are no weights
-    std::vector<double> sorted_;  ///< values of one call by ascending wavelength
+    std::vector<Vec3d> weights_;       ///< of the values; empty where one of them is chosen
+    size_t chosen_ = 0;  ///< index of the value that is taken where there are no weights
 };
 
 }  // namespace fbrdf

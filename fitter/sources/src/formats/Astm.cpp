@@ -68,21 +68,6 @@ AstmHeader readHeader(LineReader& lines)
     return header;
 }
 
-/// Wavelength of a column named "532nm" or "0.532 um", in nm; 0 for any other name.
-double wavelengthOf(const std::string& name)
-{
-    for (const auto& [unit, nanometres] :
-         {std::pair<std::string_view, double>{"nm", 1.0}, {"um", 1e3}, {"\xC2\xB5m", 1e3}}) {
-        double value = 0.0;
-        const std::string lower = lowerCase(name);
-        if (lower.size() <= unit.size() || lower.substr(lower.size() - unit.size()) != unit)
-            continue;
-        const std::string_view number = trimmed(lower).substr(0, lower.size() - unit.size());
-        if (parseLocalNumber(trimmed(number), value)) return value * nanometres;
-    }
-    return 0.0;
-}
-
 size_t* angleNamed(AstmLayout& layout, const std::string& base)
 {
     if (base == "theta_i") return &layout.theta_i;
@@ -139,7 +124,7 @@ AstmLayout layoutOf(const FileRequest& request, const AstmHeader& header)
     layout.columns = header.names.size();
     const std::vector<std::string> names = placeColumns(file, header, layout);
     std::vector<double> wavelengths;
-    for (const std::string& name : names) wavelengths.push_back(wavelengthOf(name));
+    for (const std::string& name : names) wavelengths.push_back(wavelengthNamed(name));
     const bool spectral = !names.empty() && std::all_of(wavelengths.begin(), wavelengths.end(),
                                                         [](double nm) { return nm > 0.0; });
     if (arrange(names, "rgb", layout))
@@ -164,7 +149,7 @@ AstmLayout layoutOf(const FileRequest& request, const AstmHeader& header)
     return layout;
 }
 
-Vec3d valueOf(AstmLayout& layout, const std::vector<double>& numbers)
+Vec3d valueOf(const AstmLayout& layout, const std::vector<double>& numbers)
 {
     std::vector<double> values;
     for (const size_t column : layout.valueColumns) values.push_back(numbers[column]);

@@ -104,7 +104,7 @@ Source readCornell(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     WordReader words(file.bytes());
-    BandColour colour(request, readWavelengths(file, words));
+    const BandColour colour(request, readWavelengths(file, words));
     AngleRows rows;
     std::vector<double> record(kAngleNumbers + colour.bands());
     while (readRecord(file, words, record))
