@@ -98,7 +98,7 @@ TEST(Search, TriesFormsThatTellLightFromViewWhereTheDataDoes)
     EXPECT_FALSE(triesHdpu(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3})));
 }
 
-TEST(Symmetry, IsSeenOnFunctionsAlone)
+TEST(Symmetry, IsMeasuredOnFunctionsAndUnknownForScatteredSamples)
 {
     const Source ggx = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
     EXPECT_TRUE(isReciprocalSource(ggx));

@@ -59,8 +59,7 @@ size_t MerlGrid::cellOf(const DirectionPair<double>& pair) const
     return (h * cos_d_.size() + d) * cos_p_.size() + p;
 }
 
-SampleStream streamOnGrid(MerlGrid grid,
-                          std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate)
+SampleStream streamOnGrid(MerlGrid grid, BrdfFunction evaluate)
 {
     SampleStream stream;
     stream.rows = grid.size();

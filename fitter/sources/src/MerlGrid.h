@@ -32,7 +32,6 @@ private:
 };
 
 /// The values of a function at the centres of the cells, made when asked for.
-SampleStream streamOnGrid(MerlGrid grid,
-                          std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate);
+SampleStream streamOnGrid(MerlGrid grid, BrdfFunction evaluate);
 
 }  // namespace fbrdf

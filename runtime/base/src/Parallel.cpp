@@ -10,7 +10,7 @@
 namespace fbrdf {
 namespace {
 
-// Of the tasks that failed, the first one. Tasks begin in order, so that those before it have all
+// The first of the tasks that failed. Tasks begin in order, so that those before it have all
 // begun, and it is the same one however the threads run.
 class FirstFailure {
 public:

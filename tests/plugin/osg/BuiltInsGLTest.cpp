@@ -84,7 +84,7 @@ TEST_F(BuiltIns, ServeTangentsThatAreDerived)
     compare(ball, expected, true, true);
 }
 
-TEST_F(BuiltIns, LeaveTangentsTheirNumber)
+TEST_F(BuiltIns, DoNotTakeTheAttributeNumberOfTangents)
 {
     static_assert(3 + kUnitAtTangents == osgFbrdf::kTangentAttribute,
                   "after position, normal and colour");

@@ -5,7 +5,8 @@
 
 namespace fbrdf {
 
-/// As step() of Steps.h. The system counts as solved as problem.options().limits state it.
+/// Does what step() of Steps.h does. The limits of problem.options() state when the system counts
+/// as solved.
 Step gradientStep(const LeastSquares& problem, const State& x, const StepOptions& options,
                   const Vec3f& scale);
 

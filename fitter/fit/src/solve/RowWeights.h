@@ -57,11 +57,11 @@ private:
     Vec3f scale_;
 };
 
-/// phi(f) - phi(g) over phi', and phi'^2, of a metric.
+/// What a row gives to the equations in a metric phi: (phi(f) - phi(g)) / phi' and phi'^2.
 struct Response {
     float residual, weight;
 };
-/// Of a metric other than log; `cosine` of theta_i, which f and g are multiplied by.
+/// The response in a metric other than log. f and g are multiplied by `cosine`, that of theta_i.
 Response responseInMetric(Metric metric, float cosine, float logF, float logG);
 inline Response responseOf(Metric metric, float cosine, float logF, float logG)
 {

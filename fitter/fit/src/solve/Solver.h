@@ -38,7 +38,7 @@ struct BorderedMatrix {
     std::vector<double> values;  ///< shape.size()
 
     explicit BorderedMatrix(const BorderedShape& s = {}) : shape(s), values(s.size(), 0.0) {}
-    /// By unknowns; column <= row, and within the band where both are banded.
+    /// The entry of two unknowns; column <= row, and within the band where both are banded.
     double& at(size_t row, size_t column)
     {
         const size_t n = shape.banded;

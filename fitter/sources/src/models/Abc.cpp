@@ -7,11 +7,6 @@
 namespace fbrdf {
 namespace {
 
-double square(double x)
-{
-    return x * x;
-}
-
 /// Unpolarised Fresnel reflectance of a dielectric: Cook and Torrance 1982, section 5.
 double dielectricFresnel(double cosine, double eta)
 {

@@ -7,11 +7,6 @@
 namespace fbrdf {
 namespace {
 
-double square(double x)
-{
-    return x * x;
-}
-
 double mix(double a, double b, double t)
 {
     return a + (b - a) * t;

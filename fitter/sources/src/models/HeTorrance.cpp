@@ -20,11 +20,6 @@ namespace {
 /// Dominant wavelengths of the Rec. 709 primaries, micrometres.
 constexpr double kWavelength[3] = {0.611, 0.549, 0.464};
 
-double square(double x)
-{
-    return x * x;
-}
-
 /// ln m!, m >= 1. Stirling's series, good to 1e-13 from 16 on, after stepping up to there.
 /// std::lgamma writes a global, so threads could not call it.
 double logFactorial(double m)

@@ -10,11 +10,6 @@ namespace {
 // has no meaning as a height field.
 constexpr double kRoughnessMin = 1e-4, kRoughnessMax = 2.0;
 
-double square(double x)
-{
-    return x * x;
-}
-
 /// tan(theta) times the roughness projected on the direction's azimuth: Heitz 2014, section 5.3.
 double projectedSlope(const Vec3d& w, const Roughness& alpha)
 {

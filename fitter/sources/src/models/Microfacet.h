@@ -6,6 +6,11 @@
 
 namespace fbrdf {
 
+inline double square(double x)
+{
+    return x * x;
+}
+
 /// Half vector of a pair and the angle between it and either direction.
 struct HalfGeometry {
     Vec3d h;

@@ -9,7 +9,7 @@ namespace {
 
 using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
 
-/// By its name and the file of its material, as far as there are such.
+/// Name of an effect in the log: its own and the file of its material, as far as there are such.
 std::string nameOf(const FactorizedBrdf& effect)
 {
     const std::string &name = effect.getName(), &file = effect.getMaterialFile();

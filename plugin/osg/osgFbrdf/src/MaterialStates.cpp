@@ -82,7 +82,7 @@ std::string keyOf(const PassInputs& inputs)
            (inputs.attenuated ? "a" : "");
 }
 
-/// Of all that PassTechnique sets in a request.
+/// The key of all that PassTechnique sets in a request.
 std::string keyOf(const fbrdf::PlanRequest& request, const PassInputs& inputs)
 {
     std::string key = keyOf(inputs);

@@ -39,7 +39,7 @@ double medianReciprocityError(const BrdfFunction& brdf, int threads,
                               size_t pairCount = kUniformTestPairs);
 
 struct PhysicsErrors {
-    /// As medianReciprocityError.
+    /// What medianReciprocityError gives for the whole set.
     double reciprocity = 0;
     /// Largest directional albedo over 16 incidences from 0 to 85 degrees, any channel.
     double albedoMax = 0;

@@ -5,14 +5,11 @@
 // nothing. The exposure is such that a Lambertian of albedo 1/2 averages 0.4. Only numbers from
 // this scene compare with each other.
 #pragma once
-#include <fbrdf/brdf/Conventions.h>
+#include <fbrdf/sources/Source.h>
 
-#include <functional>
 #include <vector>
 
 namespace fbrdf {
-
-using BrdfFunction = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
 
 struct SphereImage {
     int size = 0;  ///< pixels on a side; row 0 is the top (y = +1)

@@ -32,9 +32,6 @@ struct ModelParameter {
 /// Values of all parameters but shorthands, by name. A scalar has three equal components.
 using ModelValues = std::map<std::string, Vec3d>;
 
-/// f(wo, wi) in 1/sr of two unit directions above the horizon.
-using BrdfFunction = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
-
 struct ModelEnergy {
     /// When the directional albedo is at most 1, in words: "kd + ks <= 1". Empty: no promise.
     std::string condition;

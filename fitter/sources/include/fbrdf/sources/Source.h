@@ -12,6 +12,9 @@
 
 namespace fbrdf {
 
+/// f(wo, wi) in 1/sr, linear RGB, of two unit directions; 0 where either is below the horizon.
+using BrdfFunction = std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)>;
+
 /// One measurement: f(wo, wi) in 1/sr, linear RGB. Below the noise floor f may be 0 or negative.
 struct Sample {
     Vec3f wo, wi, f;
@@ -66,9 +69,8 @@ struct Source {
     std::vector<Sample> samples;  ///< empty when streamed, or when only a function
     SampleStream stream;          ///< empty when all are in `samples`, or when only a function
     SampleReport report;          ///< of `samples`; of a stream see reportOf
-    /// f(wo, wi) for any unit pair, 0 below the horizon; empty when only samples are known. Safe to
-    /// call from threads.
-    std::function<Vec3d(const Vec3d& wo, const Vec3d& wi)> evaluate;
+    /// Takes any unit pair; empty when only samples are known. Safe to call from threads.
+    BrdfFunction evaluate;
 };
 
 /// True when the source has samples of its own, in memory or streamed.
