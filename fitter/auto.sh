@@ -1,23 +1,65 @@
 #!/usr/bin/env bash
-# auto.sh - prints how the error of `auto` compares with that of the best named form on the same
-# measured data: median |ln g/f| on samples held out. Exits 1 where it is more than 2 % above.
-# Usage: fitter/auto.sh [path of fbrdf] [folder of the data]
+# auto.sh - prints, for measured data, the errors of `auto` on all samples beside those of every named form within the
+# same budget of bytes and look-ups, with the seconds and processor time of each fit. Fails where a form is better than
+# `auto` by more than 5 % in log_median, cos_rms or cuberoot_rms and not worse by more in another of them.
+# Usage: fitter/auto.sh [--seconds S] [path of fbrdf] [file or model...]    without files: those in ../shared/data
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-fbrdf=${1:-$root/build/bin/fbrdf} data=${2:-$root/../shared/data}
-csv=$(mktemp)
-trap 'rm -f "$csv"' EXIT
-rm "$csv"
-"$fbrdf" bench-fit --peers none --forms auto,pqp,pqpr,hdio,hdg,hdp,hdpio,qdio,qdg --csv "$csv" \
-  "$data"/cornell_pbrt2/{garnet_red,krylon_blue,mystique}.brdf "$data/nist_ptfe/PTFE.data.csv@0.532" \
-  > /dev/null
-sed 's/"[^"]*"//g' "$csv" | awk -F, '
-  NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-  { m = $column["material"]; name = $column["name"]; error = $column["log_median"]
-    if (error == "") next
-    if (name == "auto") auto[m] = error
-    else if (!(m in best) || error < best[m]) { best[m] = error; form[m] = name } }
-  END { for (m in auto) {
-      printf "%-14s auto %.5f, best named form %.5f (%s): %.2f of it\n", m, auto[m], best[m], form[m], auto[m] / best[m]
-      if (auto[m] > 1.02 * best[m]) failed = 1 }
-    exit failed }'
+seconds=10
+if [ "${1:-}" = --seconds ]; then seconds=$2; shift 2; fi
+fbrdf=${1:-$root/build/bin/fbrdf}
+[ $# -eq 0 ] || shift
+data=$root/../shared/data
+[ $# -gt 0 ] || set -- "$data"/cornell_pbrt2/*.brdf "$data/nist_ptfe/PTFE.data.csv@0.532" "$data"/cea_retro/retro-3M-jaune.dat \
+  "$data"/cars_airborne/*.csv "$data"/starlink_lab/*.csv "$data"/ua_rt300s/csv/*.csv "$data"/klems_fabric/*.xml \
+  "$data"/rgl_iso_rgb/*.bsdf
+exec python3 - "$fbrdf" "$seconds" "$@" <<'PYTHON'
+import json, os, resource, subprocess, sys, tempfile
+
+fbrdf, seconds, sources = sys.argv[1], sys.argv[2], sys.argv[3:]
+ALLOWED, BYTES, LOOKUPS = 1.05, 32768, 2
+FORMS = ["hdio", "hdg", "hdp", "hdpio", "hdpu", "pqp", "pqpr", "qdio", "qdg", "pqtr"]
+ERRORS = ["log_median", "cos_rms", "cuberoot_rms"]
+
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+def fit(source, form, folder):
+    before = processor_seconds()
+    run = subprocess.run([fbrdf, "fit", source, "-o", os.path.join(folder, "m.fbrdf"), "--form", form, "--json",
+                          "--max-bytes", str(BYTES), "--lookups", str(LOOKUPS), "--seconds", seconds],
+                         capture_output=True, text=True)
+    if run.returncode: return None, run.stderr.strip()
+    result = json.loads(run.stdout)
+    result["processor"] = processor_seconds() - before
+    return result, None
+
+def most_above(a, b):
+    return max((a[e] or 0) / b[e] if b[e] else 1 for e in ERRORS)
+
+def line(name, result, mark):
+    all_errors = result["errors"]["all"]
+    print(f"  {name:10} {result['form']:10} {result['bytes']:6} B {result['seconds']['fit']:7.2f} s {result['processor']:7.2f} s cpu  " +
+          "  ".join(f"{e} {all_errors[e] if all_errors[e] is not None else float('nan'):.4f}" for e in ERRORS) + mark)
+
+failed = 0
+with tempfile.TemporaryDirectory() as folder:
+    for source in sources:
+        print(os.path.basename(source), flush=True)
+        auto, why = fit(source, "auto", folder)
+        if not auto:
+            print("  " + why); failed += 1; continue
+        line("auto", auto, "")
+        print("  " + auto["reason"])
+        for form in FORMS:
+            named, why = fit(source, form, folder)
+            if not named: continue  # a form that the data do not allow
+            above = most_above(auto["errors"]["all"], named["errors"]["all"])
+            better = above > ALLOWED and above >= most_above(named["errors"]["all"], auto["errors"]["all"])
+            failed += better
+            line(form, named, f"  better by {100 * (above - 1):.0f} %" if better else "")
+            sys.stdout.flush()
+print("auto is as good as every named form" if not failed else f"{failed} forms are better than auto")
+sys.exit(1 if failed else 0)
+PYTHON

@@ -157,7 +157,8 @@ void benchColumns(const Settings& settings)
 void benchGrowth(const Settings& settings)
 {
     const Source plastic = openSource(kPlastic);
-    for (const size_t count : {10000, 30000, 100000, 300000, 1000000, 2900000})
+    for (const size_t count :
+         std::initializer_list<size_t>{10000, 30000, 100000, 300000, 1000000, 2900000})
         print(fmt::format("{} samples, hdio, plain", count),
               best(settings.repeat, scattered(plastic, count), formOptions("hdio", false)));
     const Source samples = scattered(plastic, 160000);

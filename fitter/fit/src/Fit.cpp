@@ -60,11 +60,11 @@ Fitted fitMade(const Source& source, const Job& job)
     return fitted;
 }
 
-Fitted fitAny(const Source& source, const Job& job, std::vector<Trial>& trials)
+Fitted fitAny(const Source& source, const Job& job, FitSummary& summary)
 {
     if (isMade(job.options)) return fitMade(source, job);
-    const bool searches = job.options.form == "auto" && !job.options.formData;
-    return searches ? searchForm(source, job, trials) : fitNamed(job);
+    return isSearched(job.options) ? searchForm(source, job, summary.trials, summary.reason)
+                                   : fitNamed(job);
 }
 
 void measure(const Source& source, const Job& job, const Fitted& fitted, FitSummary& summary)
@@ -111,6 +111,9 @@ void checkOptions(const FitOptions& options)
     if (options.terms < 1)
         throw Error(ErrorKind::usage, "terms",
                     Found(std::to_string(options.terms)).expected("at least 1"));
+    if (!(options.seconds >= 0.0))
+        throw Error(ErrorKind::usage, "seconds",
+                    Found(numberText(options.seconds)).expected("at least 0"));
     if (options.smoothness && !(*options.smoothness > 0.0))
         throw Error(ErrorKind::usage, "smoothness",
                     Found(numberText(*options.smoothness)).expected("above 0"));
@@ -123,7 +126,7 @@ void checkOptions(const FitOptions& options)
     } else if (isMade(options)) {
         checkMadeOptions(options);
     } else {
-        makeForm(options.form == "auto" ? "hdio" : options.form, options.resolution);
+        makeForm(isSearched(options) ? "hdio" : options.form, options.resolution);
     }
 }
 
@@ -138,7 +141,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     const Clock clock;
     const ProcessorClock processors;
     const Job job = makeJob(std::move(feed), options, source.name);
-    Fitted fitted = fitAny(source, job, summary.trials);
+    Fitted fitted = fitAny(source, job, summary);
     if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);
     fitted.material.name = source.name;
     summary.seconds = clock.seconds();

@@ -72,6 +72,7 @@ std::string FitSummary::fullReport() const
     if (conserved != 1.0) text += line("energy", "scaled by " + number(conserved));
     if (coverage) text += line("coverage", describe(*coverage));
     for (const MisfitRegion& region : misfits) text += line("misfit", describe(region));
+    if (!reason.empty()) text += line("form", reason);
     return text + triedForms(trials);
 }
 

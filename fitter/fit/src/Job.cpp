@@ -5,6 +5,7 @@
 #include "Bake.h"
 #include "forms/NamedForms.h"
 #include "Support.h"
+#include "Unsampled.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/metrics/SampleSets.h>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // drawn from a source that is only a function
 constexpr size_t kProbeSamples = 200000;     // that sample errors are computed on
-constexpr size_t kSmallSet = 20000;          // below: all five folds are held out in turn
+constexpr size_t kSmallSet = 5000;           // below: all five folds are held out in turn
 
 // The cost of the solution with the options of the job's last steps; of a stream on a part of it.
 double costOf(const LeastSquares& problem, const Job& job, const Solution& solution)
@@ -98,16 +99,21 @@ Fitted fitForm(const Job& job, const Form& form)
 {
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));
-    const Solution solution = solve(problem, solveOptions(job));
+    Solution solution = solve(problem, solveOptions(job));
+    const std::vector<double> support = supportOf(problem);
+    extendHue(problem, support, solution.x);
     Fitted fitted{bake(form, problem.layout(), solution.x, job.options.storage),
-                  solution.smoothness, solution.summary};
+                  solution.smoothness,
+                  solution.summary,
+                  {}};
     fitted.solver.cost = costOf(problem, job, solution);
-    markUnsupported(fitted.material, problem.layout(), supportOf(problem));
+    markUnsupported(fitted.material, problem.layout(), support);
     return fitted;
 }
 
 SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted)
 {
+    if (fitted.heldOut) return *fitted.heldOut;
     if (!job.feed.exact) {
         HeldOut held;
         holdOut(job, fitted.material.form, fitted.smoothness, job.folds, held);
@@ -124,17 +130,20 @@ void holdOut(const Job& job, const Form& form, double smoothness, int folds, Hel
     if (held.folds >= folds) return;
     const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
                                problemOptions(job));
+    const std::vector<double> support = supportOf(problem);
     for (; held.folds < folds; ++held.folds) {
         SolveOptions options = solveOptions(job);
         options.smoothness = smoothness;
         options.excludedFold = held.folds;
-        const Solution solution = solve(problem, options);
+        Solution solution = solve(problem, options);
+        extendHue(problem, support, solution.x);
         held.smoothness = solution.smoothness;
         const Material material = bake(form, problem.layout(), solution.x, job.options.storage);
         const auto part = probeOf(job, FoldChoice::onlyOf(held.folds));
         const auto values = evaluateAt(material, part, job.options.threads);
         held.samples.insert(held.samples.end(), part.begin(), part.end());
         held.fitted.insert(held.fitted.end(), values.begin(), values.end());
+        held.foldEnd.push_back(held.samples.size());
     }
     if (!held.samples.empty())
         held.errors = sampleErrors(held.samples, held.fitted, job.traits.floor);

@@ -39,6 +39,7 @@ struct Fitted {
     Material material;
     double smoothness = 0;
     SolverSummary solver;
+    std::optional<SampleErrors> heldOut;  ///< where they are known already
 };
 Fitted fitForm(const Job& job, const Form& form);
 
@@ -55,6 +56,7 @@ struct HeldOut {
     double smoothness = 0;  ///< of the last fit
     std::vector<Sample> samples;
     std::vector<Vec3f> fitted;
+    std::vector<size_t> foldEnd;  ///< one past the last sample of each fold
     SampleErrors errors;
 };
 /// Continues until `folds` folds are held out. `smoothness` 0: each of these fits chooses its own.

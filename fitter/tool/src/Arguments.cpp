@@ -83,8 +83,8 @@ void addFitOptions(CLI::App& command, FitOptions& options)
     command
         .add_option_function<std::string>(
             "--form", [&options](const std::string& text) { setForm(options, text); },
-            "form of the product (see fbrdf forms), a form as data FILE.json, or auto; default "
-            "auto")
+            "form of the product (see fbrdf forms), a form as data FILE.json, auto, or best-of, "
+            "which searches longer; default auto")
         ->type_name("FORM");
     addInteger(command, "--resolution", options.resolution, 1, kMaxResolution,
                "texels along the main axis; default: the form's own")
@@ -98,6 +98,14 @@ void addFitOptions(CLI::App& command, FitOptions& options)
     addInteger(command, "--terms", options.terms, 1, kMaxTerms,
                "terms of a sum that auto tries at most; default 2")
         ->type_name("N");
+    command
+        .add_option(
+            "--seconds", options.seconds,
+            "auto begins no trial after half of these seconds; 0: no limit, the same result "
+            "on every machine")
+        ->type_name("S")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     command.add_flag("--conserve", options.conserve,
                      "scale the material down so that no directional albedo exceeds 1");
     addFitTuning(command, options);

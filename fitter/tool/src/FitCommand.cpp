@@ -146,6 +146,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"misfit", misfitsJson(outcome.summary)},
             {"coverage", coverageJson(outcome.summary)},
             {"unsupported_texels", unsupportedTexels(material)},
+            {"reason", outcome.summary.reason},
             {"trials", trialsJson(outcome.summary)}};
 }
 
@@ -195,15 +196,17 @@ std::string trialsText(const FitSummary& summary)
 {
     if (summary.trials.empty()) return "";
     std::vector<std::vector<std::string>> rows{{"", "stage", "form", "bytes", "look-ups",
-                                                "log_median", "log_rms", "cuberoot_rms", "tables"}};
+                                                "log_median", "cos_rms", "cuberoot_rms", "score",
+                                                "tables"}};
     for (const Trial& t : summary.trials)
-        rows.push_back({t.chosen ? "*" : "", t.stage, t.form, withSeparators(t.bytes),
-                        fmt::format("{}", t.lookups), fmt::format("{:.4g}", t.heldOut.logMedian),
-                        fmt::format("{:.4g}", t.heldOut.logRms),
-                        fmt::format("{:.4g}", t.heldOut.cubeRootRms), t.description});
+        rows.push_back(
+            {t.chosen ? "*" : "", t.stage, t.form, withSeparators(t.bytes),
+             fmt::format("{}", t.lookups), fmt::format("{:.4g}", t.heldOut.logMedian),
+             fmt::format("{:.4g}", t.heldOut.cosRms), fmt::format("{:.4g}", t.heldOut.cubeRootRms),
+             t.seconds > 0.0 ? fmt::format("{:.4g}", t.score) : "not tried", t.description});
     const Align l = Align::left, r = Align::right;
-    return "  forms tried, errors held out; * chosen\n" +
-           alignedTable({l, l, l, r, r, r, r, r, l}, rows, 4);
+    return "  chosen: " + summary.reason + "\n  forms tried, errors held out; * chosen\n" +
+           alignedTable({l, l, l, r, r, r, r, r, r, l}, rows, 4);
 }
 
 std::string misfitText(const FitSummary& summary)
@@ -285,6 +288,8 @@ void addFitCommand(CLI::App& app, Action& action)
     sub->add_option("-o,--output", command->output, "material to write (.fbrdf)")
         ->required()
         ->type_name("FILE");
+    constexpr double kPatience = 10.0;  // seconds that a person waits for auto
+    command->job.fit.seconds = kPatience;
     addFitOptions(*sub, command->job.fit);
     sub->add_option("--report", command->report, "self-contained HTML page about the fit")
         ->type_name("R.html");

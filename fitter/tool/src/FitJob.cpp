@@ -50,6 +50,7 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
     notes[kBelowFloorNote] = fmt::format("{}", summary.belowFloor);
     notes[kFloorNote] = fmt::format("{} {} {}", floor.x, floor.y, floor.z);
     notes[kSmoothnessNote] = fmt::format("{}", summary.smoothness);
+    if (!summary.reason.empty()) notes["form chosen"] = summary.reason;
     if (!summary.misfits.empty()) notes[kMisfitNote] = describe(summary.misfits.front());
     if (!outcome.source.assumptions.empty())
         notes[kAssumedNote] = fmt::format("{}", fmt::join(outcome.source.assumptions, "; "));
@@ -116,12 +117,12 @@ std::string optionsNote(const FitJob& job)
     const FitOptions& fit = job.fit;
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
-        "smoothness={} seed={} cosine={}{}{}",
+        "smoothness={} seed={} cosine={}{}{}{}",
         fit.formData ? formKey(*fit.formData) : fit.form, fit.resolution, fit.maxBytes, fit.lookups,
         fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
-        job.sourceOptions.cosine, fit.sharedShape ? " shared" : "",
-        fit.conserve ? " conserve" : "");
+        job.sourceOptions.cosine, fit.sharedShape ? " shared" : "", fit.conserve ? " conserve" : "",
+        isSearched(fit) ? fmt::format(" seconds={}", fit.seconds) : "");
 }
 
 std::string generatorNote()

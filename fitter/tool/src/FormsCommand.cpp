@@ -81,9 +81,9 @@ std::string formsText()
     const Align l = Align::left, r = Align::right;
     return alignedTable({l, l, r, r, r, l}, rows) +
            "\nResolution and bytes are the defaults, 8 bits a texel and channel. "
-           "--form auto, the default of fbrdf fit,\ntries forms and keeps the one with the "
-           "smallest "
-           "held-out error within the budget.\n" +
+           "--form auto, the default of fbrdf fit,\ntries forms within the budget and keeps the "
+           "one whose errors a person sees least, the cheaper of two that\nare as good; --form "
+           "best-of goes on to other sizes and warps of it.\n" +
            lettersText();
 }
 

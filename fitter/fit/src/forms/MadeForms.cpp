@@ -172,8 +172,8 @@ void checkMadeOptions(const FitOptions& options)
 
 Fitted makeFitted(const Source& source, const Job& job)
 {
-    if (job.options.form == kAnalytic) return {analyticOf(source, job.options), 0.0, {}};
-    Fitted fitted{svdOf(source, job, svdFormFor(source, job), kNoFold), 0.0, {}};
+    if (job.options.form == kAnalytic) return {analyticOf(source, job.options), 0.0, {}, {}};
+    Fitted fitted{svdOf(source, job, svdFormFor(source, job), kNoFold), 0.0, {}, {}};
     // Which texels the samples look up does not depend on how the texels were found.
     const LeastSquares problem(fitted.material.form, job.feed, job.traits, job.options.seed,
                                job.options.threads, problemOptions(job));

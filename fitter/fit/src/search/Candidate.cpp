@@ -1,47 +1,109 @@
 #include "search/Candidate.h"
 
 #include <fbrdf/base/Assert.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace fbrdf {
+namespace {
 
-bool Candidate::isFine() const
+double meanOf(const std::vector<double>& values)
 {
-    constexpr double kFineScore = 2e-3, kFineCubeRoot = 5e-3;
-    return score() < kFineScore && held.errors.cubeRootRms < kFineCubeRoot;
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           static_cast<double>(std::max<size_t>(1, values.size()));
 }
 
-bool byScore(const Candidate& a, const Candidate& b)
+auto costOf(const Candidate& c)
 {
-    return a.score() < b.score();
+    return std::make_tuple(c.lookups, c.form.terms.size(), c.bytes);
 }
 
-double leastScore(const std::vector<Candidate>& candidates)
+// The largest factor by which an error of `a` on all samples is above that of `b`.
+double mostAbove(const SampleErrors& a, const SampleErrors& b)
 {
-    FBRDF_ASSERT(candidates.size(), >, 0u);
-    return std::min_element(candidates.begin(), candidates.end(), byScore)->score();
+    constexpr double kUnseen = 1e-4;
+    double most = 0.0;
+    for (const auto error :
+         {&SampleErrors::logMedian, &SampleErrors::cosRms, &SampleErrors::cubeRootRms})
+        most = std::max(most, (a.*error + kUnseen) / (b.*error + kUnseen));
+    return most;
 }
 
-const Candidate& pick(const std::vector<Candidate>& candidates)
+bool isAsGood(const Candidate& c, const Candidate& best)
 {
-    const double least = leastScore(candidates);
-    const Candidate* best = nullptr;
-    for (const Candidate& c : candidates) {
-        if (c.score() > least * kAllowed) continue;
-        if (!best || c.bytes < best->bytes || (c.bytes == best->bytes && byScore(c, *best)))
-            best = &c;
-    }
-    return *best;
+    constexpr double kAllowed = 1.05;
+    if (c.mark() - best.mark() > leadOf(best, c).error) return false;
+    if (!c.whole || !best.whole) return true;
+    const double above = mostAbove(c.all, best.all);
+    return above <= kAllowed || above < mostAbove(best.all, c.all);
 }
 
-// The median of n normal errors is known to 1.17 / sqrt(n), relative; two candidates err on the
-// same samples, and much alike.
-double slackOf(const HeldOut& held)
+std::string percent(double difference)
 {
-    constexpr double kSure = 4.0;
-    return kSure / std::sqrt(static_cast<double>(std::max<size_t>(1, held.samples.size())));
+    return fmt::format("{:.1f} %", 100.0 * std::expm1(difference));
+}
+
+std::string comparison(const Candidate& best, const Candidate& other)
+{
+    const Lead lead = leadOf(best, other);
+    return fmt::format("{} errors held out {} larger, give or take {}", other.form.name,
+                       percent(lead.mean), percent(lead.error));
+}
+
+std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate& chosen,
+                      const Candidate& best)
+{
+    std::string text = chosen.form.name + ": ";
+    if (&chosen != &best)
+        return text + "as good as " + best.form.name + " and cheaper; without it, " +
+               comparison(best, chosen);
+    const Candidate* second = nullptr;
+    for (const Candidate& c : candidates)
+        if (&c != &best && (!second || c.mark() < second->mark())) second = &c;
+    return text + (second ? "the least errors; of the next, " + comparison(best, *second)
+                          : "no other form came near it on samples held out");
+}
+
+}  // namespace
+
+double Candidate::mark() const
+{
+    constexpr double kHue = 2.0;  // what a wrong hue counts beside errors on samples
+    return whole ? 0.5 * (meanOf(marks) + allMark) + kHue * strayHue : meanOf(marks);
+}
+
+bool isBetter(const Candidate& a, const Candidate& b)
+{
+    return a.mark() < b.mark();
+}
+
+Lead leadOf(const Candidate& better, const Candidate& worse)
+{
+    FBRDF_ASSERT(better.marks.size(), ==, worse.marks.size());
+    std::vector<double> differences;
+    for (size_t i = 0; i < better.marks.size(); ++i)
+        differences.push_back(worse.marks[i] - better.marks[i]);
+    Lead lead;
+    lead.mean = meanOf(differences);
+    double squares = 0.0;
+    for (const double d : differences) squares += (d - lead.mean) * (d - lead.mean);
+    const auto count = static_cast<double>(differences.size());
+    if (differences.size() > 1) lead.error = std::sqrt(squares / (count * (count - 1.0)));
+    return lead;
+}
+
+Choice choose(const std::vector<Candidate>& candidates)
+{
+    FBRDF_ASSERT(candidates.size(), >, size_t{0});
+    const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
+    const Candidate* chosen = &*best;
+    for (const Candidate& c : candidates)
+        if (isAsGood(c, *best) && costOf(c) < costOf(*chosen)) chosen = &c;
+    return {static_cast<size_t>(chosen - candidates.data()), reasonFor(candidates, *chosen, *best)};
 }
 
 }  // namespace fbrdf

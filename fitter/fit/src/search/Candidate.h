@@ -2,41 +2,55 @@
 #pragma once
 #include "Job.h"
 
+#include <string>
 #include <vector>
 
 namespace fbrdf {
-
-/// How a candidate stands after a fold.
-struct Marks {
-    double score = 0;  ///< the held-out error that decides, see scoreOf
-    /// Mean logarithm of the score and of the error in the cube-root metric: the first shows how
-    /// close most directions are, the second sees highlights.
-    double merit = 0;
-};
 
 struct Candidate {
     Form form;
     size_t trial = 0;  ///< its row among the trials
     size_t bytes = 0;
+    int lookups = 0;  ///< a light
     HeldOut held;
-    std::vector<Marks> marks;  ///< after each fold
+    std::vector<double> marks;    ///< markOf each part of the samples that were held out
+    std::optional<Fitted> whole;  ///< fitted to all data; where that is known before the choice
+    SampleErrors all;             ///< of `whole` on all samples
+    double allMark = 0;           ///< markOf them; 0 without
+    double strayHue = 0;          ///< of `whole`, see StrayHue
 
-    double score() const { return marks.back().score; }
-    /// Errors so small that nothing is left to see: neither more texels nor other warps help.
-    bool isFine() const;
+    /// The mean of the marks; where a fit to all data is known, the mean of that and allMark, and
+    /// twice strayHue more.
+    double mark() const;
 };
 
-/// The result's score is at most this much of the least of all trials: what saving bytes may cost.
-constexpr double kAllowed = 1.01;
+/// By mark.
+bool isBetter(const Candidate& a, const Candidate& b);
 
-bool byScore(const Candidate& a, const Candidate& b);
-double leastScore(const std::vector<Candidate>& candidates);
+/// Parts of what is held out: the folds, or as many parts of the only one.
+constexpr size_t kMarkParts = static_cast<size_t>(kFolds);
 
-/// The smallest in bytes, then the best, of the candidates whose score is within kAllowed of the
-/// least. Precondition: there is one.
-const Candidate& pick(const std::vector<Candidate>& candidates);
+/// By how much a mark is above another, and the standard error of that: of the mean over parts of
+/// their differences. Parts are the same samples for both.
+struct Lead {
+    double mean = 0, error = 0;
 
-/// The relative difference of scores that is within the noise of the samples left out so far.
-double slackOf(const HeldOut& held);
+    /// The difference could be chance.
+    bool isNoise() const { return mean <= error; }
+};
+Lead leadOf(const Candidate& better, const Candidate& worse);
+
+/// What was chosen, and why in a sentence for people.
+struct Choice {
+    size_t index = 0;
+    std::string reason;
+};
+
+/// The candidate of the least mark, or the cheapest of those that are as good: whose mark is above
+/// it by no more than the standard error, while no error on all samples (log_median, cos_rms,
+/// cuberoot_rms) is above its by more than a twentieth, unless another is below its by more.
+/// Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes. Precondition: there is
+/// one.
+Choice choose(const std::vector<Candidate>& candidates);
 
 }  // namespace fbrdf

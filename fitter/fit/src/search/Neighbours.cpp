@@ -8,8 +8,12 @@
 namespace fbrdf {
 namespace {
 
-// Least fall of the errors that pays for another warp, and for texels: half as many again.
-constexpr double kWorthWarp = 0.01, kWorthTexels = 0.05;
+// Least fall of the mark that pays for another warp, and for texels: half as many again. The third
+// is what all texels that are taken back may cost together.
+constexpr double kWorthWarp = 0.01, kWorthTexels = 0.05, kAllowed = 0.01;
+// A geometric mean of errors so small that nothing is left to see: neither more texels nor other
+// warps help.
+constexpr double kFine = 4e-3;
 constexpr double kSizeStep = 1.5, kWarpStep = 1.4;
 
 // Neither texels nor warps of uniform arrays are worth a trial: they are fine, and free.
@@ -37,12 +41,17 @@ bool decides(const TrialRuns& runs, const std::optional<Form>& form)
     return form && formTexels(*form) * kSamplesPerTexel <= decidingSamples(runs.all());
 }
 
-// Takes the variant when it lowers the errors by `worth`, without giving up the score.
+bool isFine(const Candidate& candidate)
+{
+    return candidate.mark() < std::log(kFine);
+}
+
+// Takes the variant when it lowers the mark by `worth`.
 bool take(TrialRuns& runs, Candidate& best, const std::optional<Form>& variant, const char* stage,
           double worth)
 {
-    if (!variant || best.isFine() || !runs.isWithin(*variant) || runs.isFull()) return false;
-    auto next = runs.attempt(*variant, stage, best, std::log(1.0 - worth));
+    if (!variant || isFine(best) || !runs.isWithin(*variant) || runs.isOver()) return false;
+    auto next = runs.attempt(*variant, stage, best, worth);
     if (!next) return false;
     best = std::move(*next);
     return true;
@@ -73,8 +82,8 @@ void shrink(TrialRuns& runs, Candidate& best)
     const Candidate reference = best;
     for (const size_t table : maps(best.form))
         while (const auto smaller = resized(best.form, table, 1.0 / kSizeStep)) {
-            if (runs.isFull()) return;
-            auto next = runs.attempt(*smaller, "size", reference, std::log(kAllowed));
+            if (runs.isOver()) return;
+            auto next = runs.attempt(*smaller, "size", reference, -kAllowed);
             if (!next) break;
             best = std::move(*next);
         }

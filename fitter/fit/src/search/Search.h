@@ -1,20 +1,24 @@
-// Search.h - `auto`: which form, sizes and warps suit the data within the budget.
+// Search.h - `auto`: which form and sizes suit the data within the budget.
 //
-// Coarse to fine, each trial one fit of at most 32,768 samples scored on a fold of them that took
-// no part: the forms that have names, at the size that data and budget allow; then, of the best,
-// the size of each table and the warp of each of its axes, one at a time (FormVariants.h). The
-// winner and the named forms that came near it meet once more on all of the data. Depends on data,
-// options and seed alone, not on the number of threads.
+// The forms that have names, at the sizes that data and budget allow, are fitted to the data, to
+// 32,768 samples of many, and compared by the errors that a person sees (SeenErrors.h) on samples
+// held out, and on all where those are few. A difference within the spread of the parts of what is
+// held out is none, and the cheaper form wins (Candidate.h). From a form that was found on many
+// samples without noise the search goes on to the forms next to it, one table or axis at a time
+// (Neighbours.h); on few or noisy ones only `best-of` does.
+// The result depends on data, options and seed alone, not on the number of threads; with
+// FitOptions::seconds also on what the machine did in that time.
 #pragma once
 #include "Job.h"
 
+#include <string>
+#include <vector>
+
 namespace fbrdf {
 
-/// The best fit, and a row of `trials` for every form that was tried. Throws Error(usage) when no
-/// form stays within the options.
-Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& trials);
-
-/// The held-out error that decides: log_median, or that of the metric.
-double scoreOf(const SampleErrors& errors, Metric metric);
+/// The best fit, a row of `trials` for every form that was tried or left out for want of time, and
+/// in `reason` why this one. Throws Error(usage) when no form stays within the options.
+Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& trials,
+                  std::string& reason);
 
 }  // namespace fbrdf

@@ -1,27 +1,107 @@
 #include "search/TrialRuns.h"
 
-#include "search/Search.h"
+#include "search/SeenErrors.h"
 
 #include <fbrdf/base/Assert.h>
+#include <fbrdf/base/Parallel.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fbrdf {
 namespace {
 
 constexpr size_t kAutoBytes = 32768;  // without --max-bytes
-constexpr size_t kMaxTrials = 32;
+constexpr size_t kMaxTrials = 64;
+constexpr size_t kFewRows = 20000;    // that forms are fitted to side by side
+constexpr double kTrialsShare = 0.5;  // of the seconds; the rest is for the last fit
+
+FitOptions withOneThread(FitOptions options)
+{
+    options.threads = 1;
+    return options;
+}
+
+Job onOptions(const Job& job, const FitOptions& options)
+{
+    return {options, job.feed, job.traits, job.robust, job.folds};
+}
+
+std::vector<Sample> range(const std::vector<Sample>& samples, size_t first, size_t last)
+{
+    return {samples.begin() + static_cast<std::ptrdiff_t>(first),
+            samples.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+// The marks of the parts of what was held out: folds where there are several.
+std::vector<double> marksOf(const HeldOut& held, const Job& job)
+{
+    std::vector<double> marks;
+    const size_t count = held.samples.size();
+    std::vector<size_t> ends = held.foldEnd;
+    if (ends.size() < 2) {
+        ends.clear();
+        for (size_t part = 1; part <= kMarkParts; ++part) ends.push_back(count * part / kMarkParts);
+    }
+    size_t first = 0;
+    for (const size_t last : ends) {
+        const std::vector<Vec3f> fitted(held.fitted.begin() + static_cast<std::ptrdiff_t>(first),
+                                        held.fitted.begin() + static_cast<std::ptrdiff_t>(last));
+        marks.push_back(
+            markOf(range(held.samples, first, last), fitted, job.traits.floor, job.options.metric));
+        first = last;
+    }
+    return marks;
+}
+
+void fitWhole(const Job& job, const StrayHue& hues, Candidate& candidate)
+{
+    candidate.whole = fitForm(job, candidate.form);
+    const auto probe = probeOf(job);
+    const auto values = evaluateAt(candidate.whole->material, probe, job.options.threads);
+    candidate.all = sampleErrors(probe, values, job.traits.floor);
+    candidate.allMark = markOf(probe, values, job.traits.floor, job.options.metric);
+    candidate.strayHue = hues.of(candidate.whole->material, job.options.threads);
+}
+
+// Keeps those that could still be chosen.
+void leaveBehind(std::vector<Candidate>& candidates)
+{
+    constexpr double kFar = 0.25;  // marks further apart than this do not change places
+    constexpr double kSure = 2.0;  // standard errors
+    if (candidates.empty()) return;
+    const Candidate best = *std::min_element(candidates.begin(), candidates.end(), isBetter);
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [&best](const Candidate& c) {
+                                        const Lead lead = leadOf(best, c);
+                                        return lead.mean - kSure * lead.error > kFar;
+                                    }),
+                     candidates.end());
+}
 
 }  // namespace
+
+TrialRuns::TrialRuns(const Job& all, const Job& part, bool isIsotropic, std::vector<Trial>& rows)
+    : all_(all),
+      part_(part),
+      serialOptions_(withOneThread(part.options)),
+      serial_(onOptions(part, serialOptions_)),
+      rows_(rows)
+{
+    if (isWhole()) hues_.emplace(probeOf(all), all.traits.floor, isIsotropic, all.options.threads);
+}
 
 size_t TrialRuns::budget() const
 {
     return all_.options.maxBytes > 0 ? all_.options.maxBytes : kAutoBytes;
 }
 
-bool TrialRuns::isFull() const
+// Processes that fit together must try the same forms, whatever their clocks are.
+bool TrialRuns::isOver() const
 {
-    return rows_.size() >= kMaxTrials;
+    const bool isLate = all_.options.seconds > 0.0 && all_.options.ranks.count == 1 &&
+                        clock_.seconds() > kTrialsShare * all_.options.seconds;
+    return isLate || rows_.size() >= kMaxTrials;
 }
 
 Candidate TrialRuns::added(const Form& form, const std::string& stage)
@@ -33,61 +113,87 @@ Candidate TrialRuns::added(const Form& form, const std::string& stage)
     trial.bytes = bytesOf(all_, form);
     trial.lookups = lookupsPerLight(form);
     rows_.push_back(trial);
-    return {form, rows_.size() - 1, trial.bytes, {}, {}};
-}
-
-void TrialRuns::record(Candidate& candidate, double seconds)
-{
-    constexpr double kZero = 1e-12;  // a fit without any error has a logarithm too
-    const SampleErrors& errors = candidate.held.errors;
-    Trial& trial = rows_[candidate.trial];
-    trial.seconds += seconds;
-    trial.heldOut = errors;
-    trial.score = scoreOf(errors, all_.options.metric);
-    candidate.marks.push_back({trial.score, 0.5 * (std::log(trial.score + kZero) +
-                                                   std::log(errors.cubeRootRms + kZero))});
-}
-
-Candidate TrialRuns::start(const Form& form, const std::string& stage, double smoothness)
-{
-    Candidate candidate = added(form, stage);
-    candidate.held.smoothness = all_.options.smoothness.value_or(smoothness);
-    goOn(candidate, 1);
+    Candidate candidate;
+    candidate.form = form;
+    candidate.trial = rows_.size() - 1;
+    candidate.bytes = trial.bytes;
+    candidate.lookups = trial.lookups;
     return candidate;
 }
 
-void TrialRuns::goOn(Candidate& candidate, int folds)
+void TrialRuns::holdOutMore(const Job& job, Candidate& candidate, int folds)
 {
-    FBRDF_ASSERT(folds, <=, part_.folds);
     const Clock clock;
-    holdOut(part_, candidate.form, candidate.held.smoothness, folds, candidate.held);
-    record(candidate, clock.seconds());
+    HeldOut& held = candidate.held;
+    holdOut(job, candidate.form, job.options.smoothness.value_or(held.smoothness), folds, held);
+    candidate.marks = marksOf(held, job);
+    rows_[candidate.trial].seconds += clock.seconds();
+}
+
+void TrialRuns::complete(const Job& job, Candidate& candidate)
+{
+    holdOutMore(job, candidate, job.folds);
+    if (!hues_) return;
+    const Clock clock;
+    fitWhole(job, *hues_, candidate);
+    rows_[candidate.trial].seconds += clock.seconds();
+}
+
+void TrialRuns::record(const Candidate& candidate)
+{
+    Trial& trial = rows_[candidate.trial];
+    trial.heldOut = candidate.held.errors;
+    trial.score = std::exp(candidate.mark());
+}
+
+bool TrialRuns::isSideBySide() const
+{
+    return part_.feed.rows < kFewRows && all_.options.ranks.count == 1;
+}
+
+template <class Task>
+std::vector<Candidate> TrialRuns::untilOver(std::vector<Candidate> candidates, const Task& task)
+{
+    std::vector<char> isDone(candidates.size(), false);
+    parallelTasks(candidates.size(), isSideBySide() ? all_.options.threads : 1, [&](size_t i) {
+        if (i > 0 && isOver()) return;
+        task(isSideBySide() ? serial_ : part_, candidates[i]);
+        isDone[i] = true;
+    });
+    std::vector<Candidate> done;
+    for (size_t i = 0; i < candidates.size(); ++i) {
+        if (!isDone[i]) continue;
+        record(candidates[i]);
+        done.push_back(std::move(candidates[i]));
+    }
+    return done;
+}
+
+std::vector<Candidate> TrialRuns::tryAll(const std::vector<Form>& forms, const std::string& stage)
+{
+    std::vector<Candidate> candidates;
+    for (const Form& form : forms) candidates.push_back(added(form, stage));
+    candidates = untilOver(std::move(candidates), [this](const Job& job, Candidate& candidate) {
+        holdOutMore(job, candidate, 1);
+    });
+    // Of few samples one fold shows too little.
+    if (part_.folds == 1) leaveBehind(candidates);
+    std::sort(candidates.begin(), candidates.end(), isBetter);  // the most promising first
+    return untilOver(std::move(candidates),
+                     [this](const Job& job, Candidate& candidate) { complete(job, candidate); });
 }
 
 std::optional<Candidate> TrialRuns::attempt(const Form& variant, const std::string& stage,
-                                            const Candidate& reference, double change)
+                                            const Candidate& reference, double gain)
 {
-    Candidate next = start(variant, stage, reference.held.smoothness);
-    for (int folds = 1;; ++folds) {
-        const Marks &ours = next.marks.back(),
-                    &theirs = reference.marks[static_cast<size_t>(folds - 1)];
-        const double slack = folds < part_.folds ? slackOf(next.held) : 0.0;
-        if (ours.merit > theirs.merit + change + slack ||
-            ours.score > theirs.score * kAllowed * (1.0 + slack))
-            return std::nullopt;
-        if (folds == part_.folds) return next;
-        goOn(next, folds + 1);
-    }
-}
-
-Candidate TrialRuns::finish(const Source& source, const Form& form, Fitted& fitted)
-{
-    const Clock clock;
-    Candidate candidate = added(form, "final");
-    fitted = fitForm(all_, form);
-    candidate.held.errors = heldOutErrors(source, all_, fitted);
-    record(candidate, clock.seconds());
-    return candidate;
+    Candidate next = added(variant, stage);
+    next.held.smoothness = reference.held.smoothness;
+    complete(part_, next);
+    record(next);
+    const Lead lead = leadOf(next, reference);
+    const bool isSure = gain <= 0.0 || !lead.isNoise();
+    if (!isSure || lead.mean < gain || next.mark() > reference.mark() - gain) return std::nullopt;
+    return next;
 }
 
 }  // namespace fbrdf

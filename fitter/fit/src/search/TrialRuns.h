@@ -1,6 +1,7 @@
 // TrialRuns.h - fits the forms that a search tries, and keeps a row of each.
 #pragma once
 #include "search/Candidate.h"
+#include "search/StrayHue.h"
 
 #include <optional>
 #include <string>
@@ -11,37 +12,50 @@ namespace fbrdf {
 class TrialRuns {
 public:
     /// `all`: the data; `part`: the samples that trials are fitted to. All must outlive the object.
-    TrialRuns(const Job& all, const Job& part, std::vector<Trial>& rows)
-        : all_(all), part_(part), rows_(rows)
-    {
-    }
+    /// FitOptions::seconds are counted from now on.
+    TrialRuns(const Job& all, const Job& part, bool isIsotropic, std::vector<Trial>& rows);
 
     const Job& all() const { return all_; }
     const Job& part() const { return part_; }
+    /// Trials are fitted to all of the data.
+    bool isWhole() const { return part_.feed.rows == all_.feed.rows; }
     /// Bytes that the result may have.
     size_t budget() const;
     bool isWithin(const Form& form) const { return bytesOf(all_, form) <= budget(); }
-    /// No more trials before the finals: bounds the time.
-    bool isFull() const;
+    /// No more trials: what is left of the time is for the last fit.
+    bool isOver() const;
 
-    /// Holds out the first fold. `smoothness` 0: the fold chooses it, for those to come as well.
-    Candidate start(const Form& form, const std::string& stage, double smoothness);
-    /// Holds out folds until `folds` have been. Precondition: at most part().folds.
-    void goOn(Candidate& candidate, int folds);
-    /// The variant, unless a fold shows that its merit changes by more than `change` against
-    /// `reference`, or that it gives up the score.
+    /// Tries the forms, until the time is up; at least one. A form that is far behind after a fold
+    /// is not tried further, and not in the result. Where trials are fitted to all of the data,
+    /// their fits are kept.
+    std::vector<Candidate> tryAll(const std::vector<Form>& forms, const std::string& stage);
+    /// The variant with the reference's smoothness, if its mark is less by at least `gain`, and by
+    /// more than chance would have it. `gain` may be negative.
     std::optional<Candidate> attempt(const Form& variant, const std::string& stage,
-                                     const Candidate& reference, double change);
-    /// Fits all data, and measures the errors that will be stated.
-    Candidate finish(const Source& source, const Form& form, Fitted& fitted);
+                                     const Candidate& reference, double gain);
     void choose(const Candidate& candidate) { rows_[candidate.trial].chosen = true; }
 
 private:
     Candidate added(const Form& form, const std::string& stage);
-    void record(Candidate& candidate, double seconds);
+    /// Holds out folds until `folds` have been, with the threads of `job`, which has the samples of
+    /// part().
+    void holdOutMore(const Job& job, Candidate& candidate, int folds);
+    /// All folds, and a fit to all of the data where trials are.
+    void complete(const Job& job, Candidate& candidate);
+    void record(const Candidate& candidate);
+    /// Steps on few rows are so short that threads cost more than they save: forms are fitted at
+    /// the same time in place of the parts of a form.
+    bool isSideBySide() const;
+    /// The candidates that the task was done for before the time was up; at least one.
+    template <class Task>
+    std::vector<Candidate> untilOver(std::vector<Candidate> candidates, const Task& task);
 
     const Job &all_, &part_;
+    FitOptions serialOptions_;  ///< those of the job with one thread
+    Job serial_;                ///< part() with one thread
     std::vector<Trial>& rows_;
+    std::optional<StrayHue> hues_;  ///< where trials are fitted to all of the data
+    Clock clock_;
 };
 
 }  // namespace fbrdf

@@ -16,7 +16,8 @@ GridSystems::GridSystems(const Form& form, const std::vector<NormalSums>& sums)
     : layout(form), smoothness(form, layout)
 {
     for (const NormalSums& sum : sums) {
-        systems.push_back(std::make_unique<SmoothSystem>(sum.matrix(0), smoothness));
+        systems.push_back(
+            std::make_unique<SmoothSystem>(sum.matrix(0, workspace), smoothness, workspace));
         systems.back()->keepFactors();
     }
 }

@@ -15,6 +15,7 @@ namespace fbrdf {
 struct GridSystems {
     Layout layout;
     Smoothness smoothness;
+    Workspace workspace;
     std::vector<std::unique_ptr<SmoothSystem>> systems;
 
     /// One system for each of the sums.

@@ -53,11 +53,11 @@ NormalSums& NormalSums::operator+=(const NormalSums& other)
     return *this;
 }
 
-BorderedMatrix NormalSums::matrix(size_t lane) const
+BorderedMatrix NormalSums::matrix(size_t lane, Workspace& workspace) const
 {
     FBRDF_ASSERT(lane, <, kLanes);
     FBRDF_ASSERT(matrixLanes_, >, size_t{0});
-    BorderedMatrix result(shape_);
+    BorderedMatrix result(shape_, workspace.any(shape_.size()));
     const size_t from = matrixLanes_ == kLanes ? lane : 0;
     for (size_t i = 0; i < result.values.size(); ++i)
         result.values[i] = matrix_.values()[matrixLanes_ * i + from];

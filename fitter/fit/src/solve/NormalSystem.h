@@ -30,8 +30,8 @@ public:
 
     NormalSums& operator+=(const NormalSums& other);
 
-    /// The system of one lane.
-    BorderedMatrix matrix(size_t lane) const;
+    /// The system of one lane, in memory of `workspace`.
+    BorderedMatrix matrix(size_t lane, Workspace& workspace) const;
     std::vector<double> right(size_t lane) const;
 
     const BorderedShape& shape() const { return shape_; }

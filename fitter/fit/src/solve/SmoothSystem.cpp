@@ -43,8 +43,8 @@ std::vector<double> Smoothness::scales(const std::vector<double>& diagonal) cons
     return scales;
 }
 
-SmoothSystem::SmoothSystem(BorderedMatrix data, const Smoothness& smoothness)
-    : data_(std::move(data)), smoothness_(smoothness)
+SmoothSystem::SmoothSystem(BorderedMatrix data, const Smoothness& smoothness, Workspace& workspace)
+    : data_(std::move(data)), smoothness_(smoothness), workspace_(workspace)
 {
     std::vector<double> diagonal;
     for (size_t u = 0; u < data_.shape.unknowns(); ++u) diagonal.push_back(data_.at(u, u));
@@ -53,15 +53,10 @@ SmoothSystem::SmoothSystem(BorderedMatrix data, const Smoothness& smoothness)
              static_cast<double>(scales_.size());
 }
 
-std::shared_ptr<const Cholesky> SmoothSystem::factored(double strength, double damping) const
+Cholesky SmoothSystem::factored(double strength, double damping) const
 {
-    const bool keep = keeps_ && damping == 0.0;
-    if (keep) {
-        const std::lock_guard lock(mutex_);
-        const auto found = kept_.find(strength);
-        if (found != kept_.end()) return found->second;
-    }
-    BorderedMatrix matrix = data_;
+    BorderedMatrix matrix(data_.shape, workspace_.any(data_.values.size()));
+    std::copy(data_.values.begin(), data_.values.end(), matrix.values.begin());
     for (const SmoothnessRow& row : smoothness_.rows) {
         const double factor = strength * scales_[static_cast<size_t>(row.table)];
         for (int a = 0; a < row.count; ++a)
@@ -73,8 +68,17 @@ std::shared_ptr<const Cholesky> SmoothSystem::factored(double strength, double d
     }
     for (size_t u = 0; u < matrix.shape.unknowns(); ++u)
         matrix.at(u, u) = (matrix.at(u, u) + ridge_) * (1.0 + damping);
-    auto cholesky = std::make_shared<const Cholesky>(std::move(matrix));
-    if (!keep) return cholesky;
+    return Cholesky(std::move(matrix));
+}
+
+std::shared_ptr<const Cholesky> SmoothSystem::keptFactor(double strength) const
+{
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = kept_.find(strength);
+        if (found != kept_.end()) return found->second;
+    }
+    auto cholesky = std::make_shared<const Cholesky>(factored(strength, 0.0));
     const std::lock_guard lock(mutex_);
     return kept_.emplace(strength, std::move(cholesky)).first->second;
 }
@@ -94,11 +98,19 @@ std::vector<double> SmoothSystem::step(std::vector<double> right, const double* 
             for (int a = 0; a < row.count; ++a)
                 right[c * n + indexOf(row, a)] -= bend * row.weight[a];
         }
-    const auto cholesky = factored(strength, damping);
-    if (!cholesky->ok())
-        throw Error(ErrorKind::fit, form,
-                    "the samples leave the system singular; expected directions that vary");
-    cholesky->solve(right.data(), columns);
+    const auto solve = [&](const Cholesky& cholesky) {
+        if (!cholesky.ok())
+            throw Error(ErrorKind::fit, form,
+                        "the samples leave the system singular; expected directions that vary");
+        cholesky.solve(right.data(), columns);
+    };
+    if (keeps_ && damping == 0.0) {
+        solve(*keptFactor(strength));
+    } else {
+        Cholesky cholesky = factored(strength, damping);
+        solve(cholesky);
+        workspace_.giveBack(cholesky.takeValues());
+    }
     return right;
 }
 

@@ -28,8 +28,11 @@ struct Smoothness {
 
 class SmoothSystem {
 public:
-    /// `smoothness` must outlive the object.
-    SmoothSystem(BorderedMatrix data, const Smoothness& smoothness);
+    /// `smoothness` must outlive the object, as must `workspace`, which the factors are made in and
+    /// `data` is given back to.
+    SmoothSystem(BorderedMatrix data, const Smoothness& smoothness, Workspace& workspace);
+    SmoothSystem(const SmoothSystem&) = delete;
+    ~SmoothSystem() { workspace_.giveBack(std::move(data_.values)); }
 
     /// The steps from x for the data's right-hand sides, both unknowns x columns, column
     /// contiguous. Throws Error(fit) naming `form` where the system is singular beyond repair.
@@ -39,10 +42,12 @@ public:
     void keepFactors() { keeps_ = true; }
 
 private:
-    std::shared_ptr<const Cholesky> factored(double strength, double damping) const;
+    Cholesky factored(double strength, double damping) const;
+    std::shared_ptr<const Cholesky> keptFactor(double strength) const;
 
     BorderedMatrix data_;
     const Smoothness& smoothness_;
+    Workspace& workspace_;
     std::vector<double> scales_;
     double ridge_ = 0.0;
     bool keeps_ = false;

@@ -14,7 +14,7 @@ constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 constexpr int kNoisySteps = 6;   // data in the noise converge slowly
 constexpr int kRobustSteps = 3;  // after the plain one: four solves
-constexpr int kFineSteps = 4, kLastSteps = 2;
+constexpr int kFineSteps = 4, kLastSteps = 2, kLargeSteps = 12;
 constexpr int kRounds = 3;             // of choosing the smoothness of a sum
 constexpr size_t kCoarseRows = 32768;  // enough for the descent of a sum in its halved form
 // Rows of the part from which a fit of many rows starts: so many, or so many a texel.
@@ -221,13 +221,18 @@ private:
         return refined(Solver(thin, part).solve(), 1);
     }
 
-    // Many texels start from half as many along every axis, and keep their smoothness.
+    // Many texels start from half as many along every axis, and keep their smoothness. What only
+    // the many can follow is no outlier: robust weights come after a step without them.
     Solution solveLarge() const
     {
         const LeastSquares coarse = problem_.withForm(halved(problem_.form()));
         Solution near = Solver(coarse, options_).solve();
         near.x = prolonged(coarse, near.x, problem_);
-        return refined(std::move(near), kLastSteps);
+        if (!options_.robust) return refined(std::move(near), kLastSteps);
+        const StepOptions first = firstWith(near.smoothness), last = lastWith(near.smoothness);
+        if (!isDirect())
+            return refined(descend(problem_, std::move(near), first, {kFineSteps}), kLargeSteps);
+        return reweighted(reweight(problem_, std::move(near), first, 1), last);
     }
 
     const LeastSquares& problem_;

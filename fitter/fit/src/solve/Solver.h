@@ -38,6 +38,10 @@ struct BorderedMatrix {
     std::vector<double> values;  ///< shape.size()
 
     explicit BorderedMatrix(const BorderedShape& s = {}) : shape(s), values(s.size(), 0.0) {}
+    /// Precondition: as many values.
+    BorderedMatrix(const BorderedShape& s, std::vector<double> v) : shape(s), values(std::move(v))
+    {
+    }
     /// The entry of two unknowns; column <= row, and within the band where both are banded.
     double& at(size_t row, size_t column)
     {
@@ -60,6 +64,8 @@ public:
     bool ok() const { return ok_; }
     /// In place: right-hand side in, solution out. `values`: unknowns x columns, column contiguous.
     void solve(double* values, size_t columns) const;
+    /// The memory of the matrix, for another; this object is of no use afterwards.
+    std::vector<double> takeValues() { return std::move(factor_.values); }
 
 private:
     BorderedMatrix factor_;

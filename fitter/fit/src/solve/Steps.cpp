@@ -8,7 +8,7 @@ namespace fbrdf {
 namespace {
 
 // Numbers of a system that is factored; 64 MB. Larger ones go to conjugate gradients.
-constexpr size_t kMostFactored = size_t{8} << 20;
+constexpr size_t kMostFactored = size_t{2} << 20;
 
 Step factoredStep(const LeastSquares& problem, const State& x, const StepOptions& options,
                   const Vec3f& scale)

@@ -116,7 +116,8 @@ std::vector<SharedSystems> systemsFrom(const LeastSquares& problem, const Channe
         }
         shared[m].systems[k] =
             known ? std::shared_ptr<const SmoothSystem>(known, known->systems[k].get())
-                  : std::make_shared<const SmoothSystem>(totals[k].matrix(m), problem.smoothness());
+                  : std::make_shared<const SmoothSystem>(totals[k].matrix(m, problem.workspace()),
+                                                         problem.smoothness(), problem.workspace());
     });
     return shared;
 }

@@ -4,7 +4,7 @@
 
 namespace fbrdf {
 
-std::vector<double> Workspace::zeros(size_t count)
+std::vector<double> Workspace::any(size_t count)
 {
     std::vector<double> numbers;
     {
@@ -16,7 +16,14 @@ std::vector<double> Workspace::zeros(size_t count)
             kept_.erase(found);
         }
     }
-    numbers.assign(count, 0.0);
+    numbers.resize(count);
+    return numbers;
+}
+
+std::vector<double> Workspace::zeros(size_t count)
+{
+    std::vector<double> numbers = any(count);
+    std::fill(numbers.begin(), numbers.end(), 0.0);
     return numbers;
 }
 

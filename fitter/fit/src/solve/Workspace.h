@@ -12,6 +12,8 @@ class Workspace {
 public:
     /// `count` zeros.
     std::vector<double> zeros(size_t count);
+    /// `count` numbers of any value.
+    std::vector<double> any(size_t count);
     void giveBack(std::vector<double> numbers);
 
 private:

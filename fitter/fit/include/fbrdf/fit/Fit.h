@@ -44,13 +44,18 @@ class FitCache;
 std::shared_ptr<FitCache> makeFitCache();
 
 struct FitOptions {
-    /// A name of namedForms(), a sum such as "io+hdio", a name of madeForms(), or "auto".
+    /// A name of namedForms(), a sum such as "io+hdio", a name of madeForms(), "auto", or
+    /// "best-of": auto that goes on to other sizes and warps of the best form, for as long as it
+    /// finds better ones.
     std::string form = "auto";
     std::optional<Form> formData;  ///< a form as data, fitted as it is; `form` is ignored then
     int resolution = 0;   ///< texels along the main axis of the form; 0: the form's own default
     size_t maxBytes = 0;  ///< > 0: no material larger than this
     int lookups = 2;      ///< at least lookupsPerPass() of the form, >= 1
     int terms = 2;        ///< the most terms of a sum that auto tries, >= 1
+    /// > 0: auto begins no trial after half of these seconds; the other half is for the last fit.
+    /// What it finds then depends on the machine. 0: it tries all that it would.
+    double seconds = 0;
     Storage storage = Storage::log8;  ///< svd always stores signed half floats
     Metric metric = Metric::log;
     bool robust = true;  ///< Tukey biweight reweighting of scattered samples
@@ -69,6 +74,14 @@ struct FitOptions {
     RankSum ranks;
 };
 
+/// The names that stand for a search of the form.
+constexpr const char* kAuto = "auto";
+constexpr const char* kBestOf = "best-of";
+inline bool isSearched(const FitOptions& options)
+{
+    return !options.formData && (options.form == kAuto || options.form == kBestOf);
+}
+
 /// One form that was tried.
 struct Trial {
     std::string form;         ///< name
@@ -77,9 +90,12 @@ struct Trial {
     size_t bytes = 0;
     int lookups = 0;  ///< per light
     double seconds = 0;
-    SampleErrors heldOut;  ///< a trial that fell behind has those of its folds until then
-    double score = 0;      ///< the held-out error that decides: log_median, or that of the metric
-    bool chosen = false;   ///< the one that was fitted in the end
+    SampleErrors heldOut;
+    /// What decides, the less the better: the geometric mean of the errors that are seen
+    /// (log_median, cos_rms with the hue of highlights, cuberoot_rms), held out and, of few
+    /// samples, on all; with another metric than log its own error. 0: left out, for want of time.
+    double score = 0;
+    bool chosen = false;  ///< the one that was fitted in the end
 };
 
 struct FitSummary {
@@ -97,6 +113,7 @@ struct FitSummary {
     std::vector<MisfitRegion> misfits;  ///< where the form does not follow the data; empty: it does
     std::optional<Coverage> coverage;   ///< directions of a measurement; a function has all
     std::vector<Trial> trials;
+    std::string reason;  ///< why auto chose its form, a sentence for people; empty: it did not
 
     /// One line: how the solver stopped and the error held out.
     std::string briefReport() const;

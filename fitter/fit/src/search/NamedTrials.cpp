@@ -1,0 +1,56 @@
+#include "search/NamedTrials.h"
+
+#include "data/Symmetry.h"
+#include "forms/NamedForms.h"
+
+namespace fbrdf {
+namespace {
+
+// The form at its size, or nothing where it is not within the options.
+std::optional<Form> sized(const TrialRuns& runs, const std::string& name)
+{
+    const FitOptions& options = runs.all().options;
+    if (lookupsPerPass(makeForm(name)) > options.lookups) return std::nullopt;
+    if (options.resolution > 0) {
+        const Form form = makeForm(name, options.resolution);
+        return runs.isWithin(form) ? std::optional(form) : std::nullopt;
+    }
+    return largestFormFor(name, decidingSamples(runs.all()),
+                          runs.budget() * (options.sharedShape ? 3 : 1), options.storage);
+}
+
+}  // namespace
+
+std::vector<std::string> candidateNames(const Source& source, int terms)
+{
+    std::vector<std::string> names;
+    const auto add = [&](int count, std::initializer_list<const char*> forms) {
+        if (count <= terms) names.insert(names.end(), forms.begin(), forms.end());
+    };
+    if (isIsotropicSource(source)) {
+        const bool isReciprocal = isReciprocalSource(source);
+        add(1, {"hdio", "hdg", "hdpio"});
+        if (!isReciprocal) add(1, {"hdpu"});
+        // Scattered samples show that they are isotropic only where they are near each other.
+        if (!source.evaluate) add(1, {"hdp", "pqpr", "qdio"});
+        if (source.evaluate && !isReciprocal) add(2, {"u+hdpu"});
+        add(2, {"gg+hdg", "gg+hdpio", "io+hdio"});
+        if (!source.evaluate) add(2, {"io+pqpr"});
+        add(3, {"gg+hdg+hdio"});
+    } else {
+        add(1, {"hdio", "qdg", "qdio", "pqp", "pqpr", "pqtr", "pqpd", "pqpn"});
+        add(2, {"gg+qdg", "gg+qdio", "gg+pqpr", "io+hdio", "io+pqpr"});
+        add(3, {"gg+hdio+pqpr"});
+    }
+    return names;
+}
+
+std::vector<Candidate> tryNamed(TrialRuns& runs, const std::vector<std::string>& names)
+{
+    std::vector<Form> forms;
+    for (const std::string& name : names)
+        if (auto form = sized(runs, name)) forms.push_back(std::move(*form));
+    return runs.tryAll(forms, "form");
+}
+
+}  // namespace fbrdf

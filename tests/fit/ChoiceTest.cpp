@@ -1,0 +1,134 @@
+// ChoiceTest.cpp - what `auto` compares: the errors that are seen, stray hues, and costs.
+#include "Known.h"
+#include "search/Candidate.h"
+#include "search/SeenErrors.h"
+#include "search/StrayHue.h"
+
+#include <fbrdf/fit/Fit.h>
+#include <gtest/gtest.h>
+
+namespace fbrdf {
+namespace {
+
+std::vector<Sample> plastic(size_t count)
+{
+    return test::scattered(test::sourceOf(test::Ggx{0.1, 0.1, 0.04, 0.3}), count, 3).samples;
+}
+
+std::vector<Vec3f> valuesOf(const std::vector<Sample>& samples)
+{
+    std::vector<Vec3f> values;
+    for (const Sample& s : samples) values.push_back(s.f);
+    return values;
+}
+
+Candidate candidate(const std::string& form, std::vector<double> marks)
+{
+    Candidate c;
+    c.form = makeForm(form, 8);
+    c.bytes = 1000;
+    c.lookups = lookupsPerLight(c.form);
+    c.marks = std::move(marks);
+    return c;
+}
+
+TEST(SeenErrors, AHighlightThatIsWrongInOneChannelIsSeen)
+{
+    const auto samples = plastic(2000);
+    auto values = valuesOf(samples);
+    EXPECT_EQ(seenErrors(samples, values, Vec3f(0.0f)).peak, 0.0);
+    for (size_t i = 0; i < samples.size(); ++i)
+        if (samples[i].f.x > 1.0f) values[i].x *= 0.4f;
+    const SeenErrors errors = seenErrors(samples, values, Vec3f(0.0f));
+    EXPECT_EQ(errors.body, 0.0);  // the median does not see it
+    EXPECT_GT(errors.peak, 0.5);
+    // The same loss in all channels has no hue.
+    for (size_t i = 0; i < samples.size(); ++i) values[i] = Vec3f(values[i].x);
+    EXPECT_LT(seenErrors(samples, values, Vec3f(0.0f)).peak, errors.peak + 0.3);
+}
+
+TEST(SeenErrors, AMarkGrowsWithEachError)
+{
+    const double least = markOf(SeenErrors{0.1, 0.1, 0.1});
+    EXPECT_GT(markOf(SeenErrors{0.2, 0.1, 0.1}), least);
+    EXPECT_GT(markOf(SeenErrors{0.1, 0.2, 0.1}), least);
+    EXPECT_GT(markOf(SeenErrors{0.1, 0.1, 0.2}), least);
+    EXPECT_EQ(markOf(SeenErrors{0.0, 0.0, 0.0}), std::log(1e-3));
+}
+
+TEST(Choice, NoiseDecidesNothing)
+{
+    // hdio is better by 1 % in the mean, and worse in two parts of five: hdg has fewer look-ups.
+    const std::vector<Candidate> candidates{candidate("hdio", {0.99, 0.98, 1.00, 1.01, 0.97}),
+                                            candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02})};
+    const Choice choice = choose(candidates);
+    EXPECT_EQ(choice.index, 1u);
+    EXPECT_NE(choice.reason.find("cheaper"), std::string::npos) << choice.reason;
+}
+
+TEST(Choice, ASureLeadWinsWhateverItCosts)
+{
+    const std::vector<Candidate> candidates{candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02}),
+                                            candidate("hdio", {0.91, 0.86, 0.92, 0.90, 0.93})};
+    const Choice choice = choose(candidates);
+    EXPECT_EQ(choice.index, 1u);
+    EXPECT_NE(choice.reason.find("hdg"), std::string::npos) << choice.reason;
+}
+
+TEST(Choice, OneErrorOnAllSamplesIsNotGivenAwayForCheapness)
+{
+    std::vector<Candidate> candidates{candidate("hdio", {0.99, 0.98, 1.00, 1.01, 0.97}),
+                                      candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02})};
+    for (Candidate& c : candidates) {
+        c.whole.emplace();
+        c.all.logMedian = c.all.cosRms = c.all.cubeRootRms = 0.1;
+    }
+    candidates[1].all.cosRms = 0.13;
+    EXPECT_EQ(choose(candidates).index, 0u);
+    candidates[1].all.logMedian = 0.05;  // more than made up for
+    EXPECT_EQ(choose(candidates).index, 1u);
+}
+
+TEST(Choice, AStrayHueIsAFault)
+{
+    std::vector<Candidate> candidates{candidate("hdio", {0.8, 0.8, 0.8, 0.8, 0.8}),
+                                      candidate("hdpio", {1.0, 1.0, 1.0, 1.0, 1.0})};
+    for (Candidate& c : candidates) {
+        c.whole.emplace();
+        c.allMark = c.marks[0];
+    }
+    EXPECT_EQ(choose(candidates).index, 0u);
+    candidates[0].strayHue = 0.2;
+    EXPECT_EQ(choose(candidates).index, 1u);
+}
+
+TEST(StrayHue, IsThatOfNoNeighbour)
+{
+    const Source source = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
+    const StrayHue hues(test::scattered(source, 1500, 2).samples, Vec3f(0.0f), true, 2);
+    FitOptions options;
+    options.form = "hdio";
+    options.heldOut = false;
+    Material grey = fitMaterial(source, options).material;
+    EXPECT_LT(hues.of(grey, 2), 1e-3);
+    // A quarter of the texels of one factor loses its blue: yellow bands.
+    Table& table = grey.tables[0];
+    for (size_t i = 0; i < table.texels.size(); i += 12) table.texels[i + 2] -= 2.0f;
+    EXPECT_GT(hues.of(grey, 2), 0.1);
+}
+
+TEST(StrayHue, AChannelBelowTheFloorMayBeAnythingBelow)
+{
+    Source source = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
+    FitOptions options;
+    options.form = "hdio";
+    options.heldOut = false;
+    Material material = fitMaterial(source, options).material;
+    auto samples = test::scattered(source, 1500, 2).samples;
+    for (Sample& s : samples) s.f.z = 0.0f;
+    material.scales[0].z *= 1e-4f;
+    EXPECT_LT(StrayHue(samples, Vec3f(0, 0, 1e-3f), true, 2).of(material, 2), 1e-3);
+}
+
+}  // namespace
+}  // namespace fbrdf
