@@ -99,7 +99,7 @@ TEST_F(Files, AMaterialIsAnObject)
     ASSERT_TRUE(material);
     EXPECT_TRUE(material->valid());
     EXPECT_EQ(material->material().form.name, material_.form.name);
-    for (unsigned int c = 0; c < 3; ++c) EXPECT_GT(material->albedo()[c], 0.0f);
+    for (int c = 0; c < 3; ++c) EXPECT_GT(material->albedo()[c], 0.0f);
 }
 
 // osgconv asks for objects, and crashes when it gets one that is no node.

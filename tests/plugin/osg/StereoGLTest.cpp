@@ -68,7 +68,8 @@ protected:
         gl->glBindRenderbuffer(GL_RENDERBUFFER_EXT, buffer);
         gl->glRenderbufferStorage(GL_RENDERBUFFER_EXT, GL_DEPTH24_STENCIL8_EXT, kSize, kSize);
         gl->glBindFramebuffer(GL_FRAMEBUFFER_EXT, view_->offscreen().framebuffer());
-        for (const GLenum attachment : {GL_DEPTH_ATTACHMENT_EXT, GL_STENCIL_ATTACHMENT_EXT})
+        for (const GLenum attachment :
+             std::initializer_list<GLenum>{GL_DEPTH_ATTACHMENT_EXT, GL_STENCIL_ATTACHMENT_EXT})
             gl->glFramebufferRenderbuffer(GL_FRAMEBUFFER_EXT, attachment, GL_RENDERBUFFER_EXT,
                                           buffer);
         gl->glBindFramebuffer(GL_FRAMEBUFFER_EXT, 0);

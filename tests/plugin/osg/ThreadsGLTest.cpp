@@ -167,8 +167,8 @@ protected:
                 EXPECT_TRUE(found[i][frame] == expected[i][frame])
                     << "window " << i << ", frame " << frame;
             }
-        for (const size_t frame :
-             {1, 2, 3, 4, 5, 6, 10, 11, 12})  // what the script did is to be seen
+        for (const size_t frame : std::initializer_list<size_t>{
+                 1, 2, 3, 4, 5, 6, 10, 11, 12})  // what the script did is to be seen
             EXPECT_FALSE(expected[0][frame] == expected[0][frame - 1]) << frame;
         EXPECT_EQ(notices.text(), "");
     }

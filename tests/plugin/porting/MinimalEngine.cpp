@@ -97,8 +97,8 @@ MinimalEngine::Map MinimalEngine::mapOf(const Table& table, bool uniform) const
     gl_.BindTexture(map.target, map.texture);
     gl_.TexParameteri(map.target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_.TexParameteri(map.target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        gl_.TexParameteri(map.target, axis, GL_CLAMP_TO_EDGE);
+    const GLenum axes[] = {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
+    for (const GLenum axis : axes) gl_.TexParameteri(map.target, axis, GL_CLAMP_TO_EDGE);
     gl_.TexParameteri(map.target, GL_TEXTURE_MAX_LEVEL, 0);
     gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);  // rows of RGB are packed
     const Format format = formatOf(image.type);
