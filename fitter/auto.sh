@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # auto.sh - prints, for measured data, the errors of `auto` on all samples beside those of every named form within the
-# same budget of bytes and look-ups, with the seconds and processor time of each fit. Fails where a form is better than
+# same budget of bytes and look-ups, with the seconds and processor time of each fit. For isotropic data those are the
+# isotropic forms: maps over directions are free to be anything at azimuths that were not measured. Fails where a form is better than
 # `auto` by more than 5 % in log_median, cos_rms or cuberoot_rms and not worse by more in another of them.
 # Usage: fitter/auto.sh [--seconds S] [path of fbrdf] [file or model...]    without files: those in ../shared/data
 set -euo pipefail
@@ -18,7 +19,8 @@ import json, os, resource, subprocess, sys, tempfile
 
 fbrdf, seconds, sources = sys.argv[1], sys.argv[2], sys.argv[3:]
 ALLOWED, BYTES, LOOKUPS = 1.05, 32768, 2
-FORMS = ["hdio", "hdg", "hdp", "hdpio", "hdpu", "pqp", "pqpr", "qdio", "qdg", "pqtr"]
+ISOTROPIC = ["hdio", "hdg", "hdp", "hdpio", "hdpu"]
+FORMS = ISOTROPIC + ["pqp", "pqpr", "qdio", "qdg", "pqtr"]
 ERRORS = ["log_median", "cos_rms", "cuberoot_rms"]
 
 def processor_seconds():
@@ -34,6 +36,10 @@ def fit(source, form, folder):
     result = json.loads(run.stdout)
     result["processor"] = processor_seconds() - before
     return result, None
+
+def is_isotropic(source):
+    run = subprocess.run([fbrdf, "info", source, "--json"], capture_output=True, text=True)
+    return run.returncode == 0 and json.loads(run.stdout)["isotropic"]
 
 def most_above(a, b):
     return max((a[e] or 0) / b[e] if b[e] else 1 for e in ERRORS)
@@ -52,7 +58,7 @@ with tempfile.TemporaryDirectory() as folder:
             print("  " + why); failed += 1; continue
         line("auto", auto, "")
         print("  " + auto["reason"])
-        for form in FORMS:
+        for form in ISOTROPIC if is_isotropic(source) else FORMS:
             named, why = fit(source, form, folder)
             if not named: continue  # a form that the data do not allow
             above = most_above(auto["errors"]["all"], named["errors"]["all"])

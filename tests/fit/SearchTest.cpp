@@ -164,6 +164,25 @@ TEST(Search, IsTheSameWhateverTheThreads)
         EXPECT_EQ(a.material.tables[t].texels, b.material.tables[t].texels);
 }
 
+// An isotropic surface that was lit from one azimuth: maps over directions follow each sample, and
+// are anything elsewhere.
+TEST(Search, TakesNoMapsOverDirectionsForAnIsotropicSurfaceLitFromOneAzimuth)
+{
+    Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 1500, 2);
+    for (Sample& s : source.samples) {
+        const float length = std::hypot(s.wi.x, s.wi.y), c = s.wi.x / length, w = s.wi.y / length;
+        for (Vec3f* v : {&s.wo, &s.wi}) *v = {c * v->x + w * v->y, c * v->y - w * v->x, v->z};
+    }
+    const FitResult result = fitMaterial(source, {});
+    EXPECT_TRUE(isIsotropic(result.material.form)) << result.summary.reason;
+    const auto score = [&](const std::string& form) {
+        for (const Trial& trial : result.summary.trials)
+            if (trial.form == form) return trial.score;
+        return 0.0;
+    };
+    EXPECT_GT(score("pqpr"), 2.0 * score("hdio"));
+}
+
 TEST(Search, NamesWhatItHadNoTimeFor)
 {
     FitOptions options = optionsOf("auto");

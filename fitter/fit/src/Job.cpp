@@ -3,6 +3,7 @@
 #include <fbrdf/base/Assert.h>
 
 #include "Bake.h"
+#include "data/Symmetry.h"
 #include "forms/NamedForms.h"
 #include "Support.h"
 #include "Unsampled.h"
@@ -44,7 +45,7 @@ Feed readFeed(const Source& source, const FitOptions& options)
 
 Job makeJob(Feed feed, const FitOptions& options, const std::string& source)
 {
-    Job job{options, std::move(feed), {}, false, 1};
+    Job job{options, std::move(feed), {}, false, 1, false};
     job.traits = traitsOf(job.feed, {options.seed, options.threads, options.ranks}, source);
     job.robust = options.robust && !job.feed.exact;
     job.folds = job.feed.rows < kSmallSet ? kFolds : 1;
@@ -140,7 +141,8 @@ void holdOut(const Job& job, const Form& form, double smoothness, int folds, Hel
         held.smoothness = solution.smoothness;
         const Material material = bake(form, problem.layout(), solution.x, job.options.storage);
         const auto part = probeOf(job, FoldChoice::onlyOf(held.folds));
-        const auto values = evaluateAt(material, part, job.options.threads);
+        const auto values =
+            evaluateAt(material, job.turnsHeldOut ? turned(part) : part, job.options.threads);
         held.samples.insert(held.samples.end(), part.begin(), part.end());
         held.fitted.insert(held.fitted.end(), values.begin(), values.end());
         held.foldEnd.push_back(held.samples.size());

@@ -15,6 +15,8 @@ struct Job {
     DataTraits traits;
     bool robust = false;
     int folds = 1;  ///< that are held out in turn
+    /// Samples that are held out are compared as data/Symmetry.h turns them.
+    bool turnsHeldOut = false;
 };
 
 /// The samples of a fit; `source` must outlive the feed. Throws Error(fit) when there are none.

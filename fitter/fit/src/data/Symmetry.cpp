@@ -3,6 +3,7 @@
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/metrics/SampleSets.h>
+#include <fbrdf/metrics/SplitMix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,19 @@ bool isReciprocalSource(const Source& source)
     const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
     std::nth_element(differences.begin(), middle, differences.end());
     return *middle < kSame;
+}
+
+std::vector<Sample> turned(std::vector<Sample> samples)
+{
+    constexpr double kAll = 18446744073709551616.0;  // 2^64
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const auto angle =
+            static_cast<float>(2.0 * kPi * (static_cast<double>(splitMix64(i)) / kAll));
+        const float c = std::cos(angle), s = std::sin(angle);
+        for (Vec3f* v : {&samples[i].wo, &samples[i].wi})
+            *v = {c * v->x - s * v->y, s * v->x + c * v->y, v->z};
+    }
+    return samples;
 }
 
 }  // namespace fbrdf

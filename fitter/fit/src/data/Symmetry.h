@@ -14,4 +14,8 @@ bool isIsotropicSource(const Source& source);
 /// reciprocal: false where there is no function.
 bool isReciprocalSource(const Source& source);
 
+/// The samples turned about the normal, each by an angle of its own: to an isotropic source they
+/// are the same, to a form with maps over directions they are not.
+std::vector<Sample> turned(std::vector<Sample> samples);
+
 }  // namespace fbrdf

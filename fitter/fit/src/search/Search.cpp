@@ -11,13 +11,17 @@ namespace {
 
 constexpr size_t kTrialSamples = 32768;  // enough to rank forms
 
-Job trialJob(const Job& job)
+// An isotropic source's samples hold good turned about the normal. Maps over directions that had a
+// sample or two a texel, at one azimuth of the light, are seen through.
+Job trialJob(const Job& job, bool isIsotropic)
 {
     std::vector<Sample> some;
     if (job.feed.rows > kTrialSamples)
         some = someSamples(job.feed, FoldChoice::all(), kTrialSamples, job.options.seed,
                            job.options.threads);
-    return partOf(job, std::move(some));
+    Job part = partOf(job, std::move(some));
+    part.turnsHeldOut = isIsotropic;
+    return part;
 }
 
 // Among few or noisy samples a search of sizes and warps finds what suits the noise.
@@ -48,8 +52,9 @@ std::string untried(const std::vector<Trial>& trials)
 Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& trials,
                   std::string& reason)
 {
-    const Job part = trialJob(job);
-    TrialRuns runs(job, part, isIsotropicSource(source), trials);
+    const bool isotropic = isIsotropicSource(source);
+    const Job part = trialJob(job, isotropic);
+    TrialRuns runs(job, part, isotropic, trials);
     std::vector<Candidate> named = tryNamed(runs, candidateNames(source, job.options.terms));
     if (named.empty()) refuseBudget(job.options, runs.budget());
     const Choice choice = choose(named);
@@ -58,7 +63,8 @@ Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& tria
     if (goesOn(job)) improve(runs, best);
     runs.choose(best);
     if (!best.whole) return fitForm(job, best.form);
-    if (!job.feed.exact) best.whole->heldOut = best.held.errors;
+    const bool isStated = isIsotropic(best.form) || !part.turnsHeldOut;
+    if (!job.feed.exact && isStated) best.whole->heldOut = best.held.errors;
     return std::move(*best.whole);
 }
 

@@ -1,5 +1,6 @@
 #include "search/TrialRuns.h"
 
+#include "data/Symmetry.h"
 #include "search/SeenErrors.h"
 
 #include <fbrdf/base/Assert.h>
@@ -24,7 +25,7 @@ FitOptions withOneThread(FitOptions options)
 
 Job onOptions(const Job& job, const FitOptions& options)
 {
-    return {options, job.feed, job.traits, job.robust, job.folds};
+    return {options, job.feed, job.traits, job.robust, job.folds, job.turnsHeldOut};
 }
 
 std::vector<Sample> range(const std::vector<Sample>& samples, size_t first, size_t last)
@@ -58,9 +59,13 @@ void fitWhole(const Job& job, const StrayHue& hues, Candidate& candidate)
 {
     candidate.whole = fitForm(job, candidate.form);
     const auto probe = probeOf(job);
-    const auto values = evaluateAt(candidate.whole->material, probe, job.options.threads);
+    const auto valuesAt = [&](const std::vector<Sample>& samples) {
+        return evaluateAt(candidate.whole->material, samples, job.options.threads);
+    };
+    const auto values = valuesAt(probe);
     candidate.all = sampleErrors(probe, values, job.traits.floor);
-    candidate.allMark = markOf(probe, values, job.traits.floor, job.options.metric);
+    candidate.allMark = markOf(probe, job.turnsHeldOut ? valuesAt(turned(probe)) : values,
+                               job.traits.floor, job.options.metric);
     candidate.strayHue = hues.of(candidate.whole->material, job.options.threads);
 }
 
