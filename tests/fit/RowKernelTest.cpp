@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -187,6 +189,52 @@ TEST(RowKernels, ApplyTheMatrixAndItsDiagonal)
         expectNear(squares, exactSquares, set.name);
         expectNear(rights, exactRights, set.name);
     }
+}
+
+// Numbers that start `shift` numbers behind a boundary of 32 bytes.
+struct Shifted {
+    std::vector<double> numbers;
+    size_t first = 0;
+
+    Shifted(size_t count, size_t shift, double value) : numbers(count + 8, value)
+    {
+        while (reinterpret_cast<uintptr_t>(&numbers[first]) % 32 != 0) ++first;
+        first += shift;
+    }
+    double* data() { return &numbers[first]; }
+};
+
+// Instructions that ask for 32 bytes fault at the arrays of a standard container.
+TEST(RowKernels, NeedNoMoreAlignmentThanNumbers)
+{
+    const Block block;
+    const BorderedShape shape{kBanded, kBandwidth, kUnknowns - kBanded};
+    std::vector<float> share(kRows * kLanes, 1.0f), logG(kRows * kLanes + 8);
+    const std::vector<float> texels(kUnknowns * kLanes + 8, 0.5f), levels(kLanes + 8, 0.0f);
+    for (const Set& set : kernelSets())
+        for (const int entryLanes : {1, int(kLanes)})
+            for (size_t shift = 0; shift < 4; ++shift) {
+                KernelRows rows = block.rows();
+                if (entryLanes > 1) rows.share = share.data();
+                Shifted matrix(shape.size() * kLanes, shift, 0.0),
+                    p(kUnknowns * kLanes, shift, 1.0), first(kUnknowns * kLanes, shift, 0.0),
+                    second(kUnknowns * kLanes, shift, 0.0), scratch(kWidth * kLanes, shift, 0.0);
+                double *const matrices[] = {matrix.data(), matrix.data()},
+                              *const rights[] = {first.data(), first.data()},
+                              *const both[] = {first.data(), second.data()};
+                set.kernels.add(rows, {kBanded, kBandwidth, kUnknowns - kBanded, matrices, rights},
+                                entryLanes, int(kLanes), scratch.data());
+                set.kernels.apply(rows, entryLanes, p.data(), second.data(), scratch.data());
+                set.kernels.diagonal(rows, entryLanes, both, scratch.data());
+                EXPECT_GT(
+                    std::accumulate(matrix.data(), matrix.data() + shape.size() * kLanes, 0.0), 0.0)
+                    << set.name;
+                EXPECT_GT(*second.data(), 0.0) << set.name;
+                set.kernels.predict(block.rows(), {&texels[shift], &levels[shift]}, &logG[shift],
+                                    nullptr);
+                EXPECT_NE(logG[shift], 0.0f) << set.name;
+                set.kernels.log2(&logG[shift], kRows);
+            }
 }
 
 }  // namespace

@@ -6,9 +6,10 @@ namespace {
 using Index = std::ptrdiff_t;
 
 // Vector types make the lanes of one number explicit: the compiler would not vectorise them by
-// itself, as sums may overlap entries for all that it can prove. Passed by reference only: how such
-// values travel depends on the instruction set. Members of a class, as template arguments lose
-// their attributes.
+// itself, as sums may overlap entries for all that it can prove. How such values travel depends on
+// the instruction set, so locals are passed by reference and numbers in arrays by pointer: clang
+// takes it that a reference which a function gets or returns is aligned to the whole vector.
+// Members of a class, as template arguments lose their attributes.
 struct OneLane {
     typedef double Value;
 };
@@ -23,26 +24,26 @@ using FourFloats = FourLanes::Floats;
 using FourInts = FourLanes::Ints;
 using FourWords = FourLanes::Words;
 
-Four& lanesAt(double* numbers, Index index)
+Four* lanesAt(double* numbers, Index index)
 {
-    return reinterpret_cast<Four*>(numbers)[index];
+    return reinterpret_cast<Four*>(numbers) + index;
 }
-const Four& lanesAt(const double* numbers, Index index)
+const Four* lanesAt(const double* numbers, Index index)
 {
-    return reinterpret_cast<const Four*>(numbers)[index];
+    return reinterpret_cast<const Four*>(numbers) + index;
 }
 void widen(const float* lanes, Four& wide)
 {
     wide = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(lanes), Four);
 }
 
-FourFloats& lanesAt(float* numbers, Index index)
+FourFloats* lanesAt(float* numbers, Index index)
 {
-    return reinterpret_cast<FourFloats*>(numbers)[index];
+    return reinterpret_cast<FourFloats*>(numbers) + index;
 }
-const FourFloats& lanesAt(const float* numbers, Index index)
+const FourFloats* lanesAt(const float* numbers, Index index)
 {
-    return reinterpret_cast<const FourFloats*>(numbers)[index];
+    return reinterpret_cast<const FourFloats*>(numbers) + index;
 }
 
 // 2^x, x = n + f with n whole and |f| <= 1/2: the series of 2^f to f^7, which leaves 6e-9 of it. x
@@ -85,8 +86,11 @@ void log2(float* numbers, Index count)
 {
     const Index whole = count - count % kRowLanes;
     FourFloats last = FourFloats{} + 1.0f;
-    for (Index i = 0; i < whole; i += kRowLanes)
-        log2Of(lanesAt(numbers + i, 0), lanesAt(numbers + i, 0));
+    for (Index i = 0; i < whole; i += kRowLanes) {
+        FourFloats lanes = *lanesAt(numbers + i, 0);
+        log2Of(lanes, lanes);
+        *lanesAt(numbers + i, 0) = lanes;
+    }
     for (Index i = whole; i < count; ++i) last[i - whole] = numbers[i];
     log2Of(last, last);
     for (Index i = whole; i < count; ++i) numbers[i] = last[i - whole];
@@ -100,20 +104,25 @@ void predictRow(const KernelRows& rows, Index i, const KernelTexels& texels, Fou
     FourFloats sum{};
     Index k = 0;
     for (Index t = 0; t < rows.terms; ++t) {
-        logG = lanesAt(texels.levels, t);
-        for (; k < rows.termEnd[t]; ++k) logG += weight[k] * lanesAt(texels.values, unknown[k]);
+        logG = *lanesAt(texels.levels, t);
+        for (; k < rows.termEnd[t]; ++k) logG += weight[k] * *lanesAt(texels.values, unknown[k]);
         if (rows.terms == 1) return;
-        exp2Of(logG, lanesAt(share, t));
-        sum += lanesAt(share, t);
+        FourFloats part;
+        exp2Of(logG, part);
+        *lanesAt(share, t) = part;
+        sum += part;
     }
-    for (Index t = 0; t < rows.terms; ++t) lanesAt(share, t) /= sum;
+    for (Index t = 0; t < rows.terms; ++t) *lanesAt(share, t) /= sum;
     log2Of(sum, logG);
 }
 
 void predict(const KernelRows& rows, const KernelTexels& texels, float* logG, float* share)
 {
-    for (Index i = 0; i < rows.count; ++i)
-        predictRow(rows, i, texels, lanesAt(logG, i), share + i * rows.terms * kRowLanes);
+    for (Index i = 0; i < rows.count; ++i) {
+        FourFloats sum;
+        predictRow(rows, i, texels, sum, share + i * rows.terms * kRowLanes);
+        *lanesAt(logG, i) = sum;
+    }
 }
 
 // b of one row.
@@ -201,9 +210,9 @@ void addRows(const KernelRows& rows, const KernelSums& sums, typename E::Value* 
                                   sums.matrix[rows.group[i]]);
         if constexpr (MatrixLanes == kRowLanes)
             addMatrix<FourLanes, E>(rows, unknown, entry, weight, sums,
-                                    &lanesAt(sums.matrix[rows.group[i]], 0));
+                                    lanesAt(sums.matrix[rows.group[i]], 0));
         const Four pull = weight * residual;
-        addLine<FourLanes, E>(&lanesAt(sums.right[rows.group[i]], 0), 0, pull, unknown, entry, 0,
+        addLine<FourLanes, E>(lanesAt(sums.right[rows.group[i]], 0), 0, pull, unknown, entry, 0,
                               rows.width, [](Index) { return true; });
     }
 }
@@ -212,7 +221,7 @@ void add(const KernelRows& rows, const KernelSums& sums, int entryLanes, int mat
          double* scratch)
 {
     if (entryLanes == kRowLanes)
-        addRows<kRowLanes, FourLanes>(rows, sums, &lanesAt(scratch, 0));
+        addRows<kRowLanes, FourLanes>(rows, sums, lanesAt(scratch, 0));
     else if (matrixLanes == 0)
         addRows<0, OneLane>(rows, sums, scratch);
     else if (matrixLanes == 1)
@@ -229,10 +238,10 @@ void applyRows(const KernelRows& rows, const double* p, double* result, typename
         const int* unknown = rows.unknown + i * rows.width;
         fillEntries<E>(rows, i, entry);
         Four along{}, weight;
-        for (Index k = 0; k < rows.width; ++k) along += entry[k] * lanesAt(p, unknown[k]);
+        for (Index k = 0; k < rows.width; ++k) along += entry[k] * *lanesAt(p, unknown[k]);
         widen(rows.sampleWeight + i * kRowLanes, weight);
         along *= weight;
-        addLine<FourLanes, E>(&lanesAt(result, 0), 0, along, unknown, entry, 0, rows.width,
+        addLine<FourLanes, E>(lanesAt(result, 0), 0, along, unknown, entry, 0, rows.width,
                               [](Index) { return true; });
     }
 }
@@ -242,7 +251,7 @@ void apply(const KernelRows& rows, int entryLanes, const double* p, double* resu
     if (entryLanes == 1)
         applyRows<OneLane>(rows, p, result, scratch);
     else
-        applyRows<FourLanes>(rows, p, result, &lanesAt(scratch, 0));
+        applyRows<FourLanes>(rows, p, result, lanesAt(scratch, 0));
 }
 
 template <class E>
@@ -260,8 +269,8 @@ void diagonalRows(const KernelRows& rows, double* const* sum, typename E::Value*
             for (Index j = 0; j < rows.width; ++j)
                 if (unknown[j] == unknown[k]) all += entry[j];
             const Four scaled = weight * entry[k];
-            lanesAt(sum[0], unknown[k]) += scaled * all;
-            lanesAt(sum[1], unknown[k]) += scaled * residual;
+            *lanesAt(sum[0], unknown[k]) += scaled * all;
+            *lanesAt(sum[1], unknown[k]) += scaled * residual;
         }
     }
 }
@@ -271,7 +280,7 @@ void diagonal(const KernelRows& rows, int entryLanes, double* const* sum, double
     if (entryLanes == 1)
         diagonalRows<OneLane>(rows, sum, scratch);
     else
-        diagonalRows<FourLanes>(rows, sum, &lanesAt(scratch, 0));
+        diagonalRows<FourLanes>(rows, sum, lanesAt(scratch, 0));
 }
 
 }  // namespace
