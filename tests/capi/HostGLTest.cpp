@@ -212,7 +212,7 @@ TEST_P(CApiHost, DepthIsTheHosts)
     depth.clip = 2;
     expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "depth clip: found 2");
     depth.range_high = 2.0f;
-    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "found depth 2.0");
+    expectRefused(FBRDF_RESULT_ERROR_ARGUMENT, "found depth 2,");
     depth.struct_size = 20;
     expectRefused(FBRDF_RESULT_ERROR_VERSION, "depth: found a size of 20 bytes");
 }
