@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # auto.sh - prints, for measured data, the errors of `auto` on all samples beside those of every named form within the
 # same budget of bytes and look-ups, with the seconds and processor time of each fit. For isotropic data those are the
-# isotropic forms: maps over directions are free to be anything at azimuths that were not measured. Fails where a form is better than
-# `auto` by more than 5 % in log_median, cos_rms or cuberoot_rms and not worse by more in another of them.
+# isotropic forms: maps over directions are free to be anything at azimuths that were not measured. Fails where a form
+# is better than `auto` by more than 5 % in log_median, cos_rms or cuberoot_rms and not worse by more in another of them.
 # Usage: fitter/auto.sh [--seconds S] [path of fbrdf] [file or model...]    without files: those in ../shared/data
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -38,7 +38,7 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         if (!source.evaluate) add(2, {"io+pqpr"});
         add(3, {"gg+hdg+hdio"});
     } else {
-        add(1, {"hdio", "qdg", "qdio", "pqp", "pqpr", "pqtr", "pqpd", "pqpn"});
+        add(1, {"hdio", "hdpu", "qdg", "qdio", "pqp", "pqpr", "pqtr", "pqpd", "pqpn"});
         add(2, {"gg+qdg", "gg+qdio", "gg+pqpr", "io+hdio", "io+pqpr"});
         add(3, {"gg+hdio+pqpr"});
     }
