@@ -13,7 +13,7 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kAutoBytes = 32768;  // without --max-bytes
-constexpr size_t kMaxTrials = 64;
+constexpr size_t kMaxTrials = 32, kMaxTrialsOfBest = 96;
 constexpr size_t kFewRows = 20000;    // that forms are fitted to side by side
 constexpr double kTrialsShare = 0.5;  // of the seconds; the rest is for the last fit
 
@@ -106,7 +106,8 @@ bool TrialRuns::isOver() const
 {
     const bool isLate = all_.options.seconds > 0.0 && all_.options.ranks.count == 1 &&
                         clock_.seconds() > kTrialsShare * all_.options.seconds;
-    return isLate || rows_.size() >= kMaxTrials;
+    const bool isBestOf = all_.options.form == kBestOf;
+    return isLate || rows_.size() >= (isBestOf ? kMaxTrialsOfBest : kMaxTrials);
 }
 
 Candidate TrialRuns::added(const Form& form, const std::string& stage)
