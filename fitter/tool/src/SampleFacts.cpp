@@ -84,8 +84,9 @@ private:
         const uint64_t key = keyOf(cell);
         const auto begin = std::lower_bound(entries_.begin(), entries_.end(),
                                             std::pair<uint64_t, uint32_t>(key, 0));
-        auto end = begin;
-        while (end != entries_.end() && end->first == key) ++end;
+        const auto end =
+            std::upper_bound(begin, entries_.end(), key,
+                             [](uint64_t k, const auto& entry) { return k < entry.first; });
         return {size_t(begin - entries_.begin()), size_t(end - entries_.begin())};
     }
 
