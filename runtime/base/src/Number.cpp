@@ -7,11 +7,11 @@ namespace fbrdf {
 namespace {
 
 /// The largest double has 309 digits before the point.
-constexpr size_t kLongest = 400;
+constexpr size_t kLongestNumber = 400;
 
 std::string textOf(double value, std::chars_format format, int precision)
 {
-    std::array<char, kLongest> text;
+    std::array<char, kLongestNumber> text;
     const auto [end, error] =
         std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
     return error == std::errc() ? std::string(text.data(), end) : std::string("number");
