@@ -13,10 +13,11 @@ using namespace fbrdf;
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kValues[] = {
     0.0,         -0.0,      0.25,  1.0 / 3.0, 1e-7,
     123456789.0, -2.088575, 1e300, 5e-324,    std::numeric_limits<double>::max(),
-    INFINITY,    -INFINITY};
+    kInfinity,   -kInfinity};
 
 std::string printed(const char* format, int precision, double value)
 {
@@ -36,7 +37,7 @@ TEST(Number, IsWhatPrintfWritesInTheLocaleC)
         }
     EXPECT_EQ(numberText(0.25), "0.25");
     EXPECT_EQ(fixedText(0.25), "0.250000");
-    EXPECT_NE(numberText(NAN).find("nan"), std::string::npos);
+    EXPECT_NE(numberText(std::numeric_limits<double>::quiet_NaN()).find("nan"), std::string::npos);
 }
 
 TEST(Number, StaysTheSameWhereTheDecimalSignIsAComma)
