@@ -5,8 +5,8 @@
 
 namespace fbrdf {
 
-/// The names of the forms that suit the symmetries of the source, at most `terms` terms each;
-/// those that are fitted in the least time first.
+/// The names of the forms that suit the symmetries of the source, at most `terms` terms each. Forms
+/// of one term, which take the least time, come first, then the most promising sums.
 std::vector<std::string> candidateNames(const Source& source, int terms);
 
 /// The forms that are within the options, tried.
