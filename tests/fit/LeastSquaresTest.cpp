@@ -1,10 +1,10 @@
 #include "solve/LeastSquares.h"
 
-#include "Bake.h"
 #include "Known.h"
+#include "Quantize.h"
 #include "RankPair.h"
 #include "solve/Solve.h"
-#include "Support.h"
+#include "TexelWeights.h"
 
 #include <fbrdf/base/Error.h>
 #include <gtest/gtest.h>

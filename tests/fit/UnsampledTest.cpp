@@ -2,7 +2,7 @@
 
 #include "Known.h"
 #include "solve/LeastSquares.h"
-#include "Support.h"
+#include "TexelWeights.h"
 
 #include <fbrdf/fit/Fit.h>
 #include <gtest/gtest.h>

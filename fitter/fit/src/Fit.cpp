@@ -1,7 +1,7 @@
 #include "Conserve.h"
-#include "forms/MadeForms.h"
+#include "FitContext.h"
+#include "forms/DirectForms.h"
 #include "forms/NamedForms.h"
-#include "Job.h"
 #include "search/Search.h"
 
 #include <fbrdf/base/Error.h>

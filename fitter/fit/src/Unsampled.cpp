@@ -1,6 +1,6 @@
 #include "Unsampled.h"
 
-#include "Support.h"
+#include "TexelWeights.h"
 
 #include <fbrdf/base/Assert.h>
 

@@ -1,6 +1,6 @@
 // Candidate.h - one form under trial, and how candidates compare.
 #pragma once
-#include "Job.h"
+#include "FitContext.h"
 
 #include <string>
 #include <vector>

@@ -9,7 +9,7 @@
 // The result depends on data, options and seed alone, not on the number of threads; with
 // FitOptions::seconds also on what the machine did in that time.
 #pragma once
-#include "Job.h"
+#include "FitContext.h"
 
 #include <string>
 #include <vector>

@@ -14,8 +14,8 @@
 //   Steps             take one Gauss-Newton step, by factored systems or conjugate gradients
 //   Descent           repeats steps until the cost stops falling
 #pragma once
-#include "data/Feed.h"
-#include "data/Traits.h"
+#include "data/Dataset.h"
+#include "data/DataStatistics.h"
 #include "solve/FitCache.h"
 #include "solve/RowStore.h"
 #include "solve/SmoothSystem.h"

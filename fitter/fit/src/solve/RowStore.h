@@ -2,8 +2,8 @@
 // pass. The geometry of rows (which texels, how much of each) does not depend on the values, so
 // fits to data on the same grid share it.
 #pragma once
-#include "data/Feed.h"
-#include "data/Traits.h"
+#include "data/Dataset.h"
+#include "data/DataStatistics.h"
 #include "solve/Rows.h"
 
 #include <memory>

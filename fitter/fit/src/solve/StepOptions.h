@@ -1,6 +1,6 @@
 // StepOptions.h - what one Gauss-Newton step is asked to do.
 #pragma once
-#include "data/Feed.h"
+#include "data/Dataset.h"
 
 #include <fbrdf/fit/Fit.h>
 

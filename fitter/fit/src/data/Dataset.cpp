@@ -1,4 +1,4 @@
-#include "data/Feed.h"
+#include "data/Dataset.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>

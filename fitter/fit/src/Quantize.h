@@ -1,4 +1,4 @@
-// Bake.h - from solved log texels to the material as it will be stored.
+// Quantize.h - from solved log texels to the material as it will be stored.
 #pragma once
 #include "solve/LeastSquares.h"
 

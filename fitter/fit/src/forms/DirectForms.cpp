@@ -1,9 +1,9 @@
-#include "forms/MadeForms.h"
+#include "forms/DirectForms.h"
 
-#include "Bake.h"
 #include "data/Symmetry.h"
 #include "forms/NamedForms.h"
-#include "Support.h"
+#include "Quantize.h"
+#include "TexelWeights.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>

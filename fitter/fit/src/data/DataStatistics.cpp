@@ -1,4 +1,4 @@
-#include "data/Traits.h"
+#include "data/DataStatistics.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>

@@ -1,11 +1,11 @@
-#include "Job.h"
+#include "FitContext.h"
 
 #include <fbrdf/base/Assert.h>
 
-#include "Bake.h"
 #include "data/Symmetry.h"
 #include "forms/NamedForms.h"
-#include "Support.h"
+#include "Quantize.h"
+#include "TexelWeights.h"
 #include "Unsampled.h"
 
 #include <fbrdf/base/Error.h>

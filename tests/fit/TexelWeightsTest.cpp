@@ -1,4 +1,4 @@
-#include "Support.h"
+#include "TexelWeights.h"
 
 #include "Known.h"
 #include "solve/LeastSquares.h"

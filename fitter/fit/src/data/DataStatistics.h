@@ -1,10 +1,10 @@
-// Traits.h - statistics of the samples that a fit needs beforehand, and the logarithm and weight
-// that a value gets from them.
+// DataStatistics.h - statistics of the samples that a fit needs beforehand, and the logarithm and
+// weight that a value gets from them.
 //
 // A value weighs f^2 / (f^2 + floor^2). One below the noise floor is censored: it is only known to
 // lie below.
 #pragma once
-#include "data/Feed.h"
+#include "data/Dataset.h"
 
 #include <fbrdf/fit/Fit.h>
 

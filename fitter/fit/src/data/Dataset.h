@@ -1,6 +1,6 @@
-// Feed.h - the samples of a source in ranges that can be read in any order, from any thread, again
-// and again. Fits read them once a pass and keep none, so memory does not grow with the number of
-// samples.
+// Dataset.h - the samples of a source in ranges that can be read in any order, from any thread,
+// again and again. Fits read them once a pass and keep none, so memory does not grow with the
+// number of samples.
 #pragma once
 #include <fbrdf/metrics/SplitMix.h>
 

@@ -1,4 +1,4 @@
-#include "Bake.h"
+#include "Quantize.h"
 
 #include "Known.h"
 

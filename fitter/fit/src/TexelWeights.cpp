@@ -1,4 +1,4 @@
-#include "Support.h"
+#include "TexelWeights.h"
 
 #include <fbrdf/base/Assert.h>
 

@@ -1,7 +1,7 @@
-// Job.h - the data of one fit and what is the same for every form tried on it.
+// FitContext.h - the data of one fit and what is the same for every form tried on it.
 #pragma once
-#include "data/Feed.h"
-#include "data/Traits.h"
+#include "data/Dataset.h"
+#include "data/DataStatistics.h"
 #include "solve/Solve.h"
 
 #include <fbrdf/fit/Clock.h>

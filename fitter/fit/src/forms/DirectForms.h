@@ -1,9 +1,9 @@
-// MadeForms.h - forms that are not fitted in log space: `svd`, singular values of the
+// DirectForms.h - forms that are not fitted in log space: `svd`, singular values of the
 // resampled function (Svd.h), and `analytic`, factors written down from a model
 // (AnalyticFactors.h). Unlike the forms of NamedForms.h they are no terms of sums, and auto does
 // not try them.
 #pragma once
-#include "Job.h"
+#include "FitContext.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "Bake.h"
+#include "Quantize.h"
 
 #include <fbrdf/base/Assert.h>
 

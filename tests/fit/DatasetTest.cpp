@@ -1,4 +1,4 @@
-#include "data/Feed.h"
+#include "data/Dataset.h"
 
 #include "Known.h"
 

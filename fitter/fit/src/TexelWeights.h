@@ -1,4 +1,4 @@
-// Support.h - the texels that are supported by samples.
+// TexelWeights.h - the texels that are supported by samples.
 #pragma once
 #include "solve/LeastSquares.h"
 
