@@ -21,10 +21,11 @@ TEST(Coarse, HalvedFormsAreValidAndEnd)
 TEST(Coarse, ProlongationKeepsAFunctionThatTheCoarseTablesHold)
 {
     const Source source = test::sourceOf(test::Ggx{0.4, 0.4, 0.5, 0.1});
-    const Feed feed = makeFeed(source, 64, 1, 1);
-    const DataTraits traits = traitsOf(someSamples(feed, FoldChoice::all(), 64, 1), true, "data");
+    const Dataset dataset = makeDataset(source, 64, 1, 1);
+    const DataStatistics statistics =
+        statisticsOf(someSamples(dataset, FoldChoice::all(), 64, 1), true, "data");
     const Form form = formPqp(32, 1.0);
-    const LeastSquares fine(form, feed, traits, 1, 1);
+    const LeastSquares fine(form, dataset, statistics, 1, 1);
     const LeastSquares coarse = fine.withForm(halved(form));
     State x(3 * coarse.unknowns());
     for (size_t t = 0; t < 2; ++t)

@@ -19,22 +19,22 @@ Source numbered(size_t count)
     return source;
 }
 
-TEST(Feed, BlocksHoldEverySampleOnceInOrder)
+TEST(Dataset, BlocksHoldEverySampleOnceInOrder)
 {
-    const Source source = numbered(2 * kFeedBlock + 77);
-    const Feed feed = makeFeed(source, 0, 1, 1);
-    ASSERT_EQ(feed.blocks(), 3u);
-    EXPECT_FALSE(feed.exact);
-    FeedScratch scratch;
+    const Source source = numbered(2 * kBlockRows + 77);
+    const Dataset dataset = makeDataset(source, 0, 1, 1);
+    ASSERT_EQ(dataset.blocks(), 3u);
+    EXPECT_FALSE(dataset.exact);
+    DatasetScratch scratch;
     float next = 0.0f;
-    for (size_t b = 0; b < feed.blocks(); ++b) {
-        const FeedBlock block = feed.block(b, scratch);
+    for (size_t b = 0; b < dataset.blocks(); ++b) {
+        const DatasetBlock block = dataset.block(b, scratch);
         for (size_t i = 0; i < block.count; ++i) EXPECT_EQ(block.samples[i].f.x, next++);
     }
     EXPECT_EQ(next, float(source.samples.size()));
 }
 
-TEST(Feed, AStreamGivesTheSamplesOfTheListItCameFrom)
+TEST(Dataset, AStreamGivesTheSamplesOfTheListItCameFrom)
 {
     const Source held = numbered(20000);
     Source streamed;
@@ -43,20 +43,20 @@ TEST(Feed, AStreamGivesTheSamplesOfTheListItCameFrom)
                                SampleReport&) {
         for (uint64_t i = first; i < first + count; ++i) out.push_back(held.samples[i]);
     };
-    const Feed a = makeFeed(held, 0, 1, 1), b = makeFeed(streamed, 0, 1, 2);
-    FeedScratch scratch, other;
+    const Dataset a = makeDataset(held, 0, 1, 1), b = makeDataset(streamed, 0, 1, 2);
+    DatasetScratch scratch, other;
     ASSERT_EQ(a.blocks(), b.blocks());
     for (size_t k = 0; k < a.blocks(); ++k) {
-        const FeedBlock p = a.block(k, scratch), q = b.block(k, other);
+        const DatasetBlock p = a.block(k, scratch), q = b.block(k, other);
         ASSERT_EQ(p.count, q.count);
         for (size_t i = 0; i < p.count; ++i) ASSERT_EQ(p.samples[i].f.x, q.samples[i].f.x);
     }
 }
 
-TEST(Feed, GeometryIsThatOfDirectionsAndWeightsAlone)
+TEST(Dataset, GeometryIsThatOfDirectionsAndWeightsAlone)
 {
     Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.0}), 9000, 1);
-    const auto geometry = [&source] { return geometryOf(makeFeed(source, 0, 1, 2), 2); };
+    const auto geometry = [&source] { return geometryOf(makeDataset(source, 0, 1, 2), 2); };
     const std::string before = geometry();
     for (Sample& s : source.samples) s.f *= 2.0f;
     EXPECT_EQ(geometry(), before);
@@ -67,9 +67,9 @@ TEST(Feed, GeometryIsThatOfDirectionsAndWeightsAlone)
     EXPECT_NE(geometry(), weighted);
 }
 
-TEST(Feed, AFunctionIsExact)
+TEST(Dataset, AFunctionIsExact)
 {
-    EXPECT_TRUE(makeFeed(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.0}), 100, 1, 1).exact);
+    EXPECT_TRUE(makeDataset(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.0}), 100, 1, 1).exact);
 }
 
 TEST(Folds, AreOfEqualSizeAndDependOnTheSeed)
@@ -89,23 +89,23 @@ TEST(Folds, AreOfEqualSizeAndDependOnTheSeed)
 TEST(Folds, SomeSamplesOfAFoldAreThoseOfThatFold)
 {
     const Source source = numbered(3000);
-    const Feed feed = makeFeed(source, 0, 1, 1);
+    const Dataset dataset = makeDataset(source, 0, 1, 1);
     size_t all = 0;
     for (int fold = 0; fold < kFolds; ++fold) {
-        const auto part = someSamples(feed, FoldChoice::onlyOf(fold), 10000, 9);
+        const auto part = someSamples(dataset, FoldChoice::onlyOf(fold), 10000, 9);
         for (const Sample& s : part) EXPECT_EQ(foldOf(uint64_t(s.f.x), 9), fold);
         all += part.size();
     }
     EXPECT_EQ(all, source.samples.size());
-    EXPECT_LE(someSamples(feed, FoldChoice::all(), 100, 9).size(), 100u);
+    EXPECT_LE(someSamples(dataset, FoldChoice::all(), 100, 9).size(), 100u);
 }
 
 TEST(Folds, AllButOneAreTheOthers)
 {
     const Source source = numbered(3000);
-    const Feed feed = makeFeed(source, 0, 1, 1);
-    const auto others = someSamples(feed, FoldChoice::allBut(2), 10000, 9),
-               fold = someSamples(feed, FoldChoice::onlyOf(2), 10000, 9);
+    const Dataset dataset = makeDataset(source, 0, 1, 1);
+    const auto others = someSamples(dataset, FoldChoice::allBut(2), 10000, 9),
+               fold = someSamples(dataset, FoldChoice::onlyOf(2), 10000, 9);
     for (const Sample& s : others) EXPECT_NE(foldOf(uint64_t(s.f.x), 9), 2);
     EXPECT_EQ(others.size() + fold.size(), source.samples.size());
 }
@@ -124,10 +124,10 @@ SampleStream dropping(uint64_t rows)
 }
 
 // The number under which fits meet a row: they read blocks.
-uint64_t numberInItsBlock(const Feed& feed, uint64_t row)
+uint64_t numberInItsBlock(const Dataset& dataset, uint64_t row)
 {
-    FeedScratch scratch;
-    const FeedBlock block = feed.block(size_t(row / kFeedBlock), scratch);
+    DatasetScratch scratch;
+    const DatasetBlock block = dataset.block(size_t(row / kBlockRows), scratch);
     for (size_t i = 0; i < block.count; ++i)
         if (uint64_t(block.samples[i].f.x) == row) return block.number(i);
     throw std::runtime_error("the row was dropped");
@@ -136,23 +136,23 @@ uint64_t numberInItsBlock(const Feed& feed, uint64_t row)
 TEST(Folds, ALongStreamThatDropsRowsHasTheFoldsThatFitsSee)
 {
     const SampleStream stream = dropping(60000);
-    const Feed feed = streamedFeed(stream);
+    const Dataset dataset = datasetOfStream(stream);
     for (const int fold : {0, 3}) {
-        const auto part = someSamples(feed, FoldChoice::onlyOf(fold), 500, 9);
+        const auto part = someSamples(dataset, FoldChoice::onlyOf(fold), 500, 9);
         EXPECT_GT(part.size(), 300u);
         for (const Sample& s : part)
-            EXPECT_EQ(foldOf(numberInItsBlock(feed, uint64_t(s.f.x)), 9), fold);
+            EXPECT_EQ(foldOf(numberInItsBlock(dataset, uint64_t(s.f.x)), 9), fold);
     }
 }
 
-TEST(Feed, NumbersOfAStreamThatDropsRowsAreUniqueAndRise)
+TEST(Dataset, NumbersOfAStreamThatDropsRowsAreUniqueAndRise)
 {
     const SampleStream stream = dropping(20000);
-    const Feed feed = streamedFeed(stream);
-    FeedScratch scratch;
+    const Dataset dataset = datasetOfStream(stream);
+    DatasetScratch scratch;
     uint64_t next = 0, samples = 0;
-    for (size_t b = 0; b < feed.blocks(); ++b) {
-        const FeedBlock block = feed.block(b, scratch);
+    for (size_t b = 0; b < dataset.blocks(); ++b) {
+        const DatasetBlock block = dataset.block(b, scratch);
         for (size_t i = 0; i < block.count; ++i) {
             EXPECT_GE(block.number(i), next);
             next = block.number(i) + 1;
@@ -166,9 +166,9 @@ TEST(Feed, NumbersOfAStreamThatDropsRowsAreUniqueAndRise)
 TEST(Folds, SomeSamplesAreTheSameOnAnyNumberOfThreads)
 {
     const Source source = numbered(50000);
-    const Feed feed = makeFeed(source, 0, 1, 1);
-    const auto one = someSamples(feed, FoldChoice::all(), 5000, 9, 1),
-               four = someSamples(feed, FoldChoice::all(), 5000, 9, 4);
+    const Dataset dataset = makeDataset(source, 0, 1, 1);
+    const auto one = someSamples(dataset, FoldChoice::all(), 5000, 9, 1),
+               four = someSamples(dataset, FoldChoice::all(), 5000, 9, 4);
     ASSERT_EQ(one.size(), four.size());
     for (size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].f.x, four[i].f.x);
 }
@@ -177,7 +177,7 @@ TEST(Folds, SomeSamplesAreSpreadOverAllOfThem)
 {
     // Half of the samples: a stride of whole numbers would take the first half.
     const Source source = numbered(20000);
-    const auto part = someSamples(makeFeed(source, 0, 1, 1), FoldChoice::all(), 10000, 9);
+    const auto part = someSamples(makeDataset(source, 0, 1, 1), FoldChoice::all(), 10000, 9);
     EXPECT_LE(part.size(), 10000u);
     EXPECT_GT(part.size(), 9000u);
     double sum = 0.0;
@@ -186,7 +186,7 @@ TEST(Folds, SomeSamplesAreSpreadOverAllOfThem)
     EXPECT_NEAR(sum / double(part.size()), 9999.5, 5 * 58.0);
 }
 
-TEST(Feed, ALongStreamIsLookedIntoHereAndThere)
+TEST(Dataset, ALongStreamIsLookedIntoHereAndThere)
 {
     uint64_t rowsRead = 0;
     Source source;
@@ -197,21 +197,21 @@ TEST(Feed, ALongStreamIsLookedIntoHereAndThere)
         for (uint64_t i = first; i < first + count; ++i)
             out.push_back({Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(float(i)), 1.0f});
     };
-    const auto part = someSamples(makeFeed(source, 0, 1, 1), FoldChoice::all(), 5000, 9);
+    const auto part = someSamples(makeDataset(source, 0, 1, 1), FoldChoice::all(), 5000, 9);
     EXPECT_GT(part.size(), 4000u);
     EXPECT_LE(rowsRead, 20000u);
     EXPECT_GT(part.back().f.x, 0.9f * std::ldexp(1.0f, 36));
 }
 
-TEST(Feed, AFunctionFillsTheHolesOfATableOfFewNodes)
+TEST(Dataset, AFunctionFillsTheHolesOfATableOfFewNodes)
 {
     Source table = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.1, 0.2}), 100, 1);
-    EXPECT_EQ(makeFeed(table, 1000, 1, 1).rows, 100u);
+    EXPECT_EQ(makeDataset(table, 1000, 1, 1).rows, 100u);
     table.evaluate = test::Ggx{0.3, 0.3, 0.1, 0.2};
-    const Feed filled = makeFeed(table, 1000, 1, 1);
+    const Dataset filled = makeDataset(table, 1000, 1, 1);
     EXPECT_EQ(filled.rows, 1100u);
     EXPECT_FALSE(filled.exact);
-    EXPECT_EQ(makeFeed(table, 100, 1, 1).rows, 100u);  // as many as are wanted: as they are
+    EXPECT_EQ(makeDataset(table, 100, 1, 1).rows, 100u);  // as many as are wanted: as they are
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ protected:
     {
         LeastSquaresOptions options;
         options.limits = limits;
-        const LeastSquares problem(makeForm("io+hdio", 12), feed_, traits_, 1, 2, options);
+        const LeastSquares problem(makeForm("io+hdio", 12), dataset_, statistics_, 1, 2, options);
         return descend(problem, {problem.flatState(), 0.0, {}}, {}, budget);
     }
 
 private:
     const Source source_ = test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1});
-    const Feed feed_ = makeFeed(source_, 5000, 1, 2);
-    const DataTraits traits_ =
-        traitsOf(someSamples(feed_, FoldChoice::all(), 5000, 1), true, "data");
+    const Dataset dataset_ = makeDataset(source_, 5000, 1, 2);
+    const DataStatistics statistics_ =
+        statisticsOf(someSamples(dataset_, FoldChoice::all(), 5000, 1), true, "data");
 };
 
 TEST_F(Descents, ConvergeWhenAStepLowersTheCostByLessThanTheTolerance)
@@ -89,19 +89,20 @@ TEST_F(Descents, TakeNoStepWhereEvenTheFirstDampingIsTooMuch)
 TEST(Limits, OfALargeSystemAreThoseOfItsResidualAndIterations)
 {
     const Source source = test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1});
-    const Feed feed = makeFeed(source, 5000, 1, 2);
-    const DataTraits traits = traitsOf(someSamples(feed, FoldChoice::all(), 5000, 1), true, "data");
+    const Dataset dataset = makeDataset(source, 5000, 1, 2);
+    const DataStatistics statistics =
+        statisticsOf(someSamples(dataset, FoldChoice::all(), 5000, 1), true, "data");
     LeastSquaresOptions options;
     options.solver = SystemSolver::conjugateGradients;
     for (const double tolerance : {1e-2, 1e-6}) {
         options.limits.systemTolerance = tolerance;
-        const LeastSquares problem(formHdio(12, 5, 5), feed, traits, 1, 2, options);
+        const LeastSquares problem(formHdio(12, 5, 5), dataset, statistics, 1, 2, options);
         const auto system = step(problem, problem.flatState(), {}).system;
         EXPECT_TRUE(system.isSolved);
         EXPECT_LE(system.residual, tolerance);
     }
     options.limits.maxSystemIterations = 3;
-    const LeastSquares problem(formHdio(12, 5, 5), feed, traits, 1, 2, options);
+    const LeastSquares problem(formHdio(12, 5, 5), dataset, statistics, 1, 2, options);
     const auto system = step(problem, problem.flatState(), {}).system;
     EXPECT_EQ(system.iterations, 3);
     EXPECT_FALSE(system.isSolved);

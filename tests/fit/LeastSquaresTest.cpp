@@ -19,13 +19,14 @@ namespace {
 
 struct Problem {
     Source source;
-    Feed feed;
-    DataTraits traits;
+    Dataset dataset;
+    DataStatistics statistics;
 
     Problem(Source from, size_t count)
         : source(std::move(from)),
-          feed(makeFeed(source, count, 1, 2)),
-          traits(traitsOf(someSamples(feed, FoldChoice::all(), 20000, 1), feed.exact, "data"))
+          dataset(makeDataset(source, count, 1, 2)),
+          statistics(statisticsOf(someSamples(dataset, FoldChoice::all(), 20000, 1), dataset.exact,
+                                  "data"))
     {
     }
 };
@@ -55,11 +56,11 @@ TEST_P(Recovery, OfAProductThatTheFormHolds)
 {
     const Material truth = test::waveMaterial(GetParam());
     Problem problem(test::sourceOf(truth), 30000);
-    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(truth.form, problem.dataset, problem.statistics, 1, 2);
     SolveOptions options;
     options.smoothness = 1e-14;
     const Material fitted =
-        bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
+        quantize(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
     EXPECT_LT(largestError(fitted, truth), kRecovered);
 }
 
@@ -75,8 +76,9 @@ TEST(Recovery, FailsWhenTheFormCannotHoldTheProduct)
     const Material truth = test::waveMaterial(formPqp(10, 0.5));
     Problem problem(test::sourceOf(truth), 20000);
     const Form form = formHdio(16, 6, 6);
-    const LeastSquares squares(form, problem.feed, problem.traits, 1, 2);
-    const Material fitted = bake(form, squares.layout(), solve(squares, {}).x, Storage::float32);
+    const LeastSquares squares(form, problem.dataset, problem.statistics, 1, 2);
+    const Material fitted =
+        quantize(form, squares.layout(), solve(squares, {}).x, Storage::float32);
     EXPECT_GT(largestError(fitted, truth), 0.1);
 }
 
@@ -84,11 +86,11 @@ TEST(Sums, OfTwoProductsComeBack)
 {
     const Material truth = test::waveMaterial(makeForm("io+hdio", 16));
     Problem problem(test::sourceOf(truth), 30000);
-    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(truth.form, problem.dataset, problem.statistics, 1, 2);
     SolveOptions options;
     options.smoothness = 1e-9;
     const Material fitted =
-        bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
+        quantize(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
     const auto pairs = uniformPairs(2000, 77);
     double sum = 0.0;
     for (const auto& pair : pairs) {
@@ -108,12 +110,13 @@ TEST(Robust, OutliersMoveAPlainFitAndNotARobustOne)
     for (Sample& s : source.samples)
         if (random() % 100 < 3) s.f *= 30.0f;
     Problem problem(source, 0);
-    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(truth.form, problem.dataset, problem.statistics, 1, 2);
     SolveOptions options;
     options.smoothness = 1e-9;
     const auto errorOf = [&] {
         return largestError(
-            bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32), truth);
+            quantize(truth.form, squares.layout(), solve(squares, options).x, Storage::float32),
+            truth);
     };
     EXPECT_GT(errorOf(), 0.1);
     options.robust = true;
@@ -133,24 +136,24 @@ TEST(Censored, ZerosPullOnlyPredictionsThatLieAbove)
     for (Sample& s : source.samples)
         if (s.f.x < cut) s.f.x = 0.0f;
     Problem problem(source, 0);
-    ASSERT_GT(problem.traits.floor.x, cut);
-    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2);
+    ASSERT_GT(problem.statistics.floor.x, cut);
+    const LeastSquares squares(truth.form, problem.dataset, problem.statistics, 1, 2);
     SolveOptions options;
     options.robust = true;
     const Material fitted =
-        bake(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
+        quantize(truth.form, squares.layout(), solve(squares, options).x, Storage::float32);
     double darkest = 0.0, bright = 0.0;
     size_t brightCount = 0;
     for (const Sample& s : source.samples) {
         const float g = evaluate(fitted, s.wo, s.wi).x;
         if (s.f.x == 0.0f) {
             darkest = std::max(darkest, double(g));
-        } else if (s.f.x > 1.5f * problem.traits.floor.x) {
+        } else if (s.f.x > 1.5f * problem.statistics.floor.x) {
             bright += std::abs(std::log(double(g / s.f.x)));
             ++brightCount;
         }
     }
-    EXPECT_LT(darkest, 2.0 * double(problem.traits.floor.x));
+    EXPECT_LT(darkest, 2.0 * double(problem.statistics.floor.x));
     ASSERT_GT(brightCount, 100u);
     EXPECT_LT(bright / double(brightCount), 0.02);
 }
@@ -159,8 +162,8 @@ TEST(LeastSquares, DoesNotDependOnTheNumberOfThreads)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 40000);
     const Form form = formHdio(16, 6, 6);
-    const LeastSquares one(form, problem.feed, problem.traits, 1, 1),
-        four(form, problem.feed, problem.traits, 1, 4);
+    const LeastSquares one(form, problem.dataset, problem.statistics, 1, 1),
+        four(form, problem.dataset, problem.statistics, 1, 4);
     EXPECT_EQ(step(one, one.flatState(), {}).x, step(four, four.flatState(), {}).x);
 }
 
@@ -168,7 +171,7 @@ TEST(LeastSquares, TheStepMinimisesWhatCostMeasures)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 10000);
     const Form form = formHdio(16, 6, 6);
-    const LeastSquares squares(form, problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(form, problem.dataset, problem.statistics, 1, 2);
     StepOptions options;
     options.smoothness = 1e-10;
     const State best = step(squares, squares.flatState(), options).x;
@@ -185,8 +188,8 @@ TEST(LeastSquares, TheStepMinimisesWhatCostMeasures)
 double largestDifference(const LeastSquares& a, const State& x, const LeastSquares& b,
                          const State& y)
 {
-    const Material p = bake(a.form(), a.layout(), x, Storage::float32),
-                   q = bake(b.form(), b.layout(), y, Storage::float32);
+    const Material p = quantize(a.form(), a.layout(), x, Storage::float32),
+                   q = quantize(b.form(), b.layout(), y, Storage::float32);
     return largestError(p, q);
 }
 
@@ -205,8 +208,8 @@ TEST_P(Solvers, FactorizationAndConjugateGradientsAgree)
         iterated.solver = SystemSolver::conjugateGradients;
         iterated.limits.systemTolerance = 1e-12;
         factored.sharedShape = iterated.sharedShape = GetParam();
-        const LeastSquares a(form, problem.feed, problem.traits, 1, 2, factored),
-            b(form, problem.feed, problem.traits, 1, 2, iterated);
+        const LeastSquares a(form, problem.dataset, problem.statistics, 1, 2, factored),
+            b(form, problem.dataset, problem.statistics, 1, 2, iterated);
         StepOptions options;
         options.smoothness = 1e-2;
         options.robust = true;
@@ -229,11 +232,11 @@ TEST(SharedShape, ComesBackWithItsThreeLevels)
     Problem problem(test::sourceOf(truth), 20000);
     LeastSquaresOptions options;
     options.sharedShape = true;
-    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2, options);
+    const LeastSquares squares(truth.form, problem.dataset, problem.statistics, 1, 2, options);
     SolveOptions solveOptions;
     solveOptions.smoothness = 1e-14;
     const Material fitted =
-        bake(truth.form, squares.layout(), solve(squares, solveOptions).x, Storage::float32);
+        quantize(truth.form, squares.layout(), solve(squares, solveOptions).x, Storage::float32);
     EXPECT_EQ(fitted.tables[0].channels, 1);
     EXPECT_EQ(materialBytes(fitted), (16u * 6 + 6 * 6) * 4);
     EXPECT_LT(largestError(fitted, truth), kRecovered);
@@ -245,9 +248,9 @@ TEST(SharedShape, CannotHoldThreeShapes)
     Problem problem(test::sourceOf(truth), 10000);
     LeastSquaresOptions options;
     options.sharedShape = true;
-    const LeastSquares squares(truth.form, problem.feed, problem.traits, 1, 2, options);
+    const LeastSquares squares(truth.form, problem.dataset, problem.statistics, 1, 2, options);
     EXPECT_GT(
-        largestError(bake(truth.form, squares.layout(), solve(squares, {}).x, Storage::float32),
+        largestError(quantize(truth.form, squares.layout(), solve(squares, {}).x, Storage::float32),
                      truth),
         0.1);
 }
@@ -257,12 +260,12 @@ TEST(Cache, ASecondFitOnTheSameGridIsTheFitWithoutACache)
     FitCache cache;
     for (const double f0 : {0.5, 0.04}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, f0, 0.1}), 20000);
-        ASSERT_FALSE(geometryOf(problem.feed, 1).empty());
+        ASSERT_FALSE(geometryOf(problem.dataset, 1).empty());
         const Form form = formHdio(16, 6, 6);
         LeastSquaresOptions cached;
         cached.cache = &cache;
-        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
-            without(form, problem.feed, problem.traits, 1, 2);
+        const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
+            without(form, problem.dataset, problem.statistics, 1, 2);
         SolveOptions options;
         options.folds = 2;
         const Solution a = solve(with, options), b = solve(without, options);
@@ -279,9 +282,9 @@ TEST(Cache, KnowsTheSupport)
     const Form form = formHdio(16, 6, 6);
     for (const double f0 : {0.5, 0.04}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, f0, 0.1}), 20000);
-        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
-            without(form, problem.feed, problem.traits, 1, 2);
-        EXPECT_EQ(supportOf(with), supportOf(without));
+        const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
+            without(form, problem.dataset, problem.statistics, 1, 2);
+        EXPECT_EQ(texelWeights(with), texelWeights(without));
     }
 }
 
@@ -294,8 +297,8 @@ TEST(Cache, AnotherRadiusOfADiscIsAnotherForm)
     Form form = formPqp(12, 0.5);
     for (const double radius : {5.5, 4.0}) {
         std::get<DiscDomain>(form.tables[0].domain).radius = radius;
-        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
-            without(form, problem.feed, problem.traits, 1, 2);
+        const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
+            without(form, problem.dataset, problem.statistics, 1, 2);
         EXPECT_EQ(step(with, with.flatState(), {}).x, step(without, without.flatState(), {}).x);
     }
 }
@@ -308,8 +311,8 @@ TEST(Cache, AnotherGridIsNotMistakenForIt)
     const Form form = formHdio(16, 6, 6);
     for (const size_t count : std::initializer_list<size_t>{20000, 10000}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), count);
-        const LeastSquares with(form, problem.feed, problem.traits, 1, 2, cached),
-            without(form, problem.feed, problem.traits, 1, 2);
+        const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
+            without(form, problem.dataset, problem.statistics, 1, 2);
         EXPECT_EQ(step(with, with.flatState(), {}).x, step(without, without.flatState(), {}).x);
     }
 }
@@ -318,7 +321,8 @@ TEST(Sums, OfAWideRangeLeaveTheFlatStart)
 {
     // Where the weaker term has a share of 1 in 500, a whole step of it overflows a float.
     Problem problem(test::sourceOf(test::Ggx{0.03, 0.03, 0.9, 0.0}), 20000);
-    const LeastSquares squares(makeForm("hdpio+hdpio", 24), problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(makeForm("hdpio+hdpio", 24), problem.dataset, problem.statistics, 1,
+                               2);
     StepOptions damped;
     damped.damping = 1e-3;
     const State flat = squares.flatState(), x = step(squares, flat, damped).x;
@@ -328,7 +332,7 @@ TEST(Sums, OfAWideRangeLeaveTheFlatStart)
 TEST(Sums, AWeakStrengthGetsAsFarAsTheChosenOne)
 {
     Problem problem(test::sourceOf(test::Ggx{0.1, 0.1, 0.04, 0.3}), 20000);
-    const LeastSquares squares(makeForm("io+hdio", 64), problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(makeForm("io+hdio", 64), problem.dataset, problem.statistics, 1, 2);
     SolveOptions options;
     const Solution chosen = solve(squares, options);
     options.smoothness = 1e-7;
@@ -357,14 +361,14 @@ TEST(Folds, WhatIsHeldOutOfALongStreamTakesNoPartInTheFit)
         test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 60000, 1).samples;
     for (size_t i = 0; i < samples.size(); ++i) samples[i].weight = 1.0f + 1e-6f * float(i);
     const SampleStream stream = droppingStream(samples);
-    const Feed feed = streamedFeed(stream);
-    const DataTraits traits =
-        traitsOf(someSamples(feed, FoldChoice::all(), 20000, kSeed), false, "data");
-    const LeastSquares squares(formHdio(8, 4, 4), feed, traits, kSeed, 2);
+    const Dataset dataset = datasetOfStream(stream);
+    const DataStatistics statistics =
+        statisticsOf(someSamples(dataset, FoldChoice::all(), 20000, kSeed), false, "data");
+    const LeastSquares squares(formHdio(8, 4, 4), dataset, statistics, kSeed, 2);
     StepOptions options;
     options.excludedFold = 2;
     const State before = step(squares, squares.flatState(), options).x;
-    const auto heldOut = someSamples(feed, FoldChoice::onlyOf(2), 500, kSeed);
+    const auto heldOut = someSamples(dataset, FoldChoice::onlyOf(2), 500, kSeed);
     ASSERT_GT(heldOut.size(), 300u);
     for (const Sample& s : heldOut)
         for (Sample& of : samples)
@@ -376,18 +380,18 @@ TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);
     const Form form = formHdio(16, 6, 6);
-    EXPECT_FALSE(dependsOnState(LeastSquares(form, problem.feed, problem.traits, 1, 2), {}));
-    std::vector<Sample> samples = someSamples(problem.feed, FoldChoice::all(), 20000, 1);
+    EXPECT_FALSE(dependsOnState(LeastSquares(form, problem.dataset, problem.statistics, 1, 2), {}));
+    std::vector<Sample> samples = someSamples(problem.dataset, FoldChoice::all(), 20000, 1);
     samples[777].f.y = 0.0f;
-    ASSERT_TRUE(problem.traits.sameWeights);
-    EXPECT_TRUE(
-        dependsOnState(LeastSquares(form, heldFeed(std::move(samples)), problem.traits, 1, 2), {}));
+    ASSERT_TRUE(problem.statistics.sameWeights);
+    EXPECT_TRUE(dependsOnState(
+        LeastSquares(form, datasetInMemory(std::move(samples)), problem.statistics, 1, 2), {}));
 }
 
 TEST(Weights, AStepOfALinearProblemDoesNotDependOnWhereItStarts)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);
-    const LeastSquares squares(formHdio(16, 6, 6), problem.feed, problem.traits, 1, 2);
+    const LeastSquares squares(formHdio(16, 6, 6), problem.dataset, problem.statistics, 1, 2);
     const State flat = squares.flatState(), once = step(squares, flat, {}).x;
     StepOptions damped;  // so little that only the start is another
     damped.damping = 1e-15;
@@ -399,7 +403,7 @@ TEST(Ranks, TwoProcessesTakeTheStepOfOne)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 60000);
     const Form form = formHdio(16, 6, 6);
-    const LeastSquares alone(form, problem.feed, problem.traits, 1, 1);
+    const LeastSquares alone(form, problem.dataset, problem.statistics, 1, 1);
     test::RankPair pair;
     std::array<State, 2> states;
     std::array<std::thread, 2> processes;
@@ -407,7 +411,7 @@ TEST(Ranks, TwoProcessesTakeTheStepOfOne)
         processes[r] = std::thread([&, r] {
             LeastSquaresOptions options;
             options.ranks = pair.rank(r);
-            const LeastSquares half(form, problem.feed, problem.traits, 1, 1, options);
+            const LeastSquares half(form, problem.dataset, problem.statistics, 1, 1, options);
             states[r] = solve(half, {}).x;
         });
     for (std::thread& process : processes) process.join();
@@ -415,21 +419,21 @@ TEST(Ranks, TwoProcessesTakeTheStepOfOne)
     EXPECT_LT(largestDifference(alone, solve(alone, {}).x, alone, states[0]), kSolversAgree);
 }
 
-TEST(Traits, NothingAboveTheFloorIsAnError)
+TEST(DataStatistics, NothingAboveTheFloorIsAnError)
 {
     std::vector<Sample> samples(5, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.0f), 1.0f});
-    EXPECT_THROW(traitsOf(samples, false, "data"), Error);
-    EXPECT_THROW(traitsOf({}, false, "data"), Error);
+    EXPECT_THROW(statisticsOf(samples, false, "data"), Error);
+    EXPECT_THROW(statisticsOf({}, false, "data"), Error);
 }
 
 // White samples of a function but for one, which no part of 65,536 samples is sure to contain.
-Feed whiteButFor(const Sample& one, uint64_t seed)
+Dataset whiteButFor(const Sample& one, uint64_t seed)
 {
     std::vector<Sample> samples(100000, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.5f), 1.0f});
-    Feed feed = heldFeed(samples);
+    Dataset dataset = datasetInMemory(samples);
     const auto isLookedAt = [&](size_t i) {
         samples[i].weight = 2.0f;
-        const auto part = someSamples(heldFeed(samples), FoldChoice::all(), 65536, seed);
+        const auto part = someSamples(datasetInMemory(samples), FoldChoice::all(), 65536, seed);
         samples[i].weight = 1.0f;
         return std::any_of(part.begin(), part.end(),
                            [](const Sample& s) { return s.weight == 2.0f; });
@@ -437,52 +441,55 @@ Feed whiteButFor(const Sample& one, uint64_t seed)
     size_t unseen = 0;
     while (isLookedAt(unseen)) ++unseen;
     samples[unseen] = one;
-    feed = heldFeed(std::move(samples));
-    feed.exact = true;
-    return feed;
+    dataset = datasetInMemory(std::move(samples));
+    dataset.exact = true;
+    return dataset;
 }
 
-TEST(Traits, OneColouredSampleIsSeenWhereverItIs)
+TEST(DataStatistics, OneColouredSampleIsSeenWhereverItIs)
 {
     const Vec3f up(0, 0, 1);
-    const TraitOptions options{1, 2, {}};
-    EXPECT_TRUE(traitsOf(whiteButFor({up, up, Vec3f(0.5f), 1.0f}, 1), options, "data").grey);
+    const StatisticsOptions options{1, 2, {}};
+    EXPECT_TRUE(statisticsOf(whiteButFor({up, up, Vec3f(0.5f), 1.0f}, 1), options, "data").grey);
     EXPECT_FALSE(
-        traitsOf(whiteButFor({up, up, Vec3f(0.5f, 0.1f, 0.5f), 1.0f}, 1), options, "data").grey);
+        statisticsOf(whiteButFor({up, up, Vec3f(0.5f, 0.1f, 0.5f), 1.0f}, 1), options, "data")
+            .grey);
 }
 
-TEST(Traits, OneBlackSampleIsSeenWhereverItIs)
+TEST(DataStatistics, OneBlackSampleIsSeenWhereverItIs)
 {
     const Vec3f up(0, 0, 1);
-    const TraitOptions options{1, 2, {}};
-    EXPECT_TRUE(traitsOf(whiteButFor({up, up, Vec3f(0.5f), 1.0f}, 1), options, "data").sameWeights);
+    const StatisticsOptions options{1, 2, {}};
+    EXPECT_TRUE(
+        statisticsOf(whiteButFor({up, up, Vec3f(0.5f), 1.0f}, 1), options, "data").sameWeights);
     EXPECT_FALSE(
-        traitsOf(whiteButFor({up, up, Vec3f(0.0f), 1.0f}, 1), options, "data").sameWeights);
+        statisticsOf(whiteButFor({up, up, Vec3f(0.0f), 1.0f}, 1), options, "data").sameWeights);
 }
 
-TEST(Traits, AFunctionHasAFloorOnlyWhereItIsCutOff)
+TEST(DataStatistics, AFunctionHasAFloorOnlyWhereItIsCutOff)
 {
     std::vector<Sample> samples;
     for (int i = 0; i < 100; ++i)
         samples.push_back(
             {Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(i < 20 ? 0.0f : 2.0f, 1e-6f, 1.0f), 1.0f});
-    const DataTraits traits = traitsOf(samples, true, "function");
-    EXPECT_FLOAT_EQ(traits.floor.x, 0.008f);
-    EXPECT_EQ(traits.floor.y, 0.0f);
-    EXPECT_EQ(traits.floor.z, 0.0f);
-    const Observed zero = observe(0.0f, 1.0f, traits, 0, 1.0f);
+    const DataStatistics statistics = statisticsOf(samples, true, "function");
+    EXPECT_FLOAT_EQ(statistics.floor.x, 0.008f);
+    EXPECT_EQ(statistics.floor.y, 0.0f);
+    EXPECT_EQ(statistics.floor.z, 0.0f);
+    const Observed zero = observe(0.0f, 1.0f, statistics, 0, 1.0f);
     EXPECT_FLOAT_EQ(zero.value, 0.008f);
     EXPECT_FALSE(zero.censored);
     EXPECT_EQ(zero.weight, 1.0f);
-    EXPECT_TRUE(observe(0.0f, 1.0f, traits, 1, 1.0f).censored);  // without a floor it takes no part
+    EXPECT_TRUE(
+        observe(0.0f, 1.0f, statistics, 1, 1.0f).censored);  // without a floor it takes no part
 }
 
-TEST(Traits, OneSampleAFoldIsTheLeast)
+TEST(DataStatistics, OneSampleAFoldIsTheLeast)
 {
     std::vector<Sample> samples(4, Sample{Vec3f(0, 0, 1), Vec3f(0, 0, 1), Vec3f(0.5f), 1.0f});
-    EXPECT_THROW(traitsOf(samples, false, "data"), Error);
+    EXPECT_THROW(statisticsOf(samples, false, "data"), Error);
     samples.push_back(samples[0]);
-    EXPECT_EQ(traitsOf(samples, false, "data").usable, 5u);
+    EXPECT_EQ(statisticsOf(samples, false, "data").usable, 5u);
 }
 
 }  // namespace

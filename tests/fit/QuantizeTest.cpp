@@ -19,29 +19,29 @@ State stateOf(const Material& material, const Layout& layout)
     return x;
 }
 
-TEST(Bake, TheGaugeMovesConstantsIntoTheScaleAndKeepsTheValue)
+TEST(Quantize, TheGaugeMovesConstantsIntoTheScaleAndKeepsTheValue)
 {
     const Material wave = test::waveMaterial(formHdio(12, 6, 6));
     const Layout layout(wave.form);
-    const Material baked = bake(wave.form, layout, stateOf(wave, layout), Storage::float32);
-    for (const Table& table : baked.tables) {
+    const Material stored = quantize(wave.form, layout, stateOf(wave, layout), Storage::float32);
+    for (const Table& table : stored.tables) {
         double mean = 0.0;
         for (int i = 0; i < texelCount(table.domain); ++i) mean += double(table.texel(i, 1));
         EXPECT_NEAR(mean / texelCount(table.domain), 0.0, 1e-6) << table.name;
     }
     for (const auto& pair : uniformPairs(200, 2)) {
         const Vec3d expected = evaluate(wave, pair.wo, pair.wi) / Vec3d(wave.scales[0]);
-        const Vec3d found = evaluate(baked, pair.wo, pair.wi);
+        const Vec3d found = evaluate(stored, pair.wo, pair.wi);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / expected[c], 1.0, 1e-5);
     }
 }
 
-TEST(Bake, LinearMapsFillZeroToOne)
+TEST(Quantize, LinearMapsFillZeroToOne)
 {
     const Material wave = test::waveMaterial(formPqp(16, 1.0));
     const Layout layout(wave.form);
-    const Material baked = bake(wave.form, layout, stateOf(wave, layout), Storage::linear8);
-    for (const Table& table : baked.tables) {
+    const Material stored = quantize(wave.form, layout, stateOf(wave, layout), Storage::linear8);
+    for (const Table& table : stored.tables) {
         float largest = 0.0f;
         for (int i = 0; i < texelCount(table.domain); ++i)
             largest = std::max(largest, table.texel(i, 0));
@@ -49,13 +49,13 @@ TEST(Bake, LinearMapsFillZeroToOne)
     }
     for (const auto& pair : uniformPairs(200, 2)) {
         const Vec3d expected = evaluate(wave, pair.wo, pair.wi) / Vec3d(wave.scales[0]);
-        const Vec3d found = evaluate(baked, pair.wo, pair.wi);
+        const Vec3d found = evaluate(stored, pair.wo, pair.wi);
         // Three 8-bit factors that stay above 1/8: half a code of each.
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / expected[c], 1.0, 3 * 8 * 0.5 / 255);
     }
 }
 
-TEST(Bake, TexelsThatNoPositionReachesDoNotWidenTheRange)
+TEST(Quantize, TexelsThatNoPositionReachesDoNotWidenTheRange)
 {
     const Form form = formPqp(16, 0.5);
     const Layout layout(form);
@@ -65,18 +65,19 @@ TEST(Bake, TexelsThatNoPositionReachesDoNotWidenTheRange)
         x[c * n + size_t(layout.unknownOf(1, 0))] = 1000.0;  // a corner, far outside the disc
         x[c * n + size_t(layout.unknownOf(1, 8 + 16 * 8))] = 2.0;
     }
-    const Material baked = bake(form, layout, x, Storage::log8);
-    EXPECT_LT(baked.tables[1].upper.x, 3.0f);
-    EXPECT_NEAR(baked.tables[1].upper.x - baked.tables[1].lower.x, 2.0f, 0.02f);  // and its margin
+    const Material stored = quantize(form, layout, x, Storage::log8);
+    EXPECT_LT(stored.tables[1].upper.x, 3.0f);
+    EXPECT_NEAR(stored.tables[1].upper.x - stored.tables[1].lower.x, 2.0f,
+                0.02f);  // and its margin
 }
 
-TEST(Bake, EightBitsOfDifferencesStayNearTheFloatTable)
+TEST(Quantize, EightBitsOfDifferencesStayNearTheFloatTable)
 {
     const Material wave = test::waveMaterial(formHdio(48, 12, 12));
     const Layout layout(wave.form);
     const State x = stateOf(wave, layout);
-    const Material exact = bake(wave.form, layout, x, Storage::float32);
-    const Material stored = bake(wave.form, layout, x, Storage::log8);
+    const Material exact = quantize(wave.form, layout, x, Storage::float32);
+    const Material stored = quantize(wave.form, layout, x, Storage::log8);
     for (size_t t = 0; t < 2; ++t) {
         const Table& table = stored.tables[t];
         for (int c = 0; c < 3; ++c) {

@@ -23,36 +23,36 @@ Sample sampleAt(float cosine, float value)
             1.0f};
 }
 
-void mark(Material& material, const std::vector<Sample>& samples, const DataTraits& traits)
+void mark(Material& material, const std::vector<Sample>& samples, const DataStatistics& statistics)
 {
-    const LeastSquares problem(material.form, heldFeed(samples), traits, 1, 2);
-    markUnsupported(material, problem.layout(), supportOf(problem));
+    const LeastSquares problem(material.form, datasetInMemory(samples), statistics, 1, 2);
+    markUnsupported(material, problem.layout(), texelWeights(problem));
 }
 
-std::vector<bool> marksOf(const std::vector<Sample>& samples, const DataTraits& traits)
+std::vector<bool> marksOf(const std::vector<Sample>& samples, const DataStatistics& statistics)
 {
     Material material = curveMaterial();
-    mark(material, samples, traits);
+    mark(material, samples, statistics);
     return material.tables[0].unsupported;
 }
 
-TEST(Support, TexelsBetweenSamplesAreMarked)
+TEST(TexelWeights, TexelsBetweenSamplesAreMarked)
 {
     const auto marks = marksOf({sampleAt(0.25f, 1.0f), sampleAt(0.995f, 1.0f)}, {});
     for (int i = 0; i < 11; ++i)  // 0.25: texels 2 and 3; 0.995: 9 by a twentieth, and 10
         EXPECT_EQ(marks[static_cast<size_t>(i)], i != 2 && i != 3 && i != 10) << i;
 }
 
-TEST(Support, ValuesBelowTheFloorSupportNothing)
+TEST(TexelWeights, ValuesBelowTheFloorSupportNothing)
 {
-    DataTraits traits;
-    traits.floor = Vec3f(0.1f);
-    const auto marks = marksOf({sampleAt(0.2f, 1e-4f), sampleAt(0.8f, 1.0f)}, traits);
+    DataStatistics statistics;
+    statistics.floor = Vec3f(0.1f);
+    const auto marks = marksOf({sampleAt(0.2f, 1e-4f), sampleAt(0.8f, 1.0f)}, statistics);
     EXPECT_TRUE(marks[2]);
     EXPECT_FALSE(marks[8]);
 }
 
-TEST(Support, DenseDataSupportEverythingThatCanBeRead)
+TEST(TexelWeights, DenseDataSupportEverythingThatCanBeRead)
 {
     Material material = test::waveMaterial(formPqp(9, 0.5));
     const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 20000, 2);

@@ -49,19 +49,19 @@ TEST(Unsampled, SupportedTexelsStayAsTheyAre)
 {
     const Material wave = test::waveMaterial(makeForm("hdio", 8));
     const Source source = redUpTo50Degrees();
-    const LeastSquares problem(wave.form, heldFeed(source.samples), {}, 1, 1);
+    const LeastSquares problem(wave.form, datasetInMemory(source.samples), {}, 1, 1);
     State x(problem.columns() * problem.unknowns());
     for (size_t i = 0; i < x.size(); ++i) x[i] = std::sin(static_cast<double>(i));
-    const std::vector<double> support = supportOf(problem);
+    const std::vector<double> weights = texelWeights(problem);
     State next = x;
-    extendHue(problem, support, next);
+    extendHue(problem, weights, next);
     size_t changed = 0;
     for (size_t u = 0; u < problem.unknowns(); ++u) {
         const size_t n = problem.unknowns();
         const double brightness = x[u] + x[n + u] + x[2 * n + u];
         EXPECT_NEAR(next[u] + next[n + u] + next[2 * n + u], brightness, 1e-12) << u;
         if (next[u] != x[u]) ++changed;
-        if (support[u] > kSupport) {
+        if (weights[u] > kLeastTexelWeight) {
             EXPECT_EQ(next[u], x[u]) << u;
         }
     }

@@ -11,12 +11,12 @@
 namespace fbrdf {
 namespace {
 
-Form formFor(const Job& job)
+Form formFor(const FitContext& context)
 {
-    const FitOptions& options = job.options;
+    const FitOptions& options = context.options;
     if (options.formData) return *options.formData;
     if (options.resolution > 0) return makeForm(options.form, options.resolution);
-    return makeFormFor(options.form, decidingSamples(job),
+    return makeFormFor(options.form, decidingSamples(context),
                        options.maxBytes * (options.sharedShape ? 3 : 1), options.storage);
 }
 
@@ -29,10 +29,10 @@ void checkLookups(const FitOptions& options, const Form& form)
                         .expected("at least " + std::to_string(lookups) + " for " + form.name));
 }
 
-void checkLimits(const Job& job, const Form& form)
+void checkLimits(const FitContext& context, const Form& form)
 {
-    const FitOptions& options = job.options;
-    const size_t bytes = bytesOf(job, form);
+    const FitOptions& options = context.options;
+    const size_t bytes = bytesOf(context, form);
     if (options.maxBytes > 0 && bytes > options.maxBytes)
         throw Error(
             ErrorKind::usage, "max-bytes",
@@ -41,48 +41,49 @@ void checkLimits(const Job& job, const Form& form)
     checkLookups(options, form);
 }
 
-Fitted fitNamed(const Job& job)
+Fitted fitNamed(const FitContext& context)
 {
-    const Form form = formFor(job);
-    checkLimits(job, form);
-    return fitForm(job, form);
+    const Form form = formFor(context);
+    checkLimits(context, form);
+    return fitForm(context, form);
 }
 
-bool isMade(const FitOptions& options)
+bool isDirect(const FitOptions& options)
 {
-    return !options.formData && isMadeForm(options.form);
+    return !options.formData && isDirectForm(options.form);
 }
 
-Fitted fitMade(const Source& source, const Job& job)
+Fitted fitDirect(const Source& source, const FitContext& context)
 {
-    Fitted fitted = makeFitted(source, job);
-    checkLookups(job.options, fitted.material.form);
+    Fitted fitted = fitDirectForm(source, context);
+    checkLookups(context.options, fitted.material.form);
     return fitted;
 }
 
-Fitted fitAny(const Source& source, const Job& job, FitSummary& summary)
+Fitted fitAny(const Source& source, const FitContext& context, FitSummary& summary)
 {
-    if (isMade(job.options)) return fitMade(source, job);
-    return isSearched(job.options) ? searchForm(source, job, summary.trials, summary.reason)
-                                   : fitNamed(job);
+    if (isDirect(context.options)) return fitDirect(source, context);
+    return isSearched(context.options) ? searchForm(source, context, summary.trials, summary.reason)
+                                       : fitNamed(context);
 }
 
-void measure(const Source& source, const Job& job, const Fitted& fitted, FitSummary& summary)
+void measure(const Source& source, const FitContext& context, const Fitted& fitted,
+             FitSummary& summary)
 {
-    const auto probe = probeOf(job);
-    const auto values = evaluateAt(fitted.material, probe, job.options.threads);
-    summary.all = sampleErrors(probe, values, job.traits.floor);
-    summary.misfits = misfitRegions(probe, values, job.traits.floor, job.feed.exact);
-    if (!job.feed.exact) summary.coverage = coverageOf(probe);
-    summary.used = job.feed.rows;
+    const auto probe = probeOf(context);
+    const auto values = evaluateAt(fitted.material, probe, context.options.threads);
+    summary.all = sampleErrors(probe, values, context.statistics.floor);
+    summary.misfits = misfitRegions(probe, values, context.statistics.floor, context.dataset.exact);
+    if (!context.dataset.exact) summary.coverage = coverageOf(probe);
+    summary.used = context.dataset.rows;
     for (const Sample& s : probe)
         for (int c = 0; c < 3; ++c)
-            if (!(s.f[c] > job.traits.floor[c])) ++summary.belowFloor;
-    if (!job.options.heldOut) return;
-    const bool made = isMade(job.options);
-    summary.folds = job.feed.exact || (made && source.evaluate) ? 0 : job.folds;
-    summary.heldOut =
-        made ? madeHeldOutErrors(source, job, fitted) : heldOutErrors(source, job, fitted);
+            if (!(s.f[c] > context.statistics.floor[c])) ++summary.belowFloor;
+    if (!context.options.heldOut) return;
+    const bool direct = isDirect(context.options);
+    summary.folds = context.dataset.exact || (direct && source.evaluate) ? 0 : context.folds;
+    summary.heldOut = direct ? directHeldOutErrors(source, context, fitted)
+                             : heldOutErrors(source, context, fitted);
 }
 
 void requireAbove(double value, double least, const std::string& option)
@@ -123,8 +124,8 @@ void checkOptions(const FitOptions& options)
         if (options.resolution > 0)
             throw Error(ErrorKind::usage, "resolution",
                         Found("it beside a form as data").expected("the sizes of the form alone"));
-    } else if (isMade(options)) {
-        checkMadeOptions(options);
+    } else if (isDirect(options)) {
+        checkDirectOptions(options);
     } else {
         makeForm(isSearched(options) ? "hdio" : options.form, options.resolution);
     }
@@ -134,22 +135,22 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
 {
     checkOptions(options);
     const Clock readClock;
-    Feed feed = readFeed(source, options);
+    Dataset dataset = readDataset(source, options);
     FitResult result;
     FitSummary& summary = result.summary;
     summary.readSeconds = readClock.seconds();
     const Clock clock;
     const ProcessorClock processors;
-    const Job job = makeJob(std::move(feed), options, source.name);
-    Fitted fitted = fitAny(source, job, summary);
+    const FitContext context = makeFitContext(std::move(dataset), options, source.name);
+    Fitted fitted = fitAny(source, context, summary);
     if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);
     fitted.material.name = source.name;
     summary.seconds = clock.seconds();
     summary.processorSeconds = processors.seconds();
-    summary.noiseFloor = job.traits.floor;
+    summary.noiseFloor = context.statistics.floor;
     summary.smoothness = fitted.smoothness;
     summary.solver = fitted.solver;
-    measure(source, job, fitted, summary);
+    measure(source, context, fitted, summary);
     result.material = std::move(fitted.material);
     return result;
 }

@@ -9,32 +9,32 @@
 
 namespace fbrdf {
 
-struct Job {
+struct FitContext {
     const FitOptions& options;
-    Feed feed;
-    DataTraits traits;
+    Dataset dataset;
+    DataStatistics statistics;
     bool robust = false;
     int folds = 1;  ///< that are held out in turn
     /// Samples that are held out are compared as data/Symmetry.h turns them.
     bool turnsHeldOut = false;
 };
 
-/// The samples of a fit; `source` must outlive the feed. Throws Error(fit) when there are none.
-Feed readFeed(const Source& source, const FitOptions& options);
+/// The samples of a fit; `source` must outlive the dataset. Throws Error(fit) when there are none.
+Dataset readDataset(const Source& source, const FitOptions& options);
 
-/// `options` must outlive the job. Throws Error(fit) naming `source` for too few samples.
-Job makeJob(Feed feed, const FitOptions& options, const std::string& source);
+/// `options` must outlive the context. Throws Error(fit) naming `source` for too few samples.
+FitContext makeFitContext(Dataset dataset, const FitOptions& options, const std::string& source);
 
 /// Samples as sizes of forms count them: one without a trace of noise decides as much as two.
-size_t decidingSamples(const Job& job);
+size_t decidingSamples(const FitContext& context);
 
-/// The job on a part of its samples, or the job itself when `part` is empty.
-Job partOf(const Job& job, std::vector<Sample> part);
-/// Bytes of the material that the job makes of a form.
-size_t bytesOf(const Job& job, const Form& form);
+/// The context on a part of its samples, or the context itself when `part` is empty.
+FitContext partOf(const FitContext& context, std::vector<Sample> part);
+/// Bytes of the material that the context makes of a form.
+size_t bytesOf(const FitContext& context, const Form& form);
 
-SolveOptions solveOptions(const Job& job);
-LeastSquaresOptions problemOptions(const Job& job);
+SolveOptions solveOptions(const FitContext& context);
+LeastSquaresOptions problemOptions(const FitContext& context);
 
 /// A form fitted to all of the data.
 struct Fitted {
@@ -43,14 +43,15 @@ struct Fitted {
     SolverSummary solver;
     std::optional<SampleErrors> heldOut;  ///< where they are known already
 };
-Fitted fitForm(const Job& job, const Form& form);
+Fitted fitForm(const FitContext& context, const Form& form);
 
 /// The errors that are stated for a fit. For a function they are measured on a fresh set of
 /// directions; for measurements, on folds that fits of the same form and smoothness leave out.
-SampleErrors heldOutErrors(const Source& source, const Job& job, const Fitted& fitted);
+SampleErrors heldOutErrors(const Source& source, const FitContext& context, const Fitted& fitted);
 
 /// At most kProbeSamples of the data, which errors are computed on.
-std::vector<Sample> probeOf(const Job& job, const FoldChoice& choice = FoldChoice::all());
+std::vector<Sample> probeOf(const FitContext& context,
+                            const FoldChoice& choice = FoldChoice::all());
 
 /// Samples that took no part in the fits of a form, each of the first folds left out of one.
 struct HeldOut {
@@ -63,6 +64,7 @@ struct HeldOut {
 };
 /// Continues until `folds` folds are held out. `smoothness` 0: each of these fits chooses its own.
 /// Precondition: folds <= kFolds.
-void holdOut(const Job& job, const Form& form, double smoothness, int folds, HeldOut& held);
+void holdOut(const FitContext& context, const Form& form, double smoothness, int folds,
+             HeldOut& held);
 
 }  // namespace fbrdf

@@ -51,7 +51,7 @@ Vec3d normalised(Table& table, Storage storage)
 
 }  // namespace
 
-Material bake(const Form& form, const Layout& layout, const State& x, Storage storage)
+Material quantize(const Form& form, const Layout& layout, const State& x, Storage storage)
 {
     FBRDF_ASSERT(x.size(), ==,
                  static_cast<size_t>(layout.unknowns()) * (layout.sharedShape() ? 1u : 3u));

@@ -12,7 +12,7 @@ bool isUsable(const RowValues& values, size_t i)
     return false;
 }
 
-std::vector<double> countedSupport(const LeastSquares& problem)
+std::vector<double> countedWeights(const LeastSquares& problem)
 {
     const auto width = static_cast<size_t>(problem.maker().width());
     std::vector<std::vector<double>> parts(kParts, std::vector<double>(problem.unknowns(), 0.0));
@@ -34,26 +34,26 @@ std::vector<double> countedSupport(const LeastSquares& problem)
 
 }  // namespace
 
-std::vector<double> supportOf(const LeastSquares& problem)
+std::vector<double> texelWeights(const LeastSquares& problem)
 {
     constexpr size_t kStreamRows = 262144;
-    if (!problem.isHeld()) return supportOf(problem.thinned(kStreamRows, kNoFold));
-    // With equal weights the support depends on the pairs of directions alone: fits on the same
-    // grid share it.
+    if (!problem.isInMemory()) return texelWeights(problem.thinned(kStreamRows, kNoFold));
+    // With samples of equal weight the sums depend on the pairs of directions alone: fits on the
+    // same grid share them.
     if (problem.cacheKey().empty() || !problem.store().sameWeights())
-        return countedSupport(problem);
+        return countedWeights(problem);
     FitCache& cache = *problem.options().cache;
-    auto known = cache.support(problem.cacheKey());
+    auto known = cache.texelWeights(problem.cacheKey());
     if (!known) {
-        known = std::make_shared<const std::vector<double>>(countedSupport(problem));
-        cache.keepSupport(problem.cacheKey(), known);
+        known = std::make_shared<const std::vector<double>>(countedWeights(problem));
+        cache.keepTexelWeights(problem.cacheKey(), known);
     }
     return *known;
 }
 
-void markUnsupported(Material& material, const Layout& layout, const std::vector<double>& support)
+void markUnsupported(Material& material, const Layout& layout, const std::vector<double>& weights)
 {
-    FBRDF_ASSERT(support.size(), ==, static_cast<size_t>(layout.unknowns()));
+    FBRDF_ASSERT(weights.size(), ==, static_cast<size_t>(layout.unknowns()));
     for (size_t t = 0; t < material.tables.size(); ++t) {
         Table& table = material.tables[t];
         const int texels = texelCount(table.domain);
@@ -61,7 +61,7 @@ void markUnsupported(Material& material, const Layout& layout, const std::vector
         for (int i = 0; i < texels; ++i)
             table.unsupported[static_cast<size_t>(i)] =
                 isReachable(table.domain, i) &&
-                !(support[static_cast<size_t>(layout.unknownOf(t, i))] > kSupport);
+                !(weights[static_cast<size_t>(layout.unknownOf(t, i))] > kLeastTexelWeight);
     }
 }
 

@@ -41,7 +41,7 @@ std::vector<std::vector<size_t>> neighboursIn(const Form& form, const Layout& la
 /// Texels of one table, whose hues spread from those that are known.
 class HueSpread {
 public:
-    HueSpread(const LeastSquares& problem, size_t table, const std::vector<double>& support,
+    HueSpread(const LeastSquares& problem, size_t table, const std::vector<double>& weights,
               State& x)
         : unknowns_(problem.unknowns()),
           neighbours_(neighboursIn(problem.form(), problem.layout(), table)),
@@ -49,7 +49,7 @@ public:
           x_(x)
     {
         for (size_t u = 0; u < unknowns_; ++u)
-            if (!neighbours_[u].empty()) isKnown_[u] = support[u] > kSupport;
+            if (!neighbours_[u].empty()) isKnown_[u] = weights[u] > kLeastTexelWeight;
     }
 
     void run()
@@ -103,12 +103,12 @@ private:
 
 }  // namespace
 
-void extendHue(const LeastSquares& problem, const std::vector<double>& support, State& x)
+void extendHue(const LeastSquares& problem, const std::vector<double>& weights, State& x)
 {
-    FBRDF_ASSERT(support.size(), ==, problem.unknowns());
+    FBRDF_ASSERT(weights.size(), ==, problem.unknowns());
     if (problem.layout().sharedShape()) return;  // one hue everywhere
     for (size_t table = 0; table < problem.form().tables.size(); ++table)
-        HueSpread(problem, table, support, x).run();
+        HueSpread(problem, table, weights, x).run();
 }
 
 }  // namespace fbrdf

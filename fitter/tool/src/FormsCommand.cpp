@@ -49,7 +49,7 @@ Json formsJson()
                          {"default_resolution", f.named.defaultResolution},
                          {"bytes", f.bytes}});
     Json made = Json::array();
-    for (const NamedForm& named : madeForms())
+    for (const NamedForm& named : directForms())
         made.push_back({{"name", named.name},
                         {"product", named.product},
                         {"note", named.note},
@@ -75,7 +75,7 @@ std::string formsText()
         rows.push_back({f.named.name, f.named.product, fmt::format("{}", f.lookups),
                         fmt::format("{}", f.named.defaultResolution), withSeparators(f.bytes),
                         f.named.note});
-    for (const NamedForm& named : madeForms())
+    for (const NamedForm& named : directForms())
         rows.push_back({named.name, named.product, "", fmt::format("{}", named.defaultResolution),
                         "", named.note});
     const Align l = Align::left, r = Align::right;

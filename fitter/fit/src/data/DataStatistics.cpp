@@ -39,27 +39,27 @@ bool isGrey(const Sample& s)
     return s.f.x == s.f.y && s.f.y == s.f.z;
 }
 
-bool weighsAsGiven(const Sample& s, const DataTraits& traits)
+bool weighsAsGiven(const Sample& s, const DataStatistics& statistics)
 {
     for (int c = 0; c < 3; ++c)
-        if (observe(s.f[c], s.wi.z, traits, c, s.weight).weight != s.weight) return false;
+        if (observe(s.f[c], s.wi.z, statistics, c, s.weight).weight != s.weight) return false;
     return true;
 }
 
 // Counts the blocks of this process with a sample that contradicts sameWeights, and those with one
 // that contradicts grey.
-std::vector<double> contradictions(const Feed& feed, const DataTraits& traits,
-                                   const TraitOptions& options)
+std::vector<double> contradictions(const Dataset& dataset, const DataStatistics& statistics,
+                                   const StatisticsOptions& options)
 {
-    const size_t first = feed.blocks() * options.ranks.rank / options.ranks.count,
-                 last = feed.blocks() * (options.ranks.rank + 1) / options.ranks.count;
+    const size_t first = dataset.blocks() * options.ranks.rank / options.ranks.count,
+                 last = dataset.blocks() * (options.ranks.rank + 1) / options.ranks.count;
     std::vector<char> weights(last - first, 0), colours(last - first, 0);
     parallelTasks(last - first, options.threads, [&](size_t b) {
-        FeedScratch scratch;
-        const FeedBlock block = feed.block(first + b, scratch);
+        DatasetScratch scratch;
+        const DatasetBlock block = dataset.block(first + b, scratch);
         const Sample* end = block.samples + block.count;
         weights[b] = !std::all_of(block.samples, end,
-                                  [&](const Sample& s) { return weighsAsGiven(s, traits); });
+                                  [&](const Sample& s) { return weighsAsGiven(s, statistics); });
         colours[b] = !std::all_of(block.samples, end, isGrey);
     });
     const auto blocks = [](const std::vector<char>& marks) {
@@ -82,11 +82,13 @@ float quantile(std::vector<float>& values, double fraction)
     return *at;
 }
 
-Observed observe(float f, float cosine, const DataTraits& traits, int channel, float sampleWeight)
+Observed observe(float f, float cosine, const DataStatistics& statistics, int channel,
+                 float sampleWeight)
 {
     constexpr float kLeast = std::numeric_limits<float>::min();
-    const float floor = floorAt(traits, channel, cosine);
-    if (traits.exact && floor > 0.0f) return {std::max({f, floor, kLeast}), sampleWeight, false};
+    const float floor = floorAt(statistics, channel, cosine);
+    if (statistics.exact && floor > 0.0f)
+        return {std::max({f, floor, kLeast}), sampleWeight, false};
     if (f > 0.0f && f > 0.5f * floor) {
         const float variance = (floor / f) * (floor / f);
         return {std::max(f, kLeast), sampleWeight / (1.0f + variance), false};
@@ -96,60 +98,62 @@ Observed observe(float f, float cosine, const DataTraits& traits, int channel, f
     return {1.0f, 0.0f, true};
 }
 
-DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source)
+DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
+                            const std::string& source)
 {
-    DataTraits traits;
-    traits.exact = exact;
+    DataStatistics statistics;
+    statistics.exact = exact;
     if (exact) {
-        traits.floor = floorOfFunction(samples);
+        statistics.floor = floorOfFunction(samples);
     } else {
         const NoiseModel noise = estimateNoise(samples);
-        traits.floor = noise.sigma;
-        traits.floorOverCosine = noise.overCosine;
-        traits.unclipped = noise.unclipped;
+        statistics.floor = noise.sigma;
+        statistics.floorOverCosine = noise.overCosine;
+        statistics.unclipped = noise.unclipped;
     }
-    traits.sameWeights = true;
-    traits.grey = exact && std::all_of(samples.begin(), samples.end(), isGrey);
+    statistics.sameWeights = true;
+    statistics.grey = exact && std::all_of(samples.begin(), samples.end(), isGrey);
     std::array<std::vector<float>, 3> logs;
     for (const Sample& s : samples) {
         bool usable = false;
         for (int c = 0; c < 3; ++c) {
-            const Observed o = observe(s.f[c], s.wi.z, traits, c, s.weight);
+            const Observed o = observe(s.f[c], s.wi.z, statistics, c, s.weight);
             if (o.censored) {
-                traits.sameWeights = false;
+                statistics.sameWeights = false;
                 continue;
             }
             logs[static_cast<size_t>(c)].push_back(std::log2(o.value));
             usable = usable || o.weight > 0.0f;
         }
-        traits.usable += usable ? 1 : 0;
+        statistics.usable += usable ? 1 : 0;
     }
     for (int c = 0; c < 3; ++c) {
-        if (!exact && traits.floor[c] > 0.0f) traits.sameWeights = false;
-        traits.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
-        traits.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
+        if (!exact && statistics.floor[c] > 0.0f) statistics.sameWeights = false;
+        statistics.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
+        statistics.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
     }
-    if (traits.usable < kFewestSamples)
+    if (statistics.usable < kFewestSamples)
         throw Error(ErrorKind::fit, source,
                     "found " + std::to_string(samples.size()) + ", of which " +
-                        std::to_string(traits.usable) +
+                        std::to_string(statistics.usable) +
                         " have a value above the noise floor; expected at least " +
                         std::to_string(kFewestSamples) + " samples that have");
-    return traits;
+    return statistics;
 }
 
-DataTraits traitsOf(const Feed& feed, const TraitOptions& options, const std::string& source)
+DataStatistics statisticsOf(const Dataset& dataset, const StatisticsOptions& options,
+                            const std::string& source)
 {
     constexpr size_t kSamples = 65536;
-    DataTraits traits =
-        traitsOf(someSamples(feed, FoldChoice::all(), kSamples, options.seed, options.threads),
-                 feed.exact, source);
-    if (!traits.sameWeights && !traits.grey) return traits;
-    std::vector<double> found = contradictions(feed, traits, options);
+    DataStatistics statistics = statisticsOf(
+        someSamples(dataset, FoldChoice::all(), kSamples, options.seed, options.threads),
+        dataset.exact, source);
+    if (!statistics.sameWeights && !statistics.grey) return statistics;
+    std::vector<double> found = contradictions(dataset, statistics, options);
     options.ranks.sum(found);
-    traits.sameWeights = traits.sameWeights && found[0] == 0.0;
-    traits.grey = traits.grey && found[1] == 0.0;
-    return traits;
+    statistics.sameWeights = statistics.sameWeights && found[0] == 0.0;
+    statistics.grey = statistics.grey && found[1] == 0.0;
+    return statistics;
 }
 
 }  // namespace fbrdf

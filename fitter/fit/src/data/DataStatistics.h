@@ -13,7 +13,7 @@
 
 namespace fbrdf {
 
-struct DataTraits {
+struct DataStatistics {
     Vec3f floor{0.0f};  ///< noise floor, 1/sr; see floorOverCosine
     /// The noise is that of radiance: at incidence theta_i the floor is `floor` / cos theta_i.
     bool floorOverCosine = false;
@@ -27,24 +27,27 @@ struct DataTraits {
 };
 
 /// The noise floor of a channel at cos theta_i, 1/sr.
-inline float floorAt(const DataTraits& traits, int channel, float cosine)
+inline float floorAt(const DataStatistics& statistics, int channel, float cosine)
 {
-    return traits.floorOverCosine ? traits.floor[channel] / cosine : traits.floor[channel];
+    return statistics.floorOverCosine ? statistics.floor[channel] / cosine
+                                      : statistics.floor[channel];
 }
 
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
 /// Throws Error(fit) naming `source` when fewer than 5 samples have a value above the noise floor.
-DataTraits traitsOf(const std::vector<Sample>& samples, bool exact, const std::string& source);
+DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
+                            const std::string& source);
 
-struct TraitOptions {
+struct StatisticsOptions {
     uint64_t seed = 1;  ///< of the part that is looked at
     int threads = 0;    ///< 0: one a core
     RankSum ranks;      ///< each process checks its share of the rows
 };
-/// The traits of a whole feed: the floor and the levels from 65,536 samples spread over it, while
-/// what must be true of every sample (sameWeights, grey) is checked on all of them. Throws as
+/// The statistics of a whole dataset: the floor and the levels from 65,536 samples spread over it,
+/// while what must be true of every sample (sameWeights, grey) is checked on all of them. Throws as
 /// above.
-DataTraits traitsOf(const Feed& feed, const TraitOptions& options, const std::string& source);
+DataStatistics statisticsOf(const Dataset& dataset, const StatisticsOptions& options,
+                            const std::string& source);
 
 /// One channel of one sample.
 struct Observed {
@@ -53,7 +56,8 @@ struct Observed {
     bool censored;
 };
 /// `cosine`: of theta_i.
-Observed observe(float f, float cosine, const DataTraits& traits, int channel, float sampleWeight);
+Observed observe(float f, float cosine, const DataStatistics& statistics, int channel,
+                 float sampleWeight);
 
 /// The value below which `fraction` of the values lie; 0 of none. Reorders them.
 float quantile(std::vector<float>& values, double fraction);

@@ -19,29 +19,31 @@ constexpr size_t kHeldRows = 3000000;
 
 using Owner = std::shared_ptr<const std::vector<Sample>>;
 
-Feed feedOf(Owner owner, const std::vector<Sample>& samples)
+Dataset datasetOf(Owner owner, const std::vector<Sample>& samples)
 {
-    Feed feed;
-    feed.rows = samples.size();
-    feed.held = true;
-    feed.read = [owner = std::move(owner), &samples](uint64_t first, size_t count, FeedScratch&) {
+    Dataset dataset;
+    dataset.rows = samples.size();
+    dataset.inMemory = true;
+    dataset.read = [owner = std::move(owner), &samples](uint64_t first, size_t count,
+                                                        DatasetScratch&) {
         FBRDF_ASSERT(first + count, <=, samples.size());
-        return FeedBlock{samples.data() + first, count, first};
+        return DatasetBlock{samples.data() + first, count, first};
     };
-    return feed;
+    return dataset;
 }
 
 // A stream does not report which rows it dropped. Read by pieces that always begin at the same
 // rows, a sample is numbered by its piece and its place among the usable samples of that piece.
-FeedBlock readPieces(const SampleStream& stream, uint64_t first, size_t count, FeedScratch& scratch)
+DatasetBlock readPieces(const SampleStream& stream, uint64_t first, size_t count,
+                        DatasetScratch& scratch)
 {
-    FBRDF_ASSERT(first % kFeedPiece, ==, 0u);
-    FBRDF_ASSERT(count, <=, kFeedBlock);
+    FBRDF_ASSERT(first % kPieceRows, ==, 0u);
+    FBRDF_ASSERT(count, <=, kBlockRows);
     SampleReport report;
     scratch.samples.clear();
     scratch.offsets.clear();
-    for (size_t piece = 0; piece < count; piece += kFeedPiece) {
-        stream.read(first + piece, std::min(kFeedPiece, count - piece), scratch.samples, report);
+    for (size_t piece = 0; piece < count; piece += kPieceRows) {
+        stream.read(first + piece, std::min(kPieceRows, count - piece), scratch.samples, report);
         for (size_t offset = piece; scratch.offsets.size() < scratch.samples.size(); ++offset)
             scratch.offsets.push_back(static_cast<uint16_t>(offset));
     }
@@ -60,31 +62,32 @@ std::vector<Sample> joined(const std::vector<std::vector<Sample>>& parts, size_t
     return all;
 }
 
-Owner allSamples(const Feed& feed, int threads)
+Owner allSamples(const Dataset& dataset, int threads)
 {
-    std::vector<std::vector<Sample>> blocks(feed.blocks());
+    std::vector<std::vector<Sample>> blocks(dataset.blocks());
     parallelTasks(blocks.size(), threads, [&](size_t b) {
-        FeedScratch scratch;
-        feed.block(b, scratch);
+        DatasetScratch scratch;
+        dataset.block(b, scratch);
         blocks[b] = std::move(scratch.samples);
     });
-    return std::make_shared<std::vector<Sample>>(joined(blocks, feed.rows));
+    return std::make_shared<std::vector<Sample>>(joined(blocks, dataset.rows));
 }
 
-// Ranges of a feed, in order: all of it, or pieces at equal distances, each a few points of a scan.
+// Ranges of a dataset, in order: all of it, or pieces at equal distances, each a few points of a
+// scan.
 struct Ranges {
     uint64_t distance;
     size_t length, count;
 };
 
-Ranges rangesFor(const Feed& feed, uint64_t wanted)
+Ranges rangesFor(const Dataset& dataset, uint64_t wanted)
 {
     constexpr uint64_t kSparse = 4;
-    const uint64_t pieces = (2 * wanted + kFeedPiece - 1) / kFeedPiece;
-    if (feed.held || feed.rows < kSparse * pieces * kFeedPiece)
-        return {kFeedBlock, kFeedBlock, feed.blocks()};
-    const uint64_t distance = feed.rows / pieces / kFeedPiece * kFeedPiece;
-    return {distance, kFeedPiece, static_cast<size_t>(pieces)};
+    const uint64_t pieces = (2 * wanted + kPieceRows - 1) / kPieceRows;
+    if (dataset.inMemory || dataset.rows < kSparse * pieces * kPieceRows)
+        return {kBlockRows, kBlockRows, dataset.blocks()};
+    const uint64_t distance = dataset.rows / pieces / kPieceRows * kPieceRows;
+    return {distance, kPieceRows, static_cast<size_t>(pieces)};
 }
 
 // Rows to look at for `limit` of the choice.
@@ -93,75 +96,76 @@ uint64_t wantedRows(const FoldChoice& choice, size_t limit)
     return static_cast<uint64_t>(std::ceil(static_cast<double>(limit) / choice.share()));
 }
 
-Feed feedOfSamples(const Source& source, int threads)
+Dataset datasetOfSamples(const Source& source, int threads)
 {
-    if (!source.samples.empty()) return feedOf(nullptr, source.samples);
-    const Feed stream = streamedFeed(source.stream);
+    if (!source.samples.empty()) return datasetOf(nullptr, source.samples);
+    const Dataset stream = datasetOfStream(source.stream);
     if (stream.rows > kHeldRows) return stream;
     const Owner all = allSamples(stream, threads);
-    return feedOf(all, *all);
+    return datasetOf(all, *all);
 }
 
 // A table of few nodes leaves holes that its own interpolation fills.
-Feed withFunction(const Feed& nodes, const Source& source, size_t count, uint64_t seed, int threads)
+Dataset withFunction(const Dataset& nodes, const Source& source, size_t count, uint64_t seed,
+                     int threads)
 {
     std::vector<Sample> all = someSamples(nodes, FoldChoice::all(), nodes.rows, seed, threads);
     const auto between = samplesAt(source, uniformPairs(count, seed + 1), threads);
     all.insert(all.end(), between.begin(), between.end());
-    return heldFeed(std::move(all));
+    return datasetInMemory(std::move(all));
 }
 
 }  // namespace
 
-Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads)
+Dataset makeDataset(const Source& source, size_t count, uint64_t seed, int threads)
 {
     if (hasSamples(source)) {
-        Feed feed = feedOfSamples(source, threads);
-        if (source.evaluate && feed.rows < count)
-            feed = withFunction(feed, source, count, seed, threads);
-        feed.exact = source.exact;
-        return feed;
+        Dataset dataset = datasetOfSamples(source, threads);
+        if (source.evaluate && dataset.rows < count)
+            dataset = withFunction(dataset, source, count, seed, threads);
+        dataset.exact = source.exact;
+        return dataset;
     }
     if (!source.evaluate)
         throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,
                     "found neither samples nor a function, expected one of them");
-    Feed feed = heldFeed(samplesAt(source, uniformPairs(count, seed + 1), threads));
-    feed.exact = true;
-    return feed;
+    Dataset dataset = datasetInMemory(samplesAt(source, uniformPairs(count, seed + 1), threads));
+    dataset.exact = true;
+    return dataset;
 }
 
-Feed heldFeed(std::vector<Sample> samples)
+Dataset datasetInMemory(std::vector<Sample> samples)
 {
     const auto owner = std::make_shared<const std::vector<Sample>>(std::move(samples));
-    return feedOf(owner, *owner);
+    return datasetOf(owner, *owner);
 }
 
-Feed streamedFeed(const SampleStream& stream)
+Dataset datasetOfStream(const SampleStream& stream)
 {
-    Feed feed;
-    feed.rows = stream.rows;
-    feed.read = [&stream](uint64_t first, size_t count, FeedScratch& scratch) {
+    Dataset dataset;
+    dataset.rows = stream.rows;
+    dataset.read = [&stream](uint64_t first, size_t count, DatasetScratch& scratch) {
         return readPieces(stream, first, count, scratch);
     };
-    return feed;
+    return dataset;
 }
 
-FeedBlock Feed::block(size_t index, FeedScratch& scratch) const
+DatasetBlock Dataset::block(size_t index, DatasetScratch& scratch) const
 {
     FBRDF_ASSERT(index, <, blocks());
-    const uint64_t first = index * kFeedBlock;
-    return read(first, static_cast<size_t>(std::min<uint64_t>(kFeedBlock, rows - first)), scratch);
+    const uint64_t first = index * kBlockRows;
+    return read(first, static_cast<size_t>(std::min<uint64_t>(kBlockRows, rows - first)), scratch);
 }
 
 // Words are multiplied in pairs, each plus a constant of its own: products of one sample do not
 // wait for each other (Black et al. 1999, "UMAC": NH).
-std::string geometryOf(const Feed& feed, int threads)
+std::string geometryOf(const Dataset& dataset, int threads)
 {
-    if (!feed.held) return {};
-    std::vector<uint64_t> hashes(feed.blocks(), 0);
+    if (!dataset.inMemory) return {};
+    std::vector<uint64_t> hashes(dataset.blocks(), 0);
     parallelTasks(hashes.size(), threads, [&](size_t b) {
-        FeedScratch scratch;
-        const FeedBlock block = feed.block(b, scratch);
+        DatasetScratch scratch;
+        const DatasetBlock block = dataset.block(b, scratch);
         std::array<uint32_t, 8> words{}, keys;
         for (size_t w = 0; w < keys.size(); ++w) keys[w] = static_cast<uint32_t>(splitMix64(w + 1));
         for (size_t i = 0; i < block.count; ++i) {
@@ -174,9 +178,9 @@ std::string geometryOf(const Feed& feed, int threads)
             hashes[b] = splitMix64(sum);
         }
     });
-    uint64_t hash = feed.rows;
+    uint64_t hash = dataset.rows;
     for (const uint64_t part : hashes) hash = splitMix64(hash ^ part);
-    return std::to_string(feed.rows) + " rows " + std::to_string(hash);
+    return std::to_string(dataset.rows) + " rows " + std::to_string(hash);
 }
 
 double FoldChoice::share() const
@@ -185,13 +189,13 @@ double FoldChoice::share() const
     return without == kNoFold ? 1.0 : 1.0 - 1.0 / kFolds;
 }
 
-std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size_t limit,
+std::vector<Sample> someSamples(const Dataset& dataset, const FoldChoice& choice, size_t limit,
                                 uint64_t seed, int threads)
 {
-    const Ranges ranges = rangesFor(feed, wantedRows(choice, limit));
+    const Ranges ranges = rangesFor(dataset, wantedRows(choice, limit));
     const auto most = static_cast<double>(limit),
                seen = choice.share() *
-                      double(std::min<uint64_t>(feed.rows, ranges.count * ranges.length));
+                      double(std::min<uint64_t>(dataset.rows, ranges.count * ranges.length));
     // A regular stride would beat with the grid of a measurement: a hash decides. Four standard
     // deviations fewer than the limit are expected, so that it cuts nothing off at the end.
     const bool every = seen <= most;
@@ -202,9 +206,9 @@ std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size
     parallelTasks(ranges.count, threads, [&](size_t r) {
         const uint64_t first = r * ranges.distance;
         const auto length =
-            static_cast<size_t>(std::min<uint64_t>(ranges.length, feed.rows - first));
-        FeedScratch scratch;
-        const FeedBlock block = feed.read(first, length, scratch);
+            static_cast<size_t>(std::min<uint64_t>(ranges.length, dataset.rows - first));
+        DatasetScratch scratch;
+        const DatasetBlock block = dataset.read(first, length, scratch);
         for (size_t i = 0; i < block.count; ++i) {
             const uint64_t number = block.number(i);
             if (!every && splitMix64(number ^ ~seed) >= bound) continue;

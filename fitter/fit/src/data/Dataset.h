@@ -12,14 +12,14 @@
 
 namespace fbrdf {
 
-constexpr size_t kFeedPiece = 256;              ///< rows that are read at once from a stream
-constexpr size_t kFeedBlock = 32 * kFeedPiece;  ///< rows a block at most
+constexpr size_t kPieceRows = 256;              ///< rows that are read at once from a stream
+constexpr size_t kBlockRows = 32 * kPieceRows;  ///< rows a block at most
 constexpr int kFolds = 5;
 constexpr int kNoFold = -1;
 
 /// The samples of a range of rows, each with a number that does not depend on the range in which it
 /// was read. Where a stream drops rows, numbers are skipped.
-struct FeedBlock {
+struct DatasetBlock {
     const Sample* samples = nullptr;
     size_t count = 0;
     uint64_t first = 0;                 ///< number of the range's first row
@@ -29,36 +29,36 @@ struct FeedBlock {
 };
 
 /// Storage of what a stream made, used again from read to read.
-struct FeedScratch {
+struct DatasetScratch {
     std::vector<Sample> samples;
     std::vector<uint16_t> offsets;
 };
 
-struct Feed {
-    size_t rows = 0;     ///< samples at most
-    bool exact = false;  ///< values of a function: no noise, no outliers
-    bool held = false;   ///< in memory: reading costs nothing
-    /// The samples among rows [first, first + count), first a multiple of kFeedPiece and count at
-    /// most kFeedBlock; the view is valid until the next read into the same scratch.
-    std::function<FeedBlock(uint64_t first, size_t count, FeedScratch& scratch)> read;
+struct Dataset {
+    size_t rows = 0;        ///< samples at most
+    bool exact = false;     ///< values of a function: no noise, no outliers
+    bool inMemory = false;  ///< reading costs nothing
+    /// The samples among rows [first, first + count), first a multiple of kPieceRows and count at
+    /// most kBlockRows; the view is valid until the next read into the same scratch.
+    std::function<DatasetBlock(uint64_t first, size_t count, DatasetScratch& scratch)> read;
 
-    size_t blocks() const { return (rows + kFeedBlock - 1) / kFeedBlock; }
-    FeedBlock block(size_t index, FeedScratch& scratch) const;
+    size_t blocks() const { return (rows + kBlockRows - 1) / kBlockRows; }
+    DatasetBlock block(size_t index, DatasetScratch& scratch) const;
 };
 
-/// Samples, held or streamed, of the source itself; `count` of its uniform pairs where it is only a
-/// function, and beside samples that are fewer. The source must outlive the feed.
-Feed makeFeed(const Source& source, size_t count, uint64_t seed, int threads);
+/// Samples of the source itself, in memory or streamed; `count` of its uniform pairs where it is
+/// only a function, and beside samples that are fewer. The source must outlive the dataset.
+Dataset makeDataset(const Source& source, size_t count, uint64_t seed, int threads);
 
-/// The samples given, held by the feed.
-Feed heldFeed(std::vector<Sample> samples);
+/// The samples given, kept in memory.
+Dataset datasetInMemory(std::vector<Sample> samples);
 
-/// The samples of a stream, made again whenever they are read. The stream must outlive the feed.
-Feed streamedFeed(const SampleStream& stream);
+/// The samples of a stream, made again whenever they are read. The stream must outlive the dataset.
+Dataset datasetOfStream(const SampleStream& stream);
 
-/// Equal for two feeds whose row k is the same pair with the same weight for every k (but for one
-/// chance in 2^64); empty for a feed that is not held.
-std::string geometryOf(const Feed& feed, int threads);
+/// Equal for two datasets whose row k is the same pair with the same weight for every k (but for
+/// one chance in 2^64); empty for a dataset that is not in memory.
+std::string geometryOf(const Dataset& dataset, int threads);
 
 /// The fold of a sample, below kFolds. Folds show no pattern of the measurement.
 inline int foldOf(uint64_t number, uint64_t seed)
@@ -79,9 +79,9 @@ struct FoldChoice {
     double share() const;
 };
 
-/// Chosen samples spread over the whole feed, `limit` at most. A long stream is looked into here
+/// Chosen samples spread over the whole dataset, `limit` at most. A long stream is looked into here
 /// and there, not read through.
-std::vector<Sample> someSamples(const Feed& feed, const FoldChoice& choice, size_t limit,
+std::vector<Sample> someSamples(const Dataset& dataset, const FoldChoice& choice, size_t limit,
                                 uint64_t seed, int threads = 0);
 
 }  // namespace fbrdf

@@ -47,21 +47,22 @@ bool fits(const Form& form, const FitOptions& options, Storage storage)
 
 // The knots of u. Scattered samples get as many as they can decide, with kSamplesPerCell for each
 // cell of the grid.
-int svdSizeFor(const Source& source, const Job& job)
+int svdSizeFor(const Source& source, const FitContext& context)
 {
-    if (job.options.resolution > 0) return job.options.resolution;
+    if (context.options.resolution > 0) return context.options.resolution;
     if (source.evaluate) return kSvdSize;
     int size = kSvdSize;
-    while (size > kSmallestSize && formTexels(formSvdGrid(size)) * kSamplesPerCell > job.feed.rows)
+    while (size > kSmallestSize &&
+           formTexels(formSvdGrid(size)) * kSamplesPerCell > context.dataset.rows)
         size -= size / 4;
     return size;
 }
 
 // The form with the number of terms in its name or, without one, as many as fit the budget.
-Form svdFormFor(const Source& source, const Job& job)
+Form svdFormFor(const Source& source, const FitContext& context)
 {
-    const FitOptions& options = job.options;
-    const int size = svdSizeFor(source, job);
+    const FitOptions& options = context.options;
+    const int size = svdSizeFor(source, context);
     const bool isotropic = isIsotropicSource(source);
     const Form one = formSvd(1, size, isotropic);
     const size_t bytes = formBytes(one, Storage::signedHalf);
@@ -84,7 +85,7 @@ Form svdFormFor(const Source& source, const Job& job)
 
 // Scattered samples between the knots of the grid: a table fitted to them, smooth where they leave
 // holes.
-BrdfFunction resamplingOf(const Source& source, const Job& job, int excludedFold)
+BrdfFunction resamplingOf(const Source& source, const FitContext& context, int excludedFold)
 {
     if (!isIsotropicSource(source))
         throw Error(
@@ -93,21 +94,21 @@ BrdfFunction resamplingOf(const Source& source, const Job& job, int excludedFold
                 .expected(
                     "a function, such as a model, a table or a material: its grid would have four "
                     "dimensions"));
-    const Form form = formSvdGrid(svdSizeFor(source, job));
-    const LeastSquares problem(form, job.feed, job.traits, job.options.seed, job.options.threads,
-                               problemOptions(job));
-    SolveOptions options = solveOptions(job);
+    const Form form = formSvdGrid(svdSizeFor(source, context));
+    const LeastSquares problem(form, context.dataset, context.statistics, context.options.seed,
+                               context.options.threads, problemOptions(context));
+    SolveOptions options = solveOptions(context);
     options.excludedFold = excludedFold;
     const auto table = std::make_shared<const Material>(
-        bake(form, problem.layout(), solve(problem, options).x, Storage::float32));
+        quantize(form, problem.layout(), solve(problem, options).x, Storage::float32));
     return [table](const Vec3d& wo, const Vec3d& wi) { return evaluate<double>(*table, wo, wi); };
 }
 
-Material svdOf(const Source& source, const Job& job, const Form& form, int excludedFold)
+Material svdOf(const Source& source, const FitContext& context, const Form& form, int excludedFold)
 {
     const BrdfFunction brdf =
-        source.evaluate ? source.evaluate : resamplingOf(source, job, excludedFold);
-    return svdMaterial(brdf, form, job.options.threads);
+        source.evaluate ? source.evaluate : resamplingOf(source, context, excludedFold);
+    return svdMaterial(brdf, form, context.options.threads);
 }
 
 bool hasFactors(const Source& source)
@@ -138,7 +139,7 @@ Material analyticOf(const Source& source, const FitOptions& options)
 
 }  // namespace
 
-bool isMadeForm(const std::string& name)
+bool isDirectForm(const std::string& name)
 {
     return name == kAnalytic || svdTerms(name).has_value();
 }
@@ -149,7 +150,7 @@ bool suitsForm(const Source& source, const std::string& form)
     return !svdTerms(form) || source.evaluate || isIsotropicSource(source);
 }
 
-void checkMadeOptions(const FitOptions& options)
+void checkDirectOptions(const FitOptions& options)
 {
     const bool analytic = options.form == kAnalytic;
     if (options.metric != Metric::log)
@@ -170,33 +171,36 @@ void checkMadeOptions(const FitOptions& options)
                         .expected(std::to_string(least) + " to " + std::to_string(most)));
 }
 
-Fitted makeFitted(const Source& source, const Job& job)
+Fitted fitDirectForm(const Source& source, const FitContext& context)
 {
-    if (job.options.form == kAnalytic) return {analyticOf(source, job.options), 0.0, {}, {}};
-    Fitted fitted{svdOf(source, job, svdFormFor(source, job), kNoFold), 0.0, {}, {}};
+    if (context.options.form == kAnalytic)
+        return {analyticOf(source, context.options), 0.0, {}, {}};
+    Fitted fitted{svdOf(source, context, svdFormFor(source, context), kNoFold), 0.0, {}, {}};
     // Which texels the samples look up does not depend on how the texels were found.
-    const LeastSquares problem(fitted.material.form, job.feed, job.traits, job.options.seed,
-                               job.options.threads, problemOptions(job));
-    markUnsupported(fitted.material, problem.layout(), supportOf(problem));
+    const LeastSquares problem(fitted.material.form, context.dataset, context.statistics,
+                               context.options.seed, context.options.threads,
+                               problemOptions(context));
+    markUnsupported(fitted.material, problem.layout(), texelWeights(problem));
     return fitted;
 }
 
-SampleErrors madeHeldOutErrors(const Source& source, const Job& job, const Fitted& fitted)
+SampleErrors directHeldOutErrors(const Source& source, const FitContext& context,
+                                 const Fitted& fitted)
 {
     std::vector<Sample> held;
     std::vector<Vec3f> values;
     if (source.evaluate) {
-        held = samplesAt(source, uniformPairs(kTestPairs), job.options.threads);
-        values = evaluateAt(fitted.material, held, job.options.threads);
+        held = samplesAt(source, uniformPairs(kTestPairs), context.options.threads);
+        values = evaluateAt(fitted.material, held, context.options.threads);
     }
-    for (int fold = 0; !source.evaluate && fold < job.folds; ++fold) {
-        const Material material = svdOf(source, job, fitted.material.form, fold);
-        const auto part = probeOf(job, FoldChoice::onlyOf(fold));
-        const auto found = evaluateAt(material, part, job.options.threads);
+    for (int fold = 0; !source.evaluate && fold < context.folds; ++fold) {
+        const Material material = svdOf(source, context, fitted.material.form, fold);
+        const auto part = probeOf(context, FoldChoice::onlyOf(fold));
+        const auto found = evaluateAt(material, part, context.options.threads);
         held.insert(held.end(), part.begin(), part.end());
         values.insert(values.end(), found.begin(), found.end());
     }
-    return sampleErrors(held, values, job.traits.floor);
+    return sampleErrors(held, values, context.statistics.floor);
 }
 
 }  // namespace fbrdf

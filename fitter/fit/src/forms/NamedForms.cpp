@@ -16,7 +16,7 @@ const BaseForm& baseForm(const std::string& name)
         if (base.named.name == name) return base;
     std::string known;
     for (const BaseForm& base : baseForms()) known += ", " + base.named.name;
-    for (const NamedForm& made : madeForms()) known += ", " + made.name;
+    for (const NamedForm& direct : directForms()) known += ", " + direct.name;
     throw Error(ErrorKind::usage, "form",
                 "found '" + name + "', expected auto" + known + ", or a sum such as io+hdio");
 }
@@ -84,7 +84,7 @@ const std::vector<NamedForm>& namedForms()
     return forms;
 }
 
-const std::vector<NamedForm>& madeForms()
+const std::vector<NamedForm>& directForms()
 {
     static const std::vector<NamedForm> forms{
         {"svd", "sum over k of u_k(h) v_k(d)",

@@ -13,22 +13,23 @@ constexpr size_t kTrialSamples = 32768;  // enough to rank forms
 
 // An isotropic source's samples hold good turned about the normal. Maps over directions that had a
 // sample or two a texel, at one azimuth of the light, are seen through.
-Job trialJob(const Job& job, bool isIsotropic)
+FitContext trialContext(const FitContext& context, bool isIsotropic)
 {
     std::vector<Sample> some;
-    if (job.feed.rows > kTrialSamples)
-        some = someSamples(job.feed, FoldChoice::all(), kTrialSamples, job.options.seed,
-                           job.options.threads);
-    Job part = partOf(job, std::move(some));
+    if (context.dataset.rows > kTrialSamples)
+        some = someSamples(context.dataset, FoldChoice::all(), kTrialSamples, context.options.seed,
+                           context.options.threads);
+    FitContext part = partOf(context, std::move(some));
     part.turnsHeldOut = isIsotropic;
     return part;
 }
 
 // Among few or noisy samples a search of sizes and warps finds what suits the noise.
-bool goesOn(const Job& job)
+bool goesOn(const FitContext& context)
 {
-    const bool isClean = job.traits.floor == Vec3f(0.0f) && job.feed.rows > kTrialSamples;
-    return job.options.form == kBestOf || isClean;
+    const bool isClean =
+        context.statistics.floor == Vec3f(0.0f) && context.dataset.rows > kTrialSamples;
+    return context.options.form == kBestOf || isClean;
 }
 
 // The forms of rows that no time was spent on.
@@ -49,22 +50,22 @@ std::string untried(const std::vector<Trial>& trials)
 
 }  // namespace
 
-Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& trials,
+Fitted searchForm(const Source& source, const FitContext& context, std::vector<Trial>& trials,
                   std::string& reason)
 {
     const bool isotropic = isIsotropicSource(source);
-    const Job part = trialJob(job, isotropic);
-    TrialRuns runs(job, part, isotropic, trials);
-    std::vector<Candidate> named = tryNamed(runs, candidateNames(source, job.options.terms));
-    if (named.empty()) refuseBudget(job.options, runs.budget());
+    const FitContext part = trialContext(context, isotropic);
+    TrialRuns runs(context, part, isotropic, trials);
+    std::vector<Candidate> named = tryNamed(runs, candidateNames(source, context.options.terms));
+    if (named.empty()) refuseBudget(context.options, runs.budget());
     const Choice choice = choose(named);
     reason = choice.reason + untried(trials);
     Candidate best = std::move(named[choice.index]);
-    if (goesOn(job)) improve(runs, best);
+    if (goesOn(context)) improve(runs, best);
     runs.choose(best);
-    if (!best.whole) return fitForm(job, best.form);
+    if (!best.whole) return fitForm(context, best.form);
     const bool isStated = isIsotropic(best.form) || !part.turnsHeldOut;
-    if (!job.feed.exact && isStated) best.whole->heldOut = best.held.errors;
+    if (!context.dataset.exact && isStated) best.whole->heldOut = best.held.errors;
     return std::move(*best.whole);
 }
 

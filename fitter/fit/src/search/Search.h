@@ -18,7 +18,7 @@ namespace fbrdf {
 
 /// The best fit, a row of `trials` for every form that was tried or left out for want of time, and
 /// in `reason` why this one. Throws Error(usage) when no form stays within the options.
-Fitted searchForm(const Source& source, const Job& job, std::vector<Trial>& trials,
+Fitted searchForm(const Source& source, const FitContext& context, std::vector<Trial>& trials,
                   std::string& reason);
 
 }  // namespace fbrdf

@@ -23,9 +23,10 @@ FitOptions withOneThread(FitOptions options)
     return options;
 }
 
-Job onOptions(const Job& job, const FitOptions& options)
+FitContext onOptions(const FitContext& context, const FitOptions& options)
 {
-    return {options, job.feed, job.traits, job.robust, job.folds, job.turnsHeldOut};
+    return {options,        context.dataset, context.statistics,
+            context.robust, context.folds,   context.turnsHeldOut};
 }
 
 std::vector<Sample> range(const std::vector<Sample>& samples, size_t first, size_t last)
@@ -35,7 +36,7 @@ std::vector<Sample> range(const std::vector<Sample>& samples, size_t first, size
 }
 
 // The marks of the parts of what was held out: folds where there are several.
-std::vector<double> marksOf(const HeldOut& held, const Job& job)
+std::vector<double> marksOf(const HeldOut& held, const FitContext& context)
 {
     std::vector<double> marks;
     const size_t count = held.samples.size();
@@ -48,25 +49,25 @@ std::vector<double> marksOf(const HeldOut& held, const Job& job)
     for (const size_t last : ends) {
         const std::vector<Vec3f> fitted(held.fitted.begin() + static_cast<std::ptrdiff_t>(first),
                                         held.fitted.begin() + static_cast<std::ptrdiff_t>(last));
-        marks.push_back(
-            markOf(range(held.samples, first, last), fitted, job.traits.floor, job.options.metric));
+        marks.push_back(markOf(range(held.samples, first, last), fitted, context.statistics.floor,
+                               context.options.metric));
         first = last;
     }
     return marks;
 }
 
-void fitWhole(const Job& job, const StrayHue& hues, Candidate& candidate)
+void fitWhole(const FitContext& context, const StrayHue& hues, Candidate& candidate)
 {
-    candidate.whole = fitForm(job, candidate.form);
-    const auto probe = probeOf(job);
+    candidate.whole = fitForm(context, candidate.form);
+    const auto probe = probeOf(context);
     const auto valuesAt = [&](const std::vector<Sample>& samples) {
-        return evaluateAt(candidate.whole->material, samples, job.options.threads);
+        return evaluateAt(candidate.whole->material, samples, context.options.threads);
     };
     const auto values = valuesAt(probe);
-    candidate.all = sampleErrors(probe, values, job.traits.floor);
-    candidate.allMark = markOf(probe, job.turnsHeldOut ? valuesAt(turned(probe)) : values,
-                               job.traits.floor, job.options.metric);
-    candidate.strayHue = hues.of(candidate.whole->material, job.options.threads);
+    candidate.all = sampleErrors(probe, values, context.statistics.floor);
+    candidate.allMark = markOf(probe, context.turnsHeldOut ? valuesAt(turned(probe)) : values,
+                               context.statistics.floor, context.options.metric);
+    candidate.strayHue = hues.of(candidate.whole->material, context.options.threads);
 }
 
 // Keeps those that could still be chosen.
@@ -86,14 +87,16 @@ void leaveBehind(std::vector<Candidate>& candidates)
 
 }  // namespace
 
-TrialRuns::TrialRuns(const Job& all, const Job& part, bool isIsotropic, std::vector<Trial>& rows)
+TrialRuns::TrialRuns(const FitContext& all, const FitContext& part, bool isIsotropic,
+                     std::vector<Trial>& rows)
     : all_(all),
       part_(part),
       serialOptions_(withOneThread(part.options)),
       serial_(onOptions(part, serialOptions_)),
       rows_(rows)
 {
-    if (isWhole()) hues_.emplace(probeOf(all), all.traits.floor, isIsotropic, all.options.threads);
+    if (isWhole())
+        hues_.emplace(probeOf(all), all.statistics.floor, isIsotropic, all.options.threads);
 }
 
 size_t TrialRuns::budget() const
@@ -127,21 +130,22 @@ Candidate TrialRuns::added(const Form& form, const std::string& stage)
     return candidate;
 }
 
-void TrialRuns::holdOutMore(const Job& job, Candidate& candidate, int folds)
+void TrialRuns::holdOutMore(const FitContext& context, Candidate& candidate, int folds)
 {
     const Clock clock;
     HeldOut& held = candidate.held;
-    holdOut(job, candidate.form, job.options.smoothness.value_or(held.smoothness), folds, held);
-    candidate.marks = marksOf(held, job);
+    holdOut(context, candidate.form, context.options.smoothness.value_or(held.smoothness), folds,
+            held);
+    candidate.marks = marksOf(held, context);
     rows_[candidate.trial].seconds += clock.seconds();
 }
 
-void TrialRuns::complete(const Job& job, Candidate& candidate)
+void TrialRuns::complete(const FitContext& context, Candidate& candidate)
 {
-    holdOutMore(job, candidate, job.folds);
+    holdOutMore(context, candidate, context.folds);
     if (!hues_) return;
     const Clock clock;
-    fitWhole(job, *hues_, candidate);
+    fitWhole(context, *hues_, candidate);
     rows_[candidate.trial].seconds += clock.seconds();
 }
 
@@ -154,7 +158,7 @@ void TrialRuns::record(const Candidate& candidate)
 
 bool TrialRuns::isSideBySide() const
 {
-    return part_.feed.rows < kFewRows && all_.options.ranks.count == 1;
+    return part_.dataset.rows < kFewRows && all_.options.ranks.count == 1;
 }
 
 template <class Task>
@@ -179,14 +183,16 @@ std::vector<Candidate> TrialRuns::tryAll(const std::vector<Form>& forms, const s
 {
     std::vector<Candidate> candidates;
     for (const Form& form : forms) candidates.push_back(added(form, stage));
-    candidates = untilOver(std::move(candidates), [this](const Job& job, Candidate& candidate) {
-        holdOutMore(job, candidate, 1);
-    });
+    candidates =
+        untilOver(std::move(candidates), [this](const FitContext& context, Candidate& candidate) {
+            holdOutMore(context, candidate, 1);
+        });
     // Of few samples one fold shows too little.
     if (part_.folds == 1) leaveBehind(candidates);
     std::sort(candidates.begin(), candidates.end(), isBetter);  // the most promising first
-    return untilOver(std::move(candidates),
-                     [this](const Job& job, Candidate& candidate) { complete(job, candidate); });
+    return untilOver(
+        std::move(candidates),
+        [this](const FitContext& context, Candidate& candidate) { complete(context, candidate); });
 }
 
 std::optional<Candidate> TrialRuns::attempt(const Form& variant, const std::string& stage,

@@ -13,12 +13,13 @@ class TrialRuns {
 public:
     /// `all`: the data; `part`: the samples that trials are fitted to. All must outlive the object.
     /// FitOptions::seconds are counted from now on.
-    TrialRuns(const Job& all, const Job& part, bool isIsotropic, std::vector<Trial>& rows);
+    TrialRuns(const FitContext& all, const FitContext& part, bool isIsotropic,
+              std::vector<Trial>& rows);
 
-    const Job& all() const { return all_; }
-    const Job& part() const { return part_; }
+    const FitContext& all() const { return all_; }
+    const FitContext& part() const { return part_; }
     /// Trials are fitted to all of the data.
-    bool isWhole() const { return part_.feed.rows == all_.feed.rows; }
+    bool isWhole() const { return part_.dataset.rows == all_.dataset.rows; }
     /// Bytes that the result may have.
     size_t budget() const;
     bool isWithin(const Form& form) const { return bytesOf(all_, form) <= budget(); }
@@ -37,11 +38,11 @@ public:
 
 private:
     Candidate added(const Form& form, const std::string& stage);
-    /// Holds out folds until `folds` have been, with the threads of `job`, which has the samples of
-    /// part().
-    void holdOutMore(const Job& job, Candidate& candidate, int folds);
+    /// Holds out folds until `folds` have been, with the threads of `context`, which has the
+    /// samples of part().
+    void holdOutMore(const FitContext& context, Candidate& candidate, int folds);
     /// All folds, and a fit to all of the data where trials are.
-    void complete(const Job& job, Candidate& candidate);
+    void complete(const FitContext& context, Candidate& candidate);
     void record(const Candidate& candidate);
     /// Steps on few rows are so short that threads cost more than they save: forms are fitted at
     /// the same time in place of the parts of a form.
@@ -50,9 +51,9 @@ private:
     template <class Task>
     std::vector<Candidate> untilOver(std::vector<Candidate> candidates, const Task& task);
 
-    const Job &all_, &part_;
-    FitOptions serialOptions_;  ///< those of the job with one thread
-    Job serial_;                ///< part() with one thread
+    const FitContext &all_, &part_;
+    FitOptions serialOptions_;  ///< those of the context with one thread
+    FitContext serial_;         ///< part() with one thread
     std::vector<Trial>& rows_;
     std::optional<StrayHue> hues_;  ///< where trials are fitted to all of the data
     Clock clock_;

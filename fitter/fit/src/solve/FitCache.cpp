@@ -72,17 +72,17 @@ void FitCache::keepSystems(const std::string& key, std::shared_ptr<const GridSys
     systems_.keep(key, std::move(systems), ++clock_, kMostSystems);
 }
 
-std::shared_ptr<const std::vector<double>> FitCache::support(const std::string& key)
+std::shared_ptr<const std::vector<double>> FitCache::texelWeights(const std::string& key)
 {
     const std::lock_guard lock(mutex_);
-    return supports_.find(key, ++clock_);
+    return texelWeights_.find(key, ++clock_);
 }
 
-void FitCache::keepSupport(const std::string& key,
-                           std::shared_ptr<const std::vector<double>> support)
+void FitCache::keepTexelWeights(const std::string& key,
+                                std::shared_ptr<const std::vector<double>> weights)
 {
     const std::lock_guard lock(mutex_);
-    supports_.keep(key, std::move(support), ++clock_, kMostSystems);
+    texelWeights_.keep(key, std::move(weights), ++clock_, kMostSystems);
 }
 
 }  // namespace fbrdf

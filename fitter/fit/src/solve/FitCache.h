@@ -29,9 +29,10 @@ public:
     void keepRows(const std::string& key, std::shared_ptr<const RowGeometries> rows);
     std::shared_ptr<const GridSystems> systems(const std::string& key);
     void keepSystems(const std::string& key, std::shared_ptr<const GridSystems> systems);
-    /// LeastSquares::support of equal weights.
-    std::shared_ptr<const std::vector<double>> support(const std::string& key);
-    void keepSupport(const std::string& key, std::shared_ptr<const std::vector<double>> support);
+    /// The texelWeights of samples of equal weight.
+    std::shared_ptr<const std::vector<double>> texelWeights(const std::string& key);
+    void keepTexelWeights(const std::string& key,
+                          std::shared_ptr<const std::vector<double>> weights);
 
 private:
     template <class Value>
@@ -45,7 +46,7 @@ private:
     std::mutex mutex_;
     Shelf<RowGeometries> rows_;
     Shelf<GridSystems> systems_;
-    Shelf<std::vector<double>> supports_;
+    Shelf<std::vector<double>> texelWeights_;
     uint64_t clock_ = 0;
 };
 

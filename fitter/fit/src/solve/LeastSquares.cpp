@@ -6,11 +6,11 @@
 namespace fbrdf {
 namespace {
 
-std::string keyOf(const Feed& feed, const Form& form, const LeastSquaresOptions& options,
+std::string keyOf(const Dataset& dataset, const Form& form, const LeastSquaresOptions& options,
                   int threads)
 {
     if (!options.cache || options.sharedShape) return {};
-    const std::string geometry = geometryOf(feed, threads);
+    const std::string geometry = geometryOf(dataset, threads);
     return geometry.empty() ? geometry : geometry + "|" + formKey(form);
 }
 
@@ -22,19 +22,19 @@ std::shared_ptr<const RowGeometries> knownRows(const std::string& key,
 
 }  // namespace
 
-LeastSquares::LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed,
-                           int threads, const LeastSquaresOptions& options)
+LeastSquares::LeastSquares(Form form, Dataset dataset, const DataStatistics& statistics,
+                           uint64_t seed, int threads, const LeastSquaresOptions& options)
     : form_(std::move(form)),
-      feed_(std::move(feed)),
-      traits_(traits),
+      dataset_(std::move(dataset)),
+      statistics_(statistics),
       options_(options),
       layout_(form_, options.sharedShape),
       maker_(form_, layout_),
       smoothness_(form_, layout_),
       seed_(seed),
       threads_(threads),
-      cacheKey_(keyOf(feed_, form_, options, threads)),
-      store_(std::make_unique<RowStore>(maker_, feed_, traits_, threads,
+      cacheKey_(keyOf(dataset_, form_, options, threads)),
+      store_(std::make_unique<RowStore>(maker_, dataset_, statistics_, threads,
                                         knownRows(cacheKey_, options)))
 {
     if (!cacheKey_.empty() && store_->geometry())
@@ -43,25 +43,25 @@ LeastSquares::LeastSquares(Form form, Feed feed, const DataTraits& traits, uint6
 
 LeastSquares LeastSquares::thinned(size_t rows, int excludedFold) const
 {
-    Feed thin =
-        heldFeed(someSamples(feed_, FoldChoice::allBut(excludedFold), rows, seed_, threads_));
-    thin.exact = feed_.exact;
+    Dataset thin = datasetInMemory(
+        someSamples(dataset_, FoldChoice::allBut(excludedFold), rows, seed_, threads_));
+    thin.exact = dataset_.exact;
     LeastSquaresOptions options = options_;
     options.ranks = {};  // small enough for each process to solve it by itself
-    return LeastSquares(form_, std::move(thin), traits_, seed_, threads_, options);
+    return LeastSquares(form_, std::move(thin), statistics_, seed_, threads_, options);
 }
 
 bool LeastSquares::hasWholeNoise() const
 {
     constexpr size_t kManyRows = 20000;
-    return traits_.unclipped && feed_.rows >= kManyRows;
+    return statistics_.unclipped && dataset_.rows >= kManyRows;
 }
 
 LeastSquares LeastSquares::withForm(const Form& form) const
 {
     LeastSquaresOptions options = options_;
     options.solver = SystemSolver::automatic;
-    return LeastSquares(form, feed_, traits_, seed_, threads_, options);
+    return LeastSquares(form, dataset_, statistics_, seed_, threads_, options);
 }
 
 State LeastSquares::flatState() const
@@ -73,7 +73,7 @@ State LeastSquares::flatState() const
         for (const Factor& factor : form_.terms[t].factors)
             lastTerm[static_cast<size_t>(factor.table)] = t;
     const auto levelOf = [this](size_t term) {
-        return term + 1 == form_.terms.size() ? traits_.level : traits_.low;
+        return term + 1 == form_.terms.size() ? statistics_.level : statistics_.low;
     };
     if (layout_.sharedShape()) {
         for (size_t t = 0; t < form_.terms.size(); ++t)

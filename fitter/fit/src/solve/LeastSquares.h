@@ -48,16 +48,17 @@ constexpr size_t kParts = 4;
 
 class LeastSquares {
 public:
-    /// What `feed` reads from must outlive the object. `traits` are those of the whole feed.
-    LeastSquares(Form form, Feed feed, const DataTraits& traits, uint64_t seed, int threads,
-                 const LeastSquaresOptions& options = {});
+    /// What `dataset` reads from must outlive the object. `statistics` are those of the whole
+    /// dataset.
+    LeastSquares(Form form, Dataset dataset, const DataStatistics& statistics, uint64_t seed,
+                 int threads, const LeastSquaresOptions& options = {});
     LeastSquares(const LeastSquares&) = delete;
 
     const Form& form() const { return form_; }
     const Layout& layout() const { return layout_; }
     const RowMaker& maker() const { return maker_; }
     const Smoothness& smoothness() const { return smoothness_; }
-    const DataTraits& traits() const { return traits_; }
+    const DataStatistics& statistics() const { return statistics_; }
     const RowStore& store() const { return *store_; }
     const LeastSquaresOptions& options() const { return options_; }
     /// Memory that its steps use again.
@@ -70,8 +71,8 @@ public:
     size_t unknowns() const { return static_cast<size_t>(layout_.unknowns()); }
     size_t columns() const { return layout_.sharedShape() ? 1 : 3; }
     size_t terms() const { return form_.terms.size(); }
-    size_t rows() const { return feed_.rows; }
-    bool isHeld() const { return feed_.held; }
+    size_t rows() const { return dataset_.rows; }
+    bool isInMemory() const { return dataset_.inMemory; }
     /// Additive noise is seen on both sides of 0, by so many samples that means are worth it.
     bool hasWholeNoise() const;
 
@@ -90,8 +91,8 @@ public:
 
 private:
     Form form_;
-    Feed feed_;
-    DataTraits traits_;
+    Dataset dataset_;
+    DataStatistics statistics_;
     LeastSquaresOptions options_;
     Layout layout_;
     RowMaker maker_;

@@ -20,21 +20,23 @@ size_t bytesPerRow(int width, bool unclipped)
 
 }  // namespace
 
-RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
-                   std::shared_ptr<const RowGeometries> known)
+RowStore::RowStore(const RowMaker& maker, const Dataset& dataset, const DataStatistics& statistics,
+                   int threads, std::shared_ptr<const RowGeometries> known)
     : maker_(maker),
-      feed_(feed),
-      traits_(traits),
+      dataset_(dataset),
+      statistics_(statistics),
       geometry_(std::move(known)),
-      sameWeights_(traits.sameWeights)
+      sameWeights_(statistics.sameWeights)
 {
-    if (!feed.held || feed.rows * bytesPerRow(maker.width(), traits.unclipped) > kKeptBytes) return;
+    if (!dataset.inMemory ||
+        dataset.rows * bytesPerRow(maker.width(), statistics.unclipped) > kKeptBytes)
+        return;
     values_.resize(blocks());
     const auto made = geometry_ ? nullptr : std::make_shared<RowGeometries>(blocks());
     std::vector<char> same(blocks());
     parallelTasks(blocks(), threads, [&](size_t b) {
-        FeedScratch scratch;
-        const FeedBlock block = feed_.block(b, scratch);
+        DatasetScratch scratch;
+        const DatasetBlock block = dataset_.block(b, scratch);
         if (made) makeGeometry(block, (*made)[b]);
         same[b] = makeValues(block, values_[b]) ? 1 : 0;
     });
@@ -42,7 +44,7 @@ RowStore::RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& tr
     if (made) geometry_ = made;
 }
 
-void RowStore::makeGeometry(const FeedBlock& block, RowGeometry& geometry) const
+void RowStore::makeGeometry(const DatasetBlock& block, RowGeometry& geometry) const
 {
     const auto width = static_cast<size_t>(maker_.width());
     geometry.first = block.first;
@@ -58,7 +60,7 @@ void RowStore::makeGeometry(const FeedBlock& block, RowGeometry& geometry) const
     }
 }
 
-bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
+bool RowStore::makeValues(const DatasetBlock& block, RowValues& values) const
 {
     values.logValue.resize(block.count);
     values.weight.resize(block.count);
@@ -68,12 +70,12 @@ bool RowStore::makeValues(const FeedBlock& block, RowValues& values) const
     bool same = true;
     for (size_t i = 0; i < block.count; ++i) {
         const Sample& sample = block.samples[i];
-        if (traits_.unclipped) {
+        if (statistics_.unclipped) {
             values.value.push_back(sample.f);
             values.sampleWeight.push_back(sample.weight);
         }
         for (int c = 0; c < 3; ++c) {
-            const Observed o = observe(sample.f[c], sample.wi.z, traits_, c, sample.weight);
+            const Observed o = observe(sample.f[c], sample.wi.z, statistics_, c, sample.weight);
             values.logValue[i][c] = o.value;
             values.weight[i][c] = o.weight;
             same = same && o.weight == sample.weight;
@@ -89,7 +91,7 @@ RowStore::Block RowStore::block(size_t index, Scratch& scratch) const
 {
     FBRDF_ASSERT(index, <, blocks());
     if (!values_.empty()) return {(*geometry_)[index], values_[index]};
-    const FeedBlock block = feed_.block(index, scratch.feed);
+    const DatasetBlock block = dataset_.block(index, scratch.dataset);
     makeGeometry(block, scratch.geometry);
     makeValues(block, scratch.values);
     return {scratch.geometry, scratch.values};

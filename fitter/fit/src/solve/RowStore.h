@@ -1,6 +1,6 @@
-// RowStore.h - the rows of a feed, made once and kept where memory allows, else made again in every
-// pass. The geometry of rows (which texels, how much of each) does not depend on the values, so
-// fits to data on the same grid share it.
+// RowStore.h - the rows of a dataset, made once and kept where memory allows, else made again in
+// every pass. The geometry of rows (which texels, how much of each) does not depend on the values,
+// so fits to data on the same grid share it.
 #pragma once
 #include "data/Dataset.h"
 #include "data/DataStatistics.h"
@@ -20,7 +20,7 @@ struct RowGeometry {
     std::vector<float> weight;  ///< count x width
     std::vector<float> cosine;  ///< cos theta_i, count
 
-    /// FeedBlock::number of row i.
+    /// DatasetBlock::number of row i.
     uint64_t number(size_t i) const { return first + (offsets.empty() ? i : offsets[i]); }
 };
 
@@ -37,14 +37,14 @@ using RowGeometries = std::vector<RowGeometry>;
 
 class RowStore {
 public:
-    /// `known`: geometry made before for a feed of the same geometryOf and an equal form, or
+    /// `known`: geometry made before for a dataset of the same geometryOf and an equal form, or
     /// null. The references must outlive the store.
-    RowStore(const RowMaker& maker, const Feed& feed, const DataTraits& traits, int threads,
-             std::shared_ptr<const RowGeometries> known);
+    RowStore(const RowMaker& maker, const Dataset& dataset, const DataStatistics& statistics,
+             int threads, std::shared_ptr<const RowGeometries> known);
 
-    size_t blocks() const { return feed_.blocks(); }
+    size_t blocks() const { return dataset_.blocks(); }
     struct Scratch {
-        FeedScratch feed;
+        DatasetScratch dataset;
         RowGeometry geometry;
         RowValues values;
     };
@@ -56,19 +56,19 @@ public:
     Block block(size_t index, Scratch& scratch) const;
     /// No value of any channel is at or below the floor and all weigh as much as their sample: the
     /// matrix depends on the geometry alone. For rows that are not kept it is
-    /// DataTraits::sameWeights.
+    /// DataStatistics::sameWeights.
     bool sameWeights() const { return sameWeights_; }
     /// Null where the rows are too many to keep.
     std::shared_ptr<const RowGeometries> geometry() const { return geometry_; }
 
 private:
-    void makeGeometry(const FeedBlock& block, RowGeometry& geometry) const;
+    void makeGeometry(const DatasetBlock& block, RowGeometry& geometry) const;
     /// Returns whether all values weigh as much as their sample.
-    bool makeValues(const FeedBlock& block, RowValues& values) const;
+    bool makeValues(const DatasetBlock& block, RowValues& values) const;
 
     const RowMaker& maker_;
-    const Feed& feed_;
-    const DataTraits& traits_;
+    const Dataset& dataset_;
+    const DataStatistics& statistics_;
     std::shared_ptr<const RowGeometries> geometry_;
     std::vector<RowValues> values_;
     bool sameWeights_;

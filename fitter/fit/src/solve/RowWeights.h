@@ -39,7 +39,7 @@ class RowWeights {
 public:
     /// `problem` must outlive the object; `scale`: see residualScale.
     RowWeights(const LeastSquares& problem, const StepOptions& options, const Vec3f& scale)
-        : traits_(problem.traits()), options_(options), scale_(scale)
+        : statistics_(problem.statistics()), options_(options), scale_(scale)
     {
     }
     /// Sample i of a block for which log2 g is `logG`, kLanes numbers.
@@ -52,7 +52,7 @@ private:
                         WeightedRow& row) const;
     float robustWeight(const WeightedRow& row, int c) const;
 
-    const DataTraits& traits_;
+    const DataStatistics& statistics_;
     StepOptions options_;
     Vec3f scale_;
 };
@@ -104,7 +104,7 @@ inline void RowWeights::weighValue(const RowStore::Block& rows, size_t i, int c,
 {
     constexpr float kLog2E = 1.442695f;
     const float g = std::exp2(logG);
-    const float noise = floorAt(traits_, c, rows.geometry.cosine[i]) / g;
+    const float noise = floorAt(statistics_, c, rows.geometry.cosine[i]) / g;
     row.residual[c] = kLog2E * (rows.values.value[i][c] / g - 1.0f);
     row.noiseWeight[c] = rows.values.sampleWeight[i] / (1.0f + noise * noise);
     row.sampleWeight[c] = row.noiseWeight[c];
@@ -129,7 +129,7 @@ inline WeightedRow RowWeights::operator()(const RowStore::Block& rows, size_t i,
 {
     WeightedRow row{Vec3f(0.0f), Vec3f(0.0f), rows.values.weight[i]};
     for (int c = 0; c < 3; ++c) {
-        if (options_.unbiased && traits_.floor[c] > 0.0f)
+        if (options_.unbiased && statistics_.floor[c] > 0.0f)
             weighValue(rows, i, c, logG[c], row);
         else
             weighLogarithm(rows, i, c, logG[c], row);

@@ -51,7 +51,7 @@ void moveBy(const LeastSquares& problem, const SharedSystems& shared, size_t k, 
 
 void repeatGrey(const LeastSquares& problem, State& x)
 {
-    if (!problem.traits().grey || problem.layout().sharedShape()) return;
+    if (!problem.statistics().grey || problem.layout().sharedShape()) return;
     for (size_t i = problem.unknowns(); i < x.size(); ++i) x[i] = x[i - problem.unknowns()];
 }
 

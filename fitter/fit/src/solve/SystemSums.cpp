@@ -11,7 +11,7 @@ std::vector<ChannelPass> passes(const LeastSquares& problem, const StepOptions& 
 {
     if (problem.layout().sharedShape()) return {{0, 1, 1}};
     if (!dependsOnState(problem, options)) return {{0, 3, 1}};
-    if (problem.traits().grey) return {{0, 1, 1}};
+    if (problem.statistics().grey) return {{0, 1, 1}};
     const size_t sideBySide =
         kParts * groups * shapeOf(problem.layout()).size() * kLanes * sizeof(double);
     if (sideBySide <= kMostSideBySide) return {{0, 3, kLanes}};

@@ -44,7 +44,7 @@ class FitCache;
 std::shared_ptr<FitCache> makeFitCache();
 
 struct FitOptions {
-    /// A name of namedForms(), a sum such as "io+hdio", a name of madeForms(), "auto", or
+    /// A name of namedForms(), a sum such as "io+hdio", a name of directForms(), "auto", or
     /// "best-of": auto that goes on to other sizes and warps of the best form, for as long as it
     /// finds better ones.
     std::string form = "auto";
@@ -150,8 +150,8 @@ const std::vector<FormLetter>& formLetters();
 
 /// Forms that are not fitted in log space: "svd" (Svd.h), "svdN" of N terms, and
 /// "analytic" (AnalyticFactors.h). "svd" takes as many terms as fit maxBytes, 4 without it.
-const std::vector<NamedForm>& madeForms();
-/// False for a made form that the source does not allow: analytic needs a model whose factors are
+const std::vector<NamedForm>& directForms();
+/// False for a direct form that the source does not allow: analytic needs a model whose factors are
 /// known, svd a function or samples that are known to be isotropic. Throws Error(usage) as
 /// checkOptions.
 bool suitsForm(const Source& source, const std::string& form);
