@@ -154,7 +154,8 @@ TEST(RowKernels, AddUpNormalEquationsByGroups)
         }
         for (int g = 0; g < 2; ++g) {
             expectNear(right[g], exactRight[g], set.name);
-            expectNear(matrix[g], exact[g].values, set.name);
+            const SystemNumbers& values = exact[g].values;
+            expectNear(matrix[g], {values.begin(), values.end()}, set.name);
         }
     }
 }

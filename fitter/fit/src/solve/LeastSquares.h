@@ -87,7 +87,7 @@ public:
     /// Calls visit(part, block, scratch) for the blocks of this process, the parts at the same
     /// time.
     template <class Visit>
-    void forEachBlock(const Visit& visit) const;
+    void forEachBlock(const Visit& visit, size_t parts = kParts) const;
 
 private:
     Form form_;
@@ -105,15 +105,15 @@ private:
 };
 
 template <class Visit>
-void LeastSquares::forEachBlock(const Visit& visit) const
+void LeastSquares::forEachBlock(const Visit& visit, size_t parts) const
 {
     const RankSum& ranks = options_.ranks;
     const size_t first = store_->blocks() * ranks.rank / ranks.count,
                  last = store_->blocks() * (ranks.rank + 1) / ranks.count;
-    parallelTasks(kParts, threads_, [&](size_t part) {
+    parallelTasks(parts, threads_, [&](size_t part) {
         RowStore::Scratch scratch;
         const size_t blocks = last - first;
-        for (size_t b = blocks * part / kParts; b < blocks * (part + 1) / kParts; ++b)
+        for (size_t b = blocks * part / parts; b < blocks * (part + 1) / parts; ++b)
             visit(part, first + b, scratch);
     });
 }

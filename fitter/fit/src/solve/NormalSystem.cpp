@@ -5,7 +5,7 @@
 namespace fbrdf {
 namespace {
 
-void addTo(std::vector<double>& sums, const std::vector<double>& others)
+void addTo(SystemNumbers& sums, const SystemNumbers& others)
 {
     FBRDF_ASSERT(sums.size(), ==, others.size());
     for (size_t i = 0; i < sums.size(); ++i) sums[i] += others[i];

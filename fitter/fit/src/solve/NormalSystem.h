@@ -37,8 +37,8 @@ public:
     const BorderedShape& shape() const { return shape_; }
     size_t matrixLanes() const { return matrixLanes_; }
     /// All sums, for adding them up over processes.
-    std::vector<double>& matrixSums() { return matrix_.values(); }
-    std::vector<double>& rightSums() { return right_.values(); }
+    SystemNumbers& matrixSums() { return matrix_.values(); }
+    SystemNumbers& rightSums() { return right_.values(); }
 
 private:
     BorderedShape shape_;

@@ -4,8 +4,7 @@
 //     [ C^T D]   Golub and Van Loan, "Matrix Computations", sections 4.2, 4.3 (band) and 3.2
 //     (blocks).
 #pragma once
-#include <cstddef>
-#include <vector>
+#include "solve/HugePages.h"
 
 namespace fbrdf {
 
@@ -35,13 +34,11 @@ struct BorderedShape {
 /// Lower triangle: A by rows of bandwidth + 1, C by rows, D by columns.
 struct BorderedMatrix {
     BorderedShape shape;
-    std::vector<double> values;  ///< shape.size()
+    SystemNumbers values;  ///< shape.size()
 
     explicit BorderedMatrix(const BorderedShape& s = {}) : shape(s), values(s.size(), 0.0) {}
     /// Precondition: as many values.
-    BorderedMatrix(const BorderedShape& s, std::vector<double> v) : shape(s), values(std::move(v))
-    {
-    }
+    BorderedMatrix(const BorderedShape& s, SystemNumbers v) : shape(s), values(std::move(v)) {}
     /// The entry of two unknowns; column <= row, and within the band where both are banded.
     double& at(size_t row, size_t column)
     {
@@ -65,7 +62,7 @@ public:
     /// In place: right-hand side in, solution out. `values`: unknowns x columns, column contiguous.
     void solve(double* values, size_t columns) const;
     /// The memory of the matrix, for another; this object is of no use afterwards.
-    std::vector<double> takeValues() { return std::move(factor_.values); }
+    SystemNumbers takeValues() { return std::move(factor_.values); }
 
 private:
     BorderedMatrix factor_;

@@ -42,6 +42,27 @@ bool factorBand(const BorderedParts& m)
     return true;
 }
 
+// W = L^-1 C, some rows at a time: a product of matrices reads each row of W from memory once,
+// where products of rows would read as many as the band is wide.
+void solveBorder(const BorderedParts& m, Eigen::Map<RowMatrix>& border)
+{
+    constexpr Index kRows = 32;
+    RowMatrix factor;
+    for (Index first = 0; first < m.banded; first += kRows) {
+        const Index last = first + kRows < m.banded ? first + kRows : m.banded,
+                    start = bandStart(m, first), before = first - start, count = last - first;
+        factor.setZero(count, last - start);
+        for (Index i = first; i < last; ++i) {
+            const Index from = bandStart(m, i);
+            factor.row(i - first).segment(from - start, i - from + 1).transpose() =
+                Segment(bandRow(m, i, from), i - from + 1);
+        }
+        auto rows = border.middleRows(first, count);
+        rows.noalias() -= factor.leftCols(before) * border.middleRows(start, before);
+        factor.rightCols(count).triangularView<Eigen::Lower>().solveInPlace(rows);
+    }
+}
+
 }  // namespace
 
 bool FBRDF_FACTOR(const BorderedParts& m)
@@ -49,13 +70,7 @@ bool FBRDF_FACTOR(const BorderedParts& m)
     if (!factorBand(m)) return false;
     if (m.size == 0) return true;
     Eigen::Map<RowMatrix> border(m.border, m.banded, m.size);
-    for (Index i = 0; i < m.banded; ++i) {
-        const Index start = bandStart(m, i), count = i - start;
-        auto row = border.row(i).transpose();
-        row.noalias() -=
-            border.middleRows(start, count).transpose() * Segment(bandRow(m, i, start), count);
-        row /= *bandRow(m, i, i);
-    }
+    solveBorder(m, border);
     Eigen::Map<Matrix> dense(m.dense, m.size, m.size);
     if (m.banded > 0)  // Eigen divides by the depth of the update
         dense.selfadjointView<Eigen::Lower>().rankUpdate(border.transpose(), -1.0);

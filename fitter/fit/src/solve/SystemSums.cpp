@@ -6,6 +6,14 @@ namespace {
 // What the sums of R, G and B may take side by side; larger ones are made one after the other.
 constexpr size_t kMostSideBySide = size_t{256} << 20;
 
+// Of large matrices fewer are made at the same time: to clear and to add up another takes longer
+// than the sums in it.
+size_t partsOf(const LeastSquares& problem)
+{
+    constexpr size_t kLargeMatrix = size_t{256} << 10;
+    return shapeOf(problem.layout()).size() > kLargeMatrix ? kParts / 2 : kParts;
+}
+
 std::vector<ChannelPass> passes(const LeastSquares& problem, const StepOptions& options,
                                 size_t groups)
 {
@@ -13,7 +21,7 @@ std::vector<ChannelPass> passes(const LeastSquares& problem, const StepOptions& 
     if (!dependsOnState(problem, options)) return {{0, 3, 1}};
     if (problem.statistics().grey) return {{0, 1, 1}};
     const size_t sideBySide =
-        kParts * groups * shapeOf(problem.layout()).size() * kLanes * sizeof(double);
+        partsOf(problem) * groups * shapeOf(problem.layout()).size() * kLanes * sizeof(double);
     if (sideBySide <= kMostSideBySide) return {{0, 3, kLanes}};
     return {{0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
 }
@@ -32,14 +40,18 @@ Groups zeroGroups(const LeastSquares& problem, size_t matrices, size_t count)
 std::vector<Groups> sumsOfParts(const LeastSquares& problem, const RowOptions& with,
                                 size_t groupCount)
 {
-    std::vector<Groups> parts(kParts);
-    std::vector<NormalRows> rows(kParts);
-    std::vector<std::vector<double>> kernelScratch(kParts);
-    problem.forEachBlock([&](size_t part, size_t block, RowStore::Scratch& scratch) {
-        if (parts[part].empty()) parts[part] = zeroGroups(problem, with.pass.matrices, groupCount);
-        rows[part].make(problem, problem.store().block(block, scratch), with);
-        addRows(rows[part].rows(), rows[part].entryLanes(), parts[part], kernelScratch[part]);
-    });
+    const size_t count = partsOf(problem);
+    std::vector<Groups> parts(count);
+    std::vector<NormalRows> rows(count);
+    std::vector<std::vector<double>> kernelScratch(count);
+    problem.forEachBlock(
+        [&](size_t part, size_t block, RowStore::Scratch& scratch) {
+            if (parts[part].empty())
+                parts[part] = zeroGroups(problem, with.pass.matrices, groupCount);
+            rows[part].make(problem, problem.store().block(block, scratch), with);
+            addRows(rows[part].rows(), rows[part].entryLanes(), parts[part], kernelScratch[part]);
+        },
+        count);
     return parts;
 }
 

@@ -4,9 +4,9 @@
 
 namespace fbrdf {
 
-std::vector<double> Workspace::any(size_t count)
+SystemNumbers Workspace::any(size_t count)
 {
-    std::vector<double> numbers;
+    SystemNumbers numbers;
     {
         const std::lock_guard lock(mutex_);
         const auto found = std::find_if(kept_.begin(), kept_.end(),
@@ -20,14 +20,14 @@ std::vector<double> Workspace::any(size_t count)
     return numbers;
 }
 
-std::vector<double> Workspace::zeros(size_t count)
+SystemNumbers Workspace::zeros(size_t count)
 {
-    std::vector<double> numbers = any(count);
+    SystemNumbers numbers = any(count);
     std::fill(numbers.begin(), numbers.end(), 0.0);
     return numbers;
 }
 
-void Workspace::giveBack(std::vector<double> numbers)
+void Workspace::giveBack(SystemNumbers numbers)
 {
     if (numbers.empty()) return;
     const std::lock_guard lock(mutex_);

@@ -1,9 +1,9 @@
 // Workspace.h - memory for sums that is used again from step to step: the pages of normal equations
 // cost more to get from the system, again and again, than the sums in them.
 #pragma once
-#include <cstddef>
+#include "solve/HugePages.h"
+
 #include <mutex>
-#include <vector>
 
 namespace fbrdf {
 
@@ -11,14 +11,14 @@ namespace fbrdf {
 class Workspace {
 public:
     /// `count` zeros.
-    std::vector<double> zeros(size_t count);
+    SystemNumbers zeros(size_t count);
     /// `count` numbers of any value.
-    std::vector<double> any(size_t count);
-    void giveBack(std::vector<double> numbers);
+    SystemNumbers any(size_t count);
+    void giveBack(SystemNumbers numbers);
 
 private:
     std::mutex mutex_;
-    std::vector<std::vector<double>> kept_;
+    std::vector<SystemNumbers> kept_;
 };
 
 /// An array of a workspace, which gets it back. `workspace` must outlive the object.
@@ -40,8 +40,8 @@ public:
         if (workspace_) workspace_->giveBack(std::move(values_));
     }
 
-    std::vector<double>& values() { return values_; }
-    const std::vector<double>& values() const { return values_; }
+    SystemNumbers& values() { return values_; }
+    const SystemNumbers& values() const { return values_; }
 
 private:
     void swap(WorkArray& other)
@@ -51,7 +51,7 @@ private:
     }
 
     Workspace* workspace_ = nullptr;
-    std::vector<double> values_;
+    SystemNumbers values_;
 };
 
 }  // namespace fbrdf

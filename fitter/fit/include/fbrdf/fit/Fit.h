@@ -31,7 +31,8 @@ struct RankSum {
     /// the same order by all.
     std::function<void(double* values, size_t count)> add;
 
-    void sum(std::vector<double>& values) const
+    template <class Allocator>
+    void sum(std::vector<double, Allocator>& values) const
     {
         if (count > 1) add(values.data(), values.size());
     }
