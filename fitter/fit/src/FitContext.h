@@ -42,8 +42,10 @@ struct Fitted {
     double smoothness = 0;
     SolverSummary solver;
     std::optional<SampleErrors> heldOut;  ///< where they are known already
+    Solution solution;                    ///< of the form; empty where no system was solved
 };
-Fitted fitForm(const FitContext& context, const Form& form);
+/// `start`: the solution for a part of the data, where that is known.
+Fitted fitForm(const FitContext& context, const Form& form, const Solution* start = nullptr);
 
 /// The errors that are stated for a fit. For a function they are measured on a fresh set of
 /// directions; for measurements, on folds that fits of the same form and smoothness leave out.
@@ -56,15 +58,15 @@ std::vector<Sample> probeOf(const FitContext& context,
 /// Samples that took no part in the fits of a form, each of the first folds left out of one.
 struct HeldOut {
     int folds = 0;
-    double smoothness = 0;  ///< of the last fit
+    Solution solution;  ///< of the last fit
     std::vector<Sample> samples;
     std::vector<Vec3f> fitted;
     std::vector<size_t> foldEnd;  ///< one past the last sample of each fold
     SampleErrors errors;
 };
 /// Continues until `folds` folds are held out. `smoothness` 0: each of these fits chooses its own.
-/// Precondition: folds <= kFolds.
+/// `start`: see SolveOptions. Precondition: folds <= kFolds.
 void holdOut(const FitContext& context, const Form& form, double smoothness, int folds,
-             HeldOut& held);
+             HeldOut& held, const Solution* start = nullptr);
 
 }  // namespace fbrdf

@@ -63,7 +63,7 @@ Fitted searchForm(const Source& source, const FitContext& context, std::vector<T
     Candidate best = std::move(named[choice.index]);
     if (goesOn(context)) improve(runs, best);
     runs.choose(best);
-    if (!best.whole) return fitForm(context, best.form);
+    if (!best.whole) return fitForm(context, best.form, &best.held.solution);
     const bool isStated = isIsotropic(best.form) || !part.turnsHeldOut;
     if (!context.dataset.exact && isStated) best.whole->heldOut = best.held.errors;
     return std::move(*best.whole);

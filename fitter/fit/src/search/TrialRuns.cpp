@@ -134,8 +134,8 @@ void TrialRuns::holdOutMore(const FitContext& context, Candidate& candidate, int
 {
     const Clock clock;
     HeldOut& held = candidate.held;
-    holdOut(context, candidate.form, context.options.smoothness.value_or(held.smoothness), folds,
-            held);
+    holdOut(context, candidate.form, context.options.smoothness.value_or(held.solution.smoothness),
+            folds, held);
     candidate.marks = marksOf(held, context);
     rows_[candidate.trial].seconds += clock.seconds();
 }
@@ -199,7 +199,7 @@ std::optional<Candidate> TrialRuns::attempt(const Form& variant, const std::stri
                                             const Candidate& reference, double gain)
 {
     Candidate next = added(variant, stage);
-    next.held.smoothness = reference.held.smoothness;
+    next.held.solution.smoothness = reference.held.solution.smoothness;
     complete(part_, next);
     record(next);
     const Lead lead = leadOf(next, reference);

@@ -13,8 +13,10 @@ namespace fbrdf {
 
 /// Geometry of one block: `width` entries a row.
 struct RowGeometry {
-    uint64_t first = 0;             ///< number of the block's first row
-    std::vector<uint16_t> offsets;  ///< row i has the number first + offsets[i]; empty: first + i
+    uint64_t first = 0;  ///< number of the block's first row
+    /// Row i has the number first + offsets[i]; empty: first + i. Rows that are kept stand in an
+    /// order of their own where samples are scattered.
+    std::vector<uint16_t> offsets;
     size_t count = 0;
     std::vector<int> unknown;   ///< count x width
     std::vector<float> weight;  ///< count x width
@@ -63,8 +65,10 @@ public:
 
 private:
     void makeGeometry(const DatasetBlock& block, RowGeometry& geometry) const;
+    void sortByTexel(RowGeometry& geometry) const;
     /// Returns whether all values weigh as much as their sample.
-    bool makeValues(const DatasetBlock& block, RowValues& values) const;
+    bool makeValues(const DatasetBlock& block, const RowGeometry& geometry,
+                    RowValues& values) const;
 
     const RowMaker& maker_;
     const Dataset& dataset_;

@@ -52,6 +52,7 @@ public:
     /// The entries of banded unknowns: [first, last) of every row.
     int bandedFirst() const { return bandedFirst_; }
     int bandedLast() const { return bandedLast_; }
+    int bandwidth() const { return layout_.bandwidth(); }
     /// unknown, weight: width() entries each. The weights of each factor sum to 1.
     void make(const Sample& sample, int* unknown, float* weight) const;
 

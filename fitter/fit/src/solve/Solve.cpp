@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kFirstSmoothness = 1e-3;
 const std::vector<double> kSmoothnessLadder{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
-constexpr int kNoisySteps = 6;   // data in the noise converge slowly
-constexpr int kRobustSteps = 3;  // after the plain one: four solves
+constexpr int kNoisySteps = 6;      // data in the noise converge slowly
+constexpr int kRobustSteps = 3;     // after the plain one: four solves
+constexpr int kFirstFineSteps = 2;  // before robust ones
 constexpr int kFineSteps = 4, kLastSteps = 2, kLargeSteps = 12;
 constexpr int kRounds = 3;             // of choosing the smoothness of a sum
 constexpr size_t kCoarseRows = 32768;  // enough for the descent of a sum in its halved form
@@ -21,6 +22,16 @@ constexpr size_t kCoarseRows = 32768;  // enough for the descent of a sum in its
 constexpr size_t kStartRows = 65536, kStartRowsPerUnknown = 64;
 constexpr double kChoiceDamping = 1e-3;  // of a step that chooses the smoothness of a sum
 constexpr double kWorse = 0.1;           // rise of the cost that more smoothness may have, relative
+
+// The strengths about one that is near the best.
+std::vector<double> strengthsAbout(double strength)
+{
+    constexpr double kStep = 10.0 * 1.01;  // of the ladder, and rounding
+    std::vector<double> about;
+    for (const double other : kSmoothnessLadder)
+        if (other < strength * kStep && strength < other * kStep) about.push_back(other);
+    return about;
+}
 
 bool isLinear(const LeastSquares& problem, Metric metric)
 {
@@ -55,6 +66,8 @@ public:
 
     Solution solve() const
     {
+        if (options_.start && options_.excludedFold != kNoFold && isFixed())
+            return refined(known(), kFineSteps);
         const bool needsStart = isLarge(problem_) || dependsOnState(problem_, last_);
         if (needsStart && problem_.rows() >= 2 * startRows(problem_)) return solveMany();
         return isLarge(problem_) ? solveLarge() : solveWhole();
@@ -107,7 +120,7 @@ private:
             options_.robust ? start() : Solution{problem_.flatState(), options_.smoothness, {}};
         if (isFixed()) return reweight(problem_, std::move(near), lastWith(near.smoothness), 1);
         const Vec3f scale = residualScale(problem_, near.x, last_);
-        near = chosen(std::move(near), last_, scale);
+        near = chosen(std::move(near), last_, scale, kSmoothnessLadder);
         near.summary.termination = Termination::solved;
         return near;
     }
@@ -124,6 +137,8 @@ private:
         return isDirect() ? reweighted(std::move(near), step)
                           : descend(problem_, std::move(near), step, {kRobustSteps});
     }
+
+    Solution known() const { return {options_.start->x, options_.start->smoothness, {}}; }
 
     Solution plainStep() const
     {
@@ -145,6 +160,15 @@ private:
     // steps are taken in full.
     Solution solveSum() const
     {
+        Solution near = options_.start ? known() : ofPart();
+        const StepOptions fine = firstWith(near.smoothness);
+        return descend(problem_, std::move(near), fine,
+                       {options_.robust ? kFirstFineSteps : kFineSteps});
+    }
+
+    // Few samples and a quarter of the texels.
+    Solution ofPart() const
+    {
         const LeastSquares thin = problem_.thinned(kCoarseRows, options_.excludedFold);
         const LeastSquares coarse = thin.withForm(halved(problem_.form()));
         SolveOptions part = partOptions();
@@ -155,8 +179,7 @@ private:
         Solution near = descend(coarse, {coarse.flatState(), 0.0, {}}, first);
         near = solver.settled(std::move(near), {});
         near.x = prolonged(coarse, near.x, problem_);
-        const StepOptions fine = firstWith(near.smoothness);
-        return descend(problem_, std::move(near), fine, {kFineSteps});
+        return near;
     }
 
     // A problem that is not linear leans on smoothness on its way down: less of it may do the
@@ -184,7 +207,7 @@ private:
         const double most = cost(problem_, near.x, last, scale) * (1.0 + kWorse);
         last.damping = kChoiceDamping;
         try {
-            Solution next = chosen(near, last, scale);
+            Solution next = chosen(near, last, scale, strengthsAbout(near.smoothness));
             if (cost(problem_, next.x, last, scale) <= most) return next;
         } catch (const Error&) {
             // The system is singular: stay.
@@ -193,10 +216,11 @@ private:
     }
 
     // A step with the smoothness that does best on samples left out.
-    Solution chosen(Solution near, const StepOptions& step, const Vec3f& scale) const
+    Solution chosen(Solution near, const StepOptions& step, const Vec3f& scale,
+                    const std::vector<double>& strengths) const
     {
         SmoothnessChoice choice =
-            stepWithBest(problem_, near.x, step, scale, kSmoothnessLadder, choosingFolds());
+            stepWithBest(problem_, near.x, step, scale, strengths, choosingFolds());
         near.x = std::move(choice.x);
         near.smoothness = choice.smoothness;
         ++near.summary.iterations;
@@ -225,14 +249,20 @@ private:
     // the many can follow is no outlier: robust weights come after a step without them.
     Solution solveLarge() const
     {
-        const LeastSquares coarse = problem_.withForm(halved(problem_.form()));
-        Solution near = Solver(coarse, options_).solve();
-        near.x = prolonged(coarse, near.x, problem_);
+        Solution near = options_.start ? known() : halfAsMany();
         if (!options_.robust) return refined(std::move(near), kLastSteps);
         const StepOptions first = firstWith(near.smoothness), last = lastWith(near.smoothness);
         if (!isDirect())
             return refined(descend(problem_, std::move(near), first, {kFineSteps}), kLargeSteps);
         return reweighted(reweight(problem_, std::move(near), first, 1), last);
+    }
+
+    Solution halfAsMany() const
+    {
+        const LeastSquares coarse = problem_.withForm(halved(problem_.form()));
+        Solution near = Solver(coarse, options_).solve();
+        near.x = prolonged(coarse, near.x, problem_);
+        return near;
     }
 
     const LeastSquares& problem_;

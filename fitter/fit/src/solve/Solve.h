@@ -11,6 +11,11 @@ struct SolveOptions {
     bool robust = false;
     int excludedFold = kNoFold;
     int folds = 1;  ///< that the smoothness is chosen by
+    /// The solution of the form for fewer samples of the same data, which sums and large forms
+    /// start from; or, where a fold is left out and the smoothness is given, that for all samples:
+    /// a few steps without the fold are taken from there. Null: nothing is known. Must outlive the
+    /// call.
+    const Solution* start = nullptr;
 };
 
 /// Throws Error(fit) when a linear problem is singular beyond repair.
