@@ -53,9 +53,9 @@ void expectSlice(const Source& source, double relative)
     EXPECT_EQ(source.format, "picture");
     EXPECT_TRUE(source.isotropic);
     EXPECT_EQ(source.assumptions.size(), 2u);
-    ASSERT_EQ(source.samples.size(), 80u);
+    ASSERT_EQ(allSamples(source).size(), 80u);
     expectSound(source);
-    for (const Sample& s : source.samples) {
+    for (const Sample& s : allSamples(source)) {
         const HalfDifference a = halfDifferenceFromPair({Vec3d(s.wo), Vec3d(s.wi)});
         const double tolerance = 1e-5 + relative * double(std::max(s.f.x, s.f.y)) / 8 * kPi / 2;
         EXPECT_NEAR(a.theta_h, (double(s.f.x) + 0.5) / 10 * kPi / 2, tolerance);
@@ -82,8 +82,8 @@ TEST(PictureTable, AGreyImageIsGrey)
 {
     const TempFolder folder;
     const Source source = openSource(write(folder, {"grey.tif", 10, 8, 1}, coordinates));
-    ASSERT_EQ(source.samples.size(), 80u);
-    for (const Sample& s : source.samples) EXPECT_EQ(s.f, Vec3f(s.f.x));
+    ASSERT_EQ(allSamples(source).size(), 80u);
+    for (const Sample& s : allSamples(source)) EXPECT_EQ(s.f, Vec3f(s.f.x));
 }
 
 TEST(PictureTable, An288ImageIsUtias)

@@ -162,7 +162,7 @@ TEST(Speos, RefusesWhatDoesNotAddUp)
     expectRefused(replaced("\t60\t", "\t20\t"), "expected ascending ones");
     expectRefused(replaced("1\t1\n30", "1\t99999\n30"), "a count of wavelengths");
     expectRefused(replaced("550", "5e9"), "wavelengths from");
-    expectRefused(brdf("0\n" + table([](double, double) { return NAN; })), "no usable value");
+    expectRefused(brdf("0\n" + table([](double, double) { return NAN; })), "no usable sample");
     EXPECT_GT(refusedPrefixes("a.brdf", good, 7), good.size() / 8);
     expectSurvivesDamage("a.brdf", good, 13);
 }
@@ -174,7 +174,7 @@ TEST(Speos, TheRealFileAgreesWithItsTwinUpToAScale)
     std::map<int, std::pair<double, double>> ratios;  // by incidence in degrees: least and most
     const std::vector<Sample> table = allSamples(openSource(dataPath(speos)));
     for (const Sample& z :
-         openSource(dataPath("speos/test_13_planesymmetric_brdf_zemax.bsdf")).samples)
+         allSamples(openSource(dataPath("speos/test_13_planesymmetric_brdf_zemax.bsdf"))))
         for (const Sample& s : table) {
             if (glm::length(z.wo - s.wo) + glm::length(z.wi - s.wi) > 1e-4f || z.wo.z < 0.3f ||
                 s.f.x == 0.0f)  // the converter's zeros, from 80 degrees off the mirror on

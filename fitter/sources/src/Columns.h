@@ -54,6 +54,9 @@ struct ColumnLayout {
     bool directions = false;  ///< wo_x..wi_z, else angles
     bool colour = false;      ///< r,g,b, else value
     bool namesUnit = false;   ///< a unit stands in the name of an angle
+
+    /// Fields of a usable row.
+    size_t leastFields() const { return (directions ? 6 : 4) + (colour ? 3 : 1); }
 };
 
 /// True when the names of columns, in any case, include the directions or the angles of a pair.

@@ -17,6 +17,11 @@ void splitNumbers(std::string_view line, std::vector<std::string_view>& words);
 void parseNumbers(const InputFile& file, size_t line, const std::vector<std::string_view>& words,
                   std::vector<double>& numbers);
 
+/// The most rows that a text can have with one row a line, of `numbers` numbers at least; each
+/// takes two bytes with its separator. Memory that is reserved for as many does not grow by
+/// copying.
+size_t mostRows(const InputFile& file, size_t numbers);
+
 /// Rows of theta_i, phi_i, theta_o, phi_o of a file that does not name the unit. They are radians
 /// unless a zenith angle is above pi, which no direction has in radians; then all are degrees. A
 /// scan in degrees without one angle above 3.14 degrees does not exist.
@@ -25,6 +30,7 @@ public:
     /// `degrees` - in the unit of the angles, where the file names it.
     explicit AngleRows(std::optional<double> degrees = {}) : degrees_(degrees) {}
 
+    void reserve(size_t rows) { rows_.reserve(rows); }
     void add(double theta_i, double phi_i, double theta_o, double phi_o, const Vec3d& f);
     bool inDegrees() const;
     /// "angles in degrees, by their size": for Source::assumptions.
@@ -34,7 +40,7 @@ public:
 private:
     struct Row {
         double theta_i, phi_i, theta_o, phi_o;
-        Vec3d f;
+        Vec3f f;
     };
     std::vector<Row> rows_;
     std::optional<double> degrees_;

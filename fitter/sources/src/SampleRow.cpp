@@ -95,9 +95,17 @@ std::string briefReport(const SampleReport& report)
 
 void requireSamples(const Source& source, const std::string& where)
 {
+    constexpr size_t kBlock = 1024;  // most streams have a usable row among the first
+    std::vector<Sample> samples;
+    SampleReport report = source.report;
     if (!source.samples.empty()) return;
+    for (uint64_t first = 0; first < source.stream.rows; first += kBlock) {
+        const uint64_t count = std::min<uint64_t>(kBlock, source.stream.rows - first);
+        source.stream.read(first, static_cast<size_t>(count), samples, report);
+        if (!samples.empty()) return;
+    }
     throw Error(ErrorKind::input, where,
-                "found no usable sample (" + briefReport(source.report) +
+                "found no usable sample (" + briefReport(report) +
                     "), expected at least one that is finite and above the horizon");
 }
 

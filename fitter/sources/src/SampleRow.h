@@ -33,7 +33,7 @@ void addInvalidRow(SampleReport& report);
 /// "1439 rows, 3 not finite, 2 below the horizon": for messages.
 std::string briefReport(const SampleReport& report);
 
-/// Throws Error(input) naming `where` when no sample is usable.
+/// Throws Error(input) naming `where` when no sample is usable, in memory or of the stream.
 void requireSamples(const Source& source, const std::string& where);
 
 }  // namespace fbrdf

@@ -23,8 +23,9 @@ constexpr double kAsNear = 1.3;  // times the difference of near samples
 /// A sample in angles that a turn about the normal keeps, and what a turn changes.
 struct Turned {
     uint64_t cell;
-    float azimuth;  ///< of wi, or of wo where wi is nearer to the normal
-    int side;       ///< of the plane of incidence: -1, 1, or 0 within it
+    uint32_t index;  ///< of the sample
+    float azimuth;   ///< of wi, or of wo where wi is nearer to the normal
+    int side;        ///< of the plane of incidence: -1, 1, or 0 within it
     Vec3f f;
 };
 
@@ -39,15 +40,16 @@ float wrapped(float angle)
     return std::remainder(angle, float(2.0 * kPi));
 }
 
-Turned turnedOf(const Sample& s)
+Turned turnedOf(const Sample& s, size_t index)
 {
     const float i = zenithOf(s.wi), o = zenithOf(s.wo);
     const float phiI = std::atan2(s.wi.y, s.wi.x), phiO = std::atan2(s.wo.y, s.wo.x);
     const float between = std::min(i, o) < kPole ? 0.0f : wrapped(phiO - phiI);
     const float across = std::min(std::abs(between), float(kPi) - std::abs(between));
     const auto step = [](float angle) { return uint64_t((angle + kShift) / kCell); };
-    return {step(i) << 32 | step(o) << 16 | step(std::abs(between)), i < o ? phiO : phiI,
-            across < kPlane ? 0 : (between < 0.0f ? -1 : 1), glm::max(s.f, Vec3f(0.0f))};
+    return {step(i) << 32 | step(o) << 16 | step(std::abs(between)), uint32_t(index),
+            i < o ? phiO : phiI, across < kPlane ? 0 : (between < 0.0f ? -1 : 1),
+            glm::max(s.f, Vec3f(0.0f))};
 }
 
 /// Differences over sums: of f, which sees highlights, and of its cube root, which sees the rest.
@@ -83,9 +85,11 @@ bool areIsotropic(const std::vector<Sample>& samples)
 {
     std::vector<Turned> turned;
     turned.reserve(samples.size());
-    for (const Sample& s : samples) turned.push_back(turnedOf(s));
-    std::stable_sort(turned.begin(), turned.end(),
-                     [](const Turned& a, const Turned& b) { return a.cell < b.cell; });
+    for (const Sample& s : samples) turned.push_back(turnedOf(s, turned.size()));
+    // Sorting by two keys takes no further memory, as a stable sort would.
+    std::sort(turned.begin(), turned.end(), [](const Turned& a, const Turned& b) {
+        return a.cell != b.cell ? a.cell < b.cell : a.index < b.index;
+    });
     Disagreement near, far;
     for (size_t i = 0; i < turned.size(); ++i)
         for (size_t j = i + 1; j < std::min(turned.size(), i + 1 + kNeighbours); ++j) {

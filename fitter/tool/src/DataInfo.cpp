@@ -13,23 +13,15 @@
 namespace fbrdf::tool {
 namespace {
 
-void measureRange(const std::vector<Sample>& samples, DataInfo& info)
-{
-    if (samples.empty()) return;
-    info.least = info.most = samples.front().f;
-    for (const Sample& s : samples)
-        for (int c = 0; c < 3; ++c) {
-            info.least[c] = std::min(info.least[c], s.f[c]);
-            info.most[c] = std::max(info.most[c], s.f[c]);
-        }
-}
-
 void measureSamples(const Source& source, DataInfo& info)
 {
-    const std::vector<Sample> samples = thinnedSamples(source, info.usable);
-    info.report = reportOf(source);
+    const SampleSurvey survey = surveyOf(source);
+    const std::vector<Sample>& samples = survey.thinned;
+    info.report = survey.report;
+    info.usable = survey.usable;
+    info.least = survey.least;
+    info.most = survey.most;
     info.floor = estimateNoiseFloor(samples);
-    measureRange(samples, info);
     if (info.function) return;
     const SampleReciprocity found = sampleReciprocity(samples, source.isotropic, info.floor);
     if (found.pairs > 0) {

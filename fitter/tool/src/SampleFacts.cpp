@@ -27,25 +27,25 @@ float squaredDistance(const Point& a, const Point& b)
     return sum;
 }
 
-// Points sorted into cells, so that the nearest point within the size of a cell lies in one of the
-// 81 cells around.
+// The points of samples sorted into cells, so that the nearest point within the size of a cell lies
+// in one of the 81 cells around.
 class PointGrid {
 public:
-    PointGrid(const std::vector<Point>& points, float cellSize)
-        : points_(points), cellSize_(cellSize)
+    PointGrid(const std::vector<Sample>& samples, bool isotropic, float cellSize)
+        : samples_(samples), isotropic_(isotropic), cellSize_(cellSize)
     {
-        entries_.reserve(points.size());
-        for (uint32_t i = 0; i < points.size(); ++i)
-            entries_.push_back({keyOf(cellOf(points[i])), i});
+        entries_.reserve(samples.size());
+        for (uint32_t i = 0; i < samples.size(); ++i)
+            entries_.push_back({keyOf(cellOf(point(i))), i});
         std::sort(entries_.begin(), entries_.end());
     }
 
-    /// Index of the nearest point within the size of a cell, or the number of points. Of a cell
-    /// with more than kMostCompared points some are compared, evenly among them.
+    /// Index of the nearest sample within the size of a cell, or the number of samples. Of a cell
+    /// with more than kMostCompared samples some are compared, evenly among them.
     size_t nearest(const Point& at) const
     {
         const Cell centre = cellOf(at);
-        size_t best = points_.size();
+        size_t best = samples_.size();
         float bound = cellSize_ * cellSize_;
         for (int k = 0; k < 81; ++k) {
             const auto [begin, end] =
@@ -53,7 +53,7 @@ public:
                            centre[2] + k / 9 % 3 - 1, centre[3] + k / 27 - 1});
             const size_t step = (end - begin) / kMostCompared + 1;
             for (size_t e = begin; e < end; e += step) {
-                const float distance = squaredDistance(points_[entries_[e].second], at);
+                const float distance = squaredDistance(point(entries_[e].second), at);
                 if (distance >= bound) continue;
                 bound = distance;
                 best = entries_[e].second;
@@ -66,6 +66,10 @@ private:
     using Cell = std::array<int, 4>;
     static constexpr size_t kMostCompared = 256;
 
+    Point point(size_t index) const
+    {
+        return pointOf(samples_[index].wo, samples_[index].wi, isotropic_);
+    }
     Cell cellOf(const Point& p) const
     {
         Cell cell;
@@ -90,34 +94,34 @@ private:
         return {size_t(begin - entries_.begin()), size_t(end - entries_.begin())};
     }
 
-    const std::vector<Point>& points_;
+    const std::vector<Sample>& samples_;
+    bool isotropic_;
     float cellSize_;
-    std::vector<std::pair<uint64_t, uint32_t>> entries_;  ///< key of the cell, index of the point
+    std::vector<std::pair<uint64_t, uint32_t>> entries_;  ///< key of the cell, index of the sample
 };
 
-/// Grids from fine to coarse: the fine ones find near points where points are dense, as in a scan
-/// of a few degrees, and the coarse one finds those of a sparse set.
-class PointGrids {
-public:
-    explicit PointGrids(std::vector<Point> points) : points_(std::move(points))
-    {
-        for (const float divisor : {16.0f, 4.0f, 1.0f})
-            grids_.emplace_back(points_, kSameDirection / divisor);
-    }
-    /// Index of a point within kSameDirection that is about the nearest, or the number of points.
-    size_t nearest(const Point& at) const
-    {
-        for (const PointGrid& grid : grids_) {
-            const size_t found = grid.nearest(at);
-            if (found < points_.size()) return found;
-        }
-        return points_.size();
-    }
-
-private:
-    std::vector<Point> points_;
-    std::vector<PointGrid> grids_;
+/// Indices of the samples that are exchanged with others, and of about the nearest of these.
+struct ExchangedPair {
+    size_t sample, other;
 };
+
+/// Looks in grids from fine to coarse, of which there is one at a time: the fine ones find near
+/// samples where these are dense, as in a scan of a few degrees, the coarse one those of a sparse
+/// set.
+std::vector<ExchangedPair> exchangedPairs(const std::vector<Sample>& samples, bool isotropic)
+{
+    std::vector<ExchangedPair> pairs;
+    const size_t step = samples.size() / kMostLookedUp + 1;
+    for (size_t i = 0; i < samples.size(); i += step) pairs.push_back({i, samples.size()});
+    for (const float divisor : {16.0f, 4.0f, 1.0f}) {
+        const PointGrid grid(samples, isotropic, kSameDirection / divisor);
+        for (ExchangedPair& pair : pairs)
+            if (pair.other == samples.size())
+                pair.other = grid.nearest(
+                    pointOf(samples[pair.sample].wi, samples[pair.sample].wo, isotropic));
+    }
+    return pairs;
+}
 
 void addRatios(const Sample& a, const Sample& b, const Vec3f& floor, std::vector<double>& ratios)
 {
@@ -150,20 +154,40 @@ std::vector<Sample> thinnedSamples(const Source& source, uint64_t& available)
     return kept;
 }
 
+SampleSurvey surveyOf(const Source& source)
+{
+    SampleSurvey survey;
+    survey.report = source.report;
+    const uint64_t rows = source.samples.size() + source.stream.rows;
+    const uint64_t step = (rows + kMaxSurveyed - 1) / kMaxSurveyed;
+    survey.thinned.reserve(static_cast<size_t>(std::min(rows, kMaxSurveyed)));
+    const auto add = [&](const Sample& s) {
+        if (survey.usable == 0) survey.least = survey.most = s.f;
+        survey.least = glm::min(survey.least, s.f);
+        survey.most = glm::max(survey.most, s.f);
+        if (survey.usable++ % step == 0) survey.thinned.push_back(s);
+    };
+    for (const Sample& s : source.samples) add(s);
+    std::vector<Sample> block;
+    for (uint64_t first = 0; first < source.stream.rows; first += kSampleBlock) {
+        block.clear();
+        const uint64_t count = std::min<uint64_t>(kSampleBlock, source.stream.rows - first);
+        source.stream.read(first, static_cast<size_t>(count), block, survey.report);
+        for (const Sample& s : block) add(s);
+    }
+    return survey;
+}
+
 SampleReciprocity sampleReciprocity(const std::vector<Sample>& samples, bool isotropic,
                                     const Vec3f& floor)
 {
-    std::vector<Point> points;
-    for (const Sample& s : samples) points.push_back(pointOf(s.wo, s.wi, isotropic));
-    const PointGrids grid(std::move(points));
     SampleReciprocity result;
     std::vector<double> ratios;
-    const size_t step = samples.size() / kMostLookedUp + 1;
-    for (size_t i = 0; i < samples.size(); i += step, ++result.lookedUp) {
-        const size_t j = grid.nearest(pointOf(samples[i].wi, samples[i].wo, isotropic));
-        if (j == samples.size() || j == i) continue;
+    for (const ExchangedPair& pair : exchangedPairs(samples, isotropic)) {
+        ++result.lookedUp;
+        if (pair.other == samples.size() || pair.other == pair.sample) continue;
         ++result.pairs;
-        addRatios(samples[i], samples[j], floor, ratios);
+        addRatios(samples[pair.sample], samples[pair.other], floor, ratios);
     }
     if (ratios.empty()) result.pairs = 0;
     result.median = median(ratios);

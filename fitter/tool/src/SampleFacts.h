@@ -12,6 +12,16 @@ namespace fbrdf::tool {
 std::vector<Sample> thinnedSamples(const Source& source, uint64_t& available);
 constexpr uint64_t kMaxThinned = 4'000'000;  // 160 MB: all of MERL, and more than errors need
 
+/// What a single pass over a source shows, in memory that does not grow with it.
+struct SampleSurvey {
+    SampleReport report;
+    uint64_t usable = 0;
+    Vec3f least{0.0f}, most{0.0f};  ///< of all usable samples, by channel
+    std::vector<Sample> thinned;    ///< at most kMaxSurveyed of them, evenly among all
+};
+SampleSurvey surveyOf(const Source& source);
+constexpr uint64_t kMaxSurveyed = 500'000;  // 20 MB, whatever the size of a file
+
 struct SampleReciprocity {
     double median = 0.0;    ///< median |ln f(a, b) / f(b, a)| over all channels above `floor`
     uint64_t lookedUp = 0;  ///< samples for which another was looked for

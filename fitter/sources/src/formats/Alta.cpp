@@ -140,6 +140,7 @@ void readText(const InputFile& file, const AltaLayout& layout, Source& source)
     std::string_view line;
     std::vector<std::string_view> words;
     std::vector<double> numbers;
+    source.samples.reserve(mostRows(file, layout.columns()));
     while (lines.nextData(line)) {
         splitNumbers(line, words);
         if (words.size() < layout.columns())
@@ -216,6 +217,7 @@ void readBinary(const InputFile& file, const AltaHeader& header, const AltaLayou
     const NumberFormat format = numberFormat(file, header);
     const size_t columns = columnsOf(file, header, layout, format);
     std::vector<double> numbers(layout.columns());
+    source.samples.reserve((file.size() - header.end) / (columns * format.bytes));
     for (size_t at = header.end; at < file.size(); at += columns * format.bytes) {
         for (size_t i = 0; i < numbers.size(); ++i)
             numbers[i] = numberAt(file.bytes().data() + at + i * format.bytes, format);

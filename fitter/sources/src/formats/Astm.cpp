@@ -219,6 +219,7 @@ Source readAstm(const FileRequest& request)
     if (header.names.empty()) throw inputError(file, "found no VARS line, expected one");
     AstmLayout layout = layoutOf(request, header);
     AngleRows rows(layout.degrees);
+    rows.reserve(mostRows(file, layout.columns));
     const long long count = readRows(file, lines, layout, rows);
     if (header.points >= 0 && header.points != count)
         throw inputError(file, "found " + std::to_string(count) + " rows, expected NUM_POINTS " +

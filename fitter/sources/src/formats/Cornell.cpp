@@ -107,6 +107,7 @@ Source readCornell(const FileRequest& request)
     const BandColour colour(request, readWavelengths(file, words));
     AngleRows rows;
     std::vector<double> record(kAngleNumbers + colour.bands());
+    rows.reserve(file.size() / (2 * record.size()) + 1);
     while (readRecord(file, words, record))
         rows.add(record[0], record[1], record[2], record[3], colour(record.data() + kAngleNumbers));
     Source source;

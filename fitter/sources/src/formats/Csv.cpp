@@ -5,6 +5,7 @@
 #include "Columns.h"
 #include "Formats.h"
 #include "NamedTable.h"
+#include "NumberRows.h"
 
 namespace fbrdf {
 
@@ -19,6 +20,7 @@ Source readCsv(const FileRequest& request)
     const ColumnLayout layout = columnLayout(*request.file, table.line(), table.names());
     Source source;
     ColumnValues values;
+    source.samples.reserve(mostRows(*request.file, layout.leastFields()));
     while (table.next()) {
         for (size_t i = 0; i < layout.fields.size(); ++i) {
             const ColumnLayout::Field field = layout.fields[i];

@@ -94,6 +94,7 @@ Source readFred(const FileRequest& request)
     Source source;
     std::string_view line;
     std::vector<std::string_view> words;
+    source.samples.reserve(mostRows(file, 3));
     while (lines.nextData(line)) {
         splitNumbers(line, words);
         reader.readLine(lines.number(), words, source);

@@ -7,21 +7,37 @@
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace fbrdf {
 namespace {
 
-Source sourceOfSlice(const TableImage& image)
+using SharedImage = std::shared_ptr<const TableImage>;
+
+/// A row for each pixel, made by `rowAt(x, y)` when it is asked for.
+template <class RowAt>
+SampleStream streamOfPixels(const SharedImage& image, RowAt rowAt)
+{
+    SampleStream stream;
+    stream.rows = image->pixels.size();
+    stream.read = [image, rowAt](uint64_t first, size_t count, std::vector<Sample>& samples,
+                                 SampleReport& report) {
+        for (size_t i = size_t(first); i < size_t(first) + count; ++i)
+            addRow(rowAt(*image, i % image->width, i / image->width), samples, report);
+    };
+    return stream;
+}
+
+Source sourceOfSlice(const SharedImage& image)
 {
     Source source;
-    for (size_t y = 0; y < image.height; ++y)
-        for (size_t x = 0; x < image.width; ++x) {
-            const double theta_h = (double(x) + 0.5) / double(image.width) * kPi / 2;
-            const double theta_d = (1.0 - (double(y) + 0.5) / double(image.height)) * kPi / 2;
-            const DirectionPair<double> pair =
-                pairFromHalfDifference({theta_h, 0.0, theta_d, kPi / 2});
-            addUnitRow({pair.wo, pair.wi, Vec3d(image.at(x, y))}, source.samples, source.report);
-        }
+    source.stream = streamOfPixels(image, [](const TableImage& pixels, size_t x, size_t y) {
+        const double theta_h = (double(x) + 0.5) / double(pixels.width) * kPi / 2;
+        const double theta_d = (1.0 - (double(y) + 0.5) / double(pixels.height)) * kPi / 2;
+        const DirectionPair<double> pair = pairFromHalfDifference({theta_h, 0.0, theta_d, kPi / 2});
+        return SampleRow{pair.wo, pair.wi, Vec3d(pixels.at(x, y))};
+    });
     source.description = "slice over theta_h and theta_d, linear RGB, 1/sr";
     return source;
 }
@@ -41,19 +57,19 @@ std::vector<double> tileAngles(const InputFile& file, const TableImage& image)
     return angles;
 }
 
-Source sourceOfLatLong(const InputFile& file, const TableImage& image)
+Source sourceOfLatLong(const InputFile& file, const SharedImage& image)
 {
-    const std::vector<double> angles = tileAngles(file, image);
-    const size_t lines = image.height / angles.size();
+    const std::vector<double> angles = tileAngles(file, *image);
+    const size_t lines = image->height / angles.size();
     Source source;
-    for (size_t y = 0; y < image.height; ++y)
-        for (size_t x = 0; x < image.width; ++x) {
+    source.stream =
+        streamOfPixels(image, [angles, lines](const TableImage& pixels, size_t x, size_t y) {
             const double theta = (double(y % lines) + 0.5) / double(lines) * kPi / 2;
-            const double phi = (double(x) + 0.5) / double(image.width) * 2 * kPi;
-            addRow({directionFromAngles(theta, phi), directionFromDegrees(angles[y / lines], 0.0),
-                    Vec3d(image.at(x, y)), std::sin(theta)},
-                   source.samples, source.report);
-        }
+            const double phi = (double(x) + 0.5) / double(pixels.width) * 2 * kPi;
+            return SampleRow{directionFromAngles(theta, phi),
+                             directionFromDegrees(angles[y / lines], 0.0), Vec3d(pixels.at(x, y)),
+                             std::sin(theta)};
+        });
     source.description = "lat-long tables of " + std::to_string(angles.size()) +
                          " incident angles, linear RGB, 1/sr";
     return source;
@@ -88,7 +104,8 @@ Source sourceOfImage(const InputFile& file, TableImage image, const std::string&
     if (layout != "slice" && layout != "latlong")
         throw inputError(
             file, "found fbrdf:layout " + inQuotes(layout) + ", expected utia, slice or latlong");
-    Source source = layout == "slice" ? sourceOfSlice(image) : sourceOfLatLong(file, image);
+    const auto shared = std::make_shared<const TableImage>(std::move(image));
+    Source source = layout == "slice" ? sourceOfSlice(shared) : sourceOfLatLong(file, shared);
     source.description = format + " " + source.description;
     source.isotropic = true;
     source.assumptions = assumptions;

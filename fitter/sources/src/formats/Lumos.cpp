@@ -35,6 +35,7 @@ Source readLumos(const FileRequest& request)
     std::string_view line;
     std::vector<std::string_view> words;
     std::vector<double> v;
+    source.samples.reserve(mostRows(file, kNames.size()));
     while (lines.nextData(line)) {
         splitNumbers(line, words);
         if (words.size() != kNames.size())

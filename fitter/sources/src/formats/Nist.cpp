@@ -8,6 +8,7 @@
 // FILE@0.532 takes one, the whole file all of them.
 #include "Formats.h"
 #include "NamedTable.h"
+#include "NumberRows.h"
 #include "SampleRow.h"
 #include "Wavelengths.h"
 
@@ -66,6 +67,7 @@ Source readNist(const FileRequest& request)
                         "found " + std::to_string(table.names().size()) + " columns, expected 6");
     Source source;
     std::set<double> wavelengths;
+    source.samples.reserve(mostRows(file, 6));
     while (table.next()) {
         const double wavelength = table.number(0);
         wavelengths.insert(wavelength);

@@ -7,6 +7,7 @@
 // measured, as the detector is in the beam there. FILE@550 takes one wavelength.
 #include "Formats.h"
 #include "NamedTable.h"
+#include "NumberRows.h"
 #include "SampleRow.h"
 #include "Wavelengths.h"
 
@@ -47,33 +48,38 @@ std::optional<PlanarColumns> planarColumns(const std::vector<std::string>& names
     return columns;
 }
 
-struct PlanarRow {
-    double incident, measured;  ///< degrees
-    Vec3f value;
-    bool measuredAtAll;
+/// Counts on which side of 1 / pi the median of values lies.
+class MedianSide {
+public:
+    void add(double value)
+    {
+        if (value != 0.0) (value > 1.0 / kPi ? above_ : below_) += 1;
+    }
+    bool isAbove() const { return above_ > below_; }
+
+private:
+    size_t above_ = 0, below_ = 0;
 };
 
-/// The rows, and the median of all their values.
-std::vector<PlanarRow> readPlanarRows(NamedTable& table, const PlanarColumns& columns,
-                                      const BandColour& colour, double& median)
+/// Adds the rows with values as they stand in the file.
+MedianSide readPlanarRows(NamedTable& table, const PlanarColumns& columns, const BandColour& colour,
+                          Source& source)
 {
-    std::vector<PlanarRow> rows;
-    std::vector<float> all;
+    MedianSide side;
     std::vector<double> bands(columns.bands.size());
     while (table.next()) {
-        bool any = false;
         for (size_t b = 0; b < bands.size(); ++b) {
             bands[b] = table.number(columns.bands[b]);
-            any |= bands[b] != 0.0;
-            if (bands[b] != 0.0) all.push_back(static_cast<float>(bands[b]));
+            side.add(bands[b]);
         }
-        rows.push_back({table.number(columns.incident), table.number(columns.measured),
-                        Vec3f(colour(bands.data())), any});
+        const Vec3d wo = directionFromDegrees(table.number(columns.measured), 0.0);
+        const Vec3d wi = directionFromDegrees(-table.number(columns.incident), 0.0);
+        if (std::all_of(bands.begin(), bands.end(), [](double f) { return f == 0.0; }))
+            addInvalidRow(source.report);
+        else
+            addRow({wo, wi, colour(bands.data())}, source.samples, source.report);
     }
-    const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    median = all.empty() ? 0.0 : double(*middle);
-    return rows;
+    return side;
 }
 
 }  // namespace
@@ -93,19 +99,11 @@ Source readPlanarSpectra(const FileRequest& request)
             *request.file, table.line(),
             "found other columns, expected Incident_angle, Measure_angle and wavelengths");
     const BandColour colour(request, columns->wavelengths);
-    double median = 0.0;
-    const std::vector<PlanarRow> rows = readPlanarRows(table, *columns, colour, median);
-    const bool factors = median > 1.0 / kPi;
     Source source;
-    for (const PlanarRow& row : rows) {
-        if (!row.measuredAtAll)
-            addInvalidRow(source.report);
-        else
-            addRow(
-                {directionFromDegrees(row.measured, 0.0), directionFromDegrees(-row.incident, 0.0),
-                 Vec3d(row.value) / (factors ? kPi : 1.0)},
-                source.samples, source.report);
-    }
+    source.samples.reserve(mostRows(*request.file, 2 + columns->bands.size()));
+    const bool factors = readPlanarRows(table, *columns, colour, source).isAbove();
+    if (factors)
+        for (Sample& sample : source.samples) sample.f /= float(kPi);
     source.isotropic = true;
     source.description = "spectra in the plane of incidence, " + colour.description() + ", 1/sr";
     source.assumptions = colour.assumptions();

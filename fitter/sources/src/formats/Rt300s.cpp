@@ -7,6 +7,7 @@
 // value falls to about 0): those rows count as invalid.
 #include "Formats.h"
 #include "NamedTable.h"
+#include "NumberRows.h"
 #include "SampleRow.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ Source readRt300s(const FileRequest& request)
     std::array<size_t, 5> columns{};
     for (size_t i = 0; i < columns.size(); ++i) columns[i] = table.column(kScopeColumns[i]);
     Source source;
+    source.samples.reserve(mostRows(file, columns.size()));
     while (table.next()) {
         const auto value = [&](size_t i) { return table.number(columns[i]); };
         const double incident = value(1) * kDegree, a = value(2) * kDegree, r = value(3) * kDegree;

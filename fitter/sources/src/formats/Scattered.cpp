@@ -47,7 +47,13 @@ Source readScattered(const FileRequest& request)
     Source source;
     while (lines.nextData(line)) {
         splitNumbers(line, words);
-        if (columns == 0) columns = words.size();
+        if (columns == 0) {
+            columns = words.size();
+            if (columns == kAngleColumns)
+                angles.reserve(mostRows(file, columns));
+            else
+                source.samples.reserve(mostRows(file, columns));
+        }
         if (!isColumnCount(columns) || words.size() != columns)
             throw lineError(
                 file, lines.number(),

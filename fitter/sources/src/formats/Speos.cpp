@@ -35,73 +35,82 @@ namespace {
 
 constexpr size_t kMostIncidences = 10000;
 
-/// All nodes of one incidence: a table for each wavelength, or one for all.
+/// One direction of the light, for which the file has a table at each wavelength, or one for all.
 struct SpeosIncidence {
     double theta = 0.0, turn = 0.0;  ///< degrees; the sample is turned by the latter
-    std::vector<SpeosTable> tables;
-    std::vector<double> scales;  ///< f of a value of each table, or of a band of the single one
-    uint64_t first = 0;          ///< row of its first node
+    uint64_t first = 0;              ///< row of its first node
+    size_t grid = 0;                 ///< index of the nodes of its tables
 };
 
+/// Tables and grids are shared where they are equal: files may have millions of small ones.
 struct SpeosSurface {
     std::vector<SpeosIncidence> incidences;
+    std::vector<SpeosGrid> grids;
+    size_t tables = 1;           ///< of each incidence
+    std::vector<float> values;   ///< incidences x tables x nodes, nodes fastest
+    std::vector<double> scales;  ///< f of a value: incidences x tables, or bands of all incidences
     std::optional<BandColour> colour;
     bool timesCosine = false;
 
-    uint64_t rows() const
+    const SpeosGrid& gridOf(const SpeosIncidence& incidence) const { return grids[incidence.grid]; }
+    const float* tableOf(const SpeosIncidence& incidence, size_t table) const
     {
-        const SpeosIncidence& last = incidences.back();
-        return last.first + last.tables.front().values.size();
+        return values.data() + incidence.first * tables + table * gridOf(incidence).nodes();
     }
+    uint64_t rows() const { return incidences.back().first + gridOf(incidences.back()).nodes(); }
 };
 
 /// What a value of 1 stands for, so that the table has its total.
-double scaleOf(const SpeosTable& table, double percent, bool timesCosine)
+double scaleOf(const SpeosGrid& grid, const float* values, double percent, bool timesCosine)
 {
-    const double integral = table.integral(!timesCosine);
+    const double integral = grid.integral(values, !timesCosine);
     return integral > 0.0 ? percent / 100.0 / integral : 0.0;
 }
 
-void requireOneGrid(const SpeosText& text, const SpeosIncidence& incidence)
+/// Reads the first table of an incidence, behind those of the incidences before it.
+void readFirstTable(SpeosText& text, SpeosSurface& surface, SpeosIncidence& incidence)
 {
-    const SpeosTable& first = incidence.tables.front();
-    for (const SpeosTable& table : incidence.tables)
-        if (table.theta != first.theta || table.phi != first.phi)
-            throw text.fail("found other angles, expected those of the first wavelength");
+    incidence.first = surface.values.size() / surface.tables;
+    SpeosGrid grid = readSpeosTable(text, surface.values);
+    if (surface.grids.empty() || !(surface.grids.back() == grid))
+        surface.grids.push_back(std::move(grid));
+    incidence.grid = surface.grids.size() - 1;
 }
 
-void readSpectralTables(SpeosText& text, size_t wavelengths, SpeosSurface& surface)
+/// Reads the table of a further wavelength.
+void readNextTable(SpeosText& text, SpeosSurface& surface, const SpeosIncidence& incidence)
 {
-    for (SpeosIncidence& incidence : surface.incidences) {
-        for (size_t w = 0; w < wavelengths; ++w) {
+    if (!(readSpeosTable(text, surface.values) == surface.gridOf(incidence)))
+        throw text.fail("found other angles, expected those of the first wavelength");
+}
+
+void readSpectralTables(SpeosText& text, SpeosSurface& surface)
+{
+    for (SpeosIncidence& incidence : surface.incidences)
+        for (size_t w = 0; w < surface.tables; ++w) {
             const double percent = text.number("a total in percent");
-            incidence.tables.push_back(readSpeosTable(text));
-            incidence.scales.push_back(
-                scaleOf(incidence.tables.back(), percent, surface.timesCosine));
+            if (w == 0)
+                readFirstTable(text, surface, incidence);
+            else
+                readNextTable(text, surface, incidence);
+            surface.scales.push_back(scaleOf(surface.gridOf(incidence),
+                                             surface.tableOf(incidence, w), percent,
+                                             surface.timesCosine));
         }
-        requireOneGrid(text, incidence);
-    }
-}
-
-void countRows(SpeosSurface& surface)
-{
-    uint64_t first = 0;
-    for (SpeosIncidence& incidence : surface.incidences) {
-        incidence.first = first;
-        first += incidence.tables.front().values.size();
-    }
 }
 
 SpeosSurface readSpectral(const FileRequest& request, SpeosText& text)
 {
     SpeosSurface surface;
+    surface.values.reserve(request.file->size() / 2);  // a number and a blank: more than there are
     surface.timesCosine = readSpeosFlags(text).times_cosine;
     const size_t incidences = text.count("a count of incidences", 1, kMostIncidences);
     const size_t wavelengths = text.count("a count of wavelengths", 1, kMostIncidences);
     for (const double theta : text.numbers(incidences, "incidences"))
-        surface.incidences.push_back({theta, 0.0, {}, {}, 0});
+        surface.incidences.push_back({theta, 0.0, 0, 0});
     surface.colour.emplace(request, text.numbers(wavelengths, "wavelengths"));
-    readSpectralTables(text, wavelengths, surface);
+    surface.tables = wavelengths;
+    readSpectralTables(text, surface);
     return surface;
 }
 
@@ -117,13 +126,14 @@ const SpeosIncidence& nearestIncidence(const SpeosSurface& surface, double theta
 SpeosSurface readAnisotropic(const FileRequest& request, SpeosText& text)
 {
     SpeosSurface surface;
+    surface.values.reserve(request.file->size() / 2);
     text.numbers(3, "the vector of anisotropy");
     surface.timesCosine = readSpeosFlags(text).times_cosine;
     const size_t turns = text.count("a count of angles of anisotropy", 1, kMostIncidences);
     for (const double turn : text.numbers(turns, "angles of anisotropy")) {
         const size_t incidences = text.count("a count of incidences", 1, kMostIncidences);
         for (const double theta : text.numbers(incidences, "incidences"))
-            surface.incidences.push_back({theta, turn, {}, {}, 0});
+            surface.incidences.push_back({theta, turn, 0, 0});
     }
     const double reference = text.number("the zenith angle of the spectrum");
     text.number("the azimuth of the spectrum");
@@ -134,24 +144,25 @@ SpeosSurface readAnisotropic(const FileRequest& request, SpeosText& text)
     std::vector<double> bands(wavelengths);
     for (size_t w = 0; w < wavelengths; ++w) bands[w] = spectrum[2 * w];
     surface.colour.emplace(request, bands);
-    for (SpeosIncidence& incidence : surface.incidences)
-        incidence.tables.push_back(readSpeosTable(text));
-    const SpeosTable& measured = nearestIncidence(surface, reference).tables.front();
-    std::vector<double> scales(wavelengths);
+    for (SpeosIncidence& incidence : surface.incidences) readFirstTable(text, surface, incidence);
+    const SpeosIncidence& measured = nearestIncidence(surface, reference);
     for (size_t w = 0; w < wavelengths; ++w)
-        scales[w] = scaleOf(measured, spectrum[2 * w + 1], surface.timesCosine);
-    for (SpeosIncidence& incidence : surface.incidences) incidence.scales = scales;
+        surface.scales.push_back(scaleOf(surface.gridOf(measured), surface.tableOf(measured, 0),
+                                         spectrum[2 * w + 1], surface.timesCosine));
     return surface;
 }
 
 /// f at a node, before the cosine is divided out.
-Vec3d valueAt(const SpeosSurface& surface, const SpeosIncidence& incidence, size_t node,
+Vec3d valueAt(const SpeosSurface& surface, size_t incidence, size_t node,
               std::vector<double>& bands)
 {
-    bands.resize(incidence.scales.size());
+    const bool shared = surface.tables == 1;  // one table for all bands
+    bands.resize(surface.colour->bands());
     for (size_t b = 0; b < bands.size(); ++b) {
-        const SpeosTable& table = incidence.tables[std::min(b, incidence.tables.size() - 1)];
-        bands[b] = incidence.scales[b] * double(table.values[node]);
+        const float* table = surface.tableOf(surface.incidences[incidence], shared ? 0 : b);
+        const size_t scale =
+            surface.scales.size() == bands.size() ? b : incidence * bands.size() + b;
+        bands[b] = surface.scales[scale] * double(table[node]);
     }
     return (*surface.colour)(bands.data());
 }
@@ -165,32 +176,20 @@ void readRowsOf(const SpeosSurface& surface, uint64_t first, size_t count,
             surface.incidences.begin(), surface.incidences.end(), row,
             [](uint64_t r, const SpeosIncidence& incidence) { return r < incidence.first; });
         const SpeosIncidence& incidence = *(after - 1);
-        const SpeosTable& table = incidence.tables.front();
+        const SpeosGrid& grid = surface.gridOf(incidence);
         const auto node = static_cast<size_t>(row - incidence.first);
-        const size_t t = node / table.phi.size(), p = node % table.phi.size();
-        const Vec3d wo = directionFromDegrees(table.theta[t], table.phi[p] + incidence.turn);
-        Vec3d f = valueAt(surface, incidence, node, bands);
+        const size_t t = node / grid.phi.size(), p = node % grid.phi.size();
+        const Vec3d wo = directionFromDegrees(grid.theta[t], grid.phi[p] + incidence.turn);
+        Vec3d f = valueAt(surface, size_t(after - surface.incidences.begin()) - 1, node, bands);
         if (surface.timesCosine) f /= std::max(wo.z, kHorizonCosine);
-        addRow({wo, speosLight(incidence.theta, incidence.turn), f, table.weight(t, p)}, samples,
+        addRow({wo, speosLight(incidence.theta, incidence.turn), f, grid.weight(t, p)}, samples,
                report);
     }
 }
 
-bool hasUsableRow(const SpeosSurface& surface)
-{
-    std::vector<Sample> samples;
-    SampleReport ignored;
-    for (uint64_t first = 0; first < surface.rows() && samples.empty(); first += 1024)
-        readRowsOf(surface, first, size_t(std::min<uint64_t>(1024, surface.rows() - first)),
-                   samples, ignored);
-    return !samples.empty();
-}
-
 Source sourceOf(const FileRequest& request, SpeosSurface read, const char* name)
 {
-    countRows(read);
     const auto surface = std::make_shared<const SpeosSurface>(std::move(read));
-    if (!hasUsableRow(*surface)) throw inputError(*request.file, "found no usable value");
     Source source;
     source.description = std::string(name) + ", " + surface->colour->description() + ", 1/sr" +
                          (surface->timesCosine ? " (cos theta_o divided out)" : "");
@@ -202,6 +201,7 @@ Source sourceOf(const FileRequest& request, SpeosSurface read, const char* name)
                                    SampleReport& report) {
         readRowsOf(*surface, first, count, samples, report);
     };
+    requireSamples(source, request.file->path());
     return source;
 }
 

@@ -89,7 +89,7 @@ Error SpeosText::fail(const std::string& what) const
     return lineError(file_, size_t(std::count(before.begin(), before.end(), '\n')) + 1, what);
 }
 
-double SpeosTable::integral(bool cosine) const
+double SpeosGrid::integral(const float* values, bool cosine) const
 {
     double sum = 0.0;
     for (size_t t = 0; t < theta.size(); ++t) {
@@ -102,7 +102,7 @@ double SpeosTable::integral(bool cosine) const
     return phi.back() < kHalfTurn ? 2.0 * sum : sum;
 }
 
-double SpeosTable::weight(size_t t, size_t p) const
+double SpeosGrid::weight(size_t t, size_t p) const
 {
     if (theta[t] == 0.0) return 1.0 / double(phi.size());
     const bool closed = phi.front() == 0.0 && phi.back() == 360.0;
@@ -131,21 +131,20 @@ SpeosHead readSpeosFlags(SpeosText& text)
     return head;
 }
 
-SpeosTable readSpeosTable(SpeosText& text)
+SpeosGrid readSpeosTable(SpeosText& text, std::vector<float>& values)
 {
-    SpeosTable table;
+    SpeosGrid grid;
     const size_t thetas = text.count("a count of zenith angles", 2, kMostTableAngles);
     const size_t phis = text.count("a count of azimuths", 2, kMostTableAngles);
-    table.phi = text.numbers(phis, "azimuths");
-    requireAscendingAngles(text, table.phi, 360.0);
+    grid.phi = text.numbers(phis, "azimuths");
+    requireAscendingAngles(text, grid.phi, 360.0);
     for (size_t t = 0; t < thetas; ++t) {
-        table.theta.push_back(text.number("a zenith angle"));
-        const std::vector<double> row = text.numbers(phis, "values");
-        table.values.insert(table.values.end(), row.begin(), row.end());
+        grid.theta.push_back(text.number("a zenith angle"));
+        for (size_t p = 0; p < phis; ++p)
+            values.push_back(static_cast<float>(text.number("a value")));
     }
-    requireAscendingAngles(text, table.theta, 90.0);
-    table.values.shrink_to_fit();
-    return table;
+    requireAscendingAngles(text, grid.theta, 90.0);
+    return grid;
 }
 
 Vec3d speosLight(double incidence, double turn)

@@ -31,14 +31,18 @@ private:
     std::string_view rest_;
 };
 
-/// One table of values over the hemisphere of scattered directions.
-struct SpeosTable {
+/// The nodes of a table over the hemisphere of scattered directions.
+struct SpeosGrid {
     std::vector<double> theta, phi;  ///< degrees, ascending
-    std::vector<float> values;       ///< theta x phi, phi fastest
 
-    /// Integral of the values over the hemisphere, times the cosine or not. A table of azimuths up
-    /// to 180 degrees stands for its mirror image as well.
-    double integral(bool cosine) const;
+    size_t nodes() const { return theta.size() * phi.size(); }
+    bool operator==(const SpeosGrid& other) const
+    {
+        return theta == other.theta && phi == other.phi;
+    }
+    /// Integral of a table over the hemisphere, times the cosine or not; `values` are theta x phi,
+    /// phi fastest. A table of azimuths up to 180 degrees stands for its mirror image as well.
+    double integral(const float* values, bool cosine) const;
     /// 1 / number of times that the table gives the direction of a node: a pole is given for every
     /// azimuth, a seam twice.
     double weight(size_t t, size_t p) const;
@@ -55,7 +59,8 @@ void readSpeosTitle(SpeosText& text);
 /// Reads the flags of sides and of the type of values. Throws Error(input) where there is no
 /// reflection.
 SpeosHead readSpeosFlags(SpeosText& text);
-SpeosTable readSpeosTable(SpeosText& text);
+/// Reads a table and appends its values, theta x phi, phi fastest.
+SpeosGrid readSpeosTable(SpeosText& text, std::vector<float>& values);
 
 /// Direction of the light for an incidence in degrees; the mirror direction is at azimuth 0.
 Vec3d speosLight(double incidence, double turn);

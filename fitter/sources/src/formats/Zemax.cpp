@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace fbrdf {
@@ -34,7 +35,7 @@ constexpr long long kMostAngles = 100000;
 struct ZemaxTable {
     std::vector<double> rotation, incidence, azimuth, radial;
     bool tristimulus = false, symmetrical = false;
-    std::vector<std::vector<double>> blocks{3};  ///< X, Y, Z, or one
+    std::vector<std::vector<float>> blocks{3};  ///< X, Y, Z, or one; radial angle fastest
 
     size_t valueCount() const
     {
@@ -53,7 +54,7 @@ public:
         const size_t expected = table_.tristimulus ? 3 : 1;
         const auto found = static_cast<size_t>(
             std::count_if(table_.blocks.begin(), table_.blocks.end(),
-                          [](const std::vector<double>& block) { return !block.empty(); }));
+                          [](const std::vector<float>& block) { return !block.empty(); }));
         if (found != expected)
             throw fail("found " + std::to_string(found) + " blocks of data, expected " +
                        std::to_string(expected));
@@ -144,7 +145,9 @@ private:
         if (table_.valueCount() == 0) throw fail("found data, expected all four lists of angles");
         if (!block_)
             throw fail("found data without a name, expected Monochrome or TristimulusX, Y, Z");
-        std::vector<double> values;
+        // A value takes two characters at least, so a hostile count takes no memory.
+        std::vector<float> values;
+        values.reserve(std::min(table_.valueCount(), file_.size() / 2));
         for (;;) {
             const std::string_view text = word("DataEnd");
             double value = 0.0;
@@ -152,14 +155,14 @@ private:
             if (sameWord(text, "TIS"))
                 number();
             else if (parseField(text, value))
-                values.push_back(value);
+                values.push_back(static_cast<float>(value));
             else
                 throw fail("found " + inQuotes(text) + ", expected a number, TIS or DataEnd");
         }
         if (values.size() != table_.valueCount())
             throw fail("found " + std::to_string(values.size()) + " values, expected " +
                        std::to_string(table_.valueCount()));
-        std::vector<double>& block = table_.blocks[*block_];
+        std::vector<float>& block = table_.blocks[*block_];
         if (!block.empty()) throw fail("found a block of data twice, expected each once");
         block = std::move(values);
         block_.reset();
@@ -186,37 +189,47 @@ Vec3d scattered(double incidence, double azimuth, double radial)
 
 Vec3d valueOf(const ZemaxTable& table, size_t index)
 {
-    if (!table.tristimulus) return Vec3d(table.blocks[0][index]);
-    return linearSrgbFromXyz(
-        {table.blocks[0][index], table.blocks[1][index], table.blocks[2][index]});
+    const auto value = [&](size_t block) { return double(table.blocks[block][index]); };
+    if (!table.tristimulus) return Vec3d(value(0));
+    return linearSrgbFromXyz({value(0), value(1), value(2)});
 }
 
 bool isMissing(const ZemaxTable& table, size_t index)
 {
-    for (const std::vector<double>& block : table.blocks)
-        if (block[index] != 0.0) return false;
-    return true;
+    return std::all_of(table.blocks.begin(), table.blocks.end(),
+                       [&](const std::vector<float>& block) { return block[index] == 0.0f; });
 }
 
-void addSamples(const ZemaxTable& table, Source& source)
+void readNode(const ZemaxTable& table, size_t index, std::vector<Sample>& samples,
+              SampleReport& report)
 {
-    size_t index = 0;
-    for (const double rotation : table.rotation)
-        for (const double incidence : table.incidence) {
-            const Vec3d wi = turned(directionFromDegrees(-incidence, 0.0), rotation);
-            for (const double azimuth : table.azimuth)
-                for (const double radial : table.radial) {
-                    const Vec3d wo = turned(scattered(incidence, azimuth, radial), rotation);
-                    // Radial angle 0 is one direction, given for every azimuth.
-                    const double weight = radial == 0.0 ? 1.0 / double(table.azimuth.size()) : 1.0;
-                    if (isMissing(table, index))
-                        addInvalidRow(source.report);
-                    else
-                        addRow({wo, wi, valueOf(table, index), weight}, source.samples,
-                               source.report);
-                    ++index;
-                }
-        }
+    if (isMissing(table, index)) {
+        addInvalidRow(report);
+        return;
+    }
+    const size_t azimuths = table.azimuth.size(), radials = table.radial.size();
+    const size_t light = index / radials / azimuths;
+    const double incidence = table.incidence[light % table.incidence.size()];
+    const double rotation = table.rotation[light / table.incidence.size()];
+    const double azimuth = table.azimuth[index / radials % azimuths];
+    const double radial = table.radial[index % radials];
+    const Vec3d wi = turned(directionFromDegrees(-incidence, 0.0), rotation);
+    const Vec3d wo = turned(scattered(incidence, azimuth, radial), rotation);
+    // Radial angle 0 is one direction, given for every azimuth.
+    const double weight = radial == 0.0 ? 1.0 / double(azimuths) : 1.0;
+    addRow({wo, wi, valueOf(table, index), weight}, samples, report);
+}
+
+SampleStream streamOf(ZemaxTable read)
+{
+    const auto table = std::make_shared<const ZemaxTable>(std::move(read));
+    SampleStream stream;
+    stream.rows = table->valueCount();
+    stream.read = [table](uint64_t first, size_t count, std::vector<Sample>& samples,
+                          SampleReport& report) {
+        for (size_t i = 0; i < count; ++i) readNode(*table, size_t(first) + i, samples, report);
+    };
+    return stream;
 }
 
 }  // namespace
@@ -238,9 +251,8 @@ bool isZemax(const InputFile& file)
 Source readZemax(const FileRequest& request)
 {
     const InputFile& file = *request.file;
-    const ZemaxTable table = ZemaxReader(file).read();
+    ZemaxTable table = ZemaxReader(file).read();
     Source source;
-    addSamples(table, source);
     source.isotropic = table.rotation.size() == 1;
     source.description = std::string("Zemax tabular BSDF, ") +
                          (table.tristimulus ? "XYZ to linear sRGB" : "one channel") + ", 1/sr" +
@@ -249,6 +261,7 @@ Source readZemax(const FileRequest& request)
     source.assumptions.emplace_back(table.tristimulus ? "white of X, Y, Z is D65"
                                                       : "one channel as grey");
     if (source.isotropic) source.assumptions.emplace_back("isotropic, as there is one rotation");
+    source.stream = streamOf(std::move(table));
     requireSamples(source, file.path());
     return source;
 }
