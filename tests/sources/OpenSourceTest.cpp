@@ -70,7 +70,7 @@ TEST(OpenSource, AFileOfNoFormatIsDescribed)
     expectInputError(path, "text, 59 bytes that start with '# own'");
     expectInputError(path, "resembles LightTools' BSDF");
     expectInputError(path,
-                     "as .bsdf it could be rgl (binary that starts with tensor_file) or zemax");
+                     "as .bsdf it could be rgl (binary that starts with tensor_file) or fourier");
     expectInputError(folder.write("a.brdf", "Dear reader\n"),
                      "as .brdf it could be speos (text with the title");
     expectInputError(folder.write("a.dat", "a letter\n"), "as .dat it could be mit-aniso");

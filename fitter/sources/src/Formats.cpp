@@ -49,6 +49,8 @@ const std::vector<Format>& formats()
     // with marks of its own, and last what is only columns of numbers.
     static const std::vector<Format> all = {
         {"rgl", " bsdf ", "binary that starts with tensor_file", false, isRgl, readRgl, isBinary},
+        {"fourier", " bsdf ", "binary that starts with SCATFUN", false, isFourier, readFourier,
+         isBinary},
         {"columns", " f32c ", "a first line 'fbrdf-columns 1'", false, isBinaryColumns,
          readBinaryColumns, isBinary},
         {"exr", " exr ", "OpenEXR", false, isExrTable, readExrTable, isBinary},

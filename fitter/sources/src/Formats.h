@@ -72,6 +72,8 @@ bool isSpeos(const InputFile& file);
 Source readSpeos(const FileRequest& request);
 bool isMbsdf(const InputFile& file);
 Source readMbsdf(const FileRequest& request);
+bool isFourier(const InputFile& file);
+Source readFourier(const FileRequest& request);
 bool isXompt(const InputFile& file);
 Source readXompt(const FileRequest& request);
 bool isPlanarSpectra(const InputFile& file);

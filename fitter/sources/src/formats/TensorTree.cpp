@@ -9,7 +9,7 @@ namespace fbrdf {
 namespace {
 
 /// Each level halves the cube, and no direction is known to 2^-24.
-constexpr int kDeepest = 24;
+constexpr int kDeepestTree = 24;
 constexpr double kBelowOne = 1.0 - 1e-12;
 
 bool separates(char c)
@@ -76,7 +76,7 @@ private:
     /// Index of the node.
     uint32_t readNode(int depth)
     {
-        if (depth > kDeepest) fail("found a tree of more than 24 levels, expected fewer");
+        if (depth > kDeepestTree) fail("found a tree of more than 24 levels, expected fewer");
         const auto index = static_cast<uint32_t>(tree_.nodes_.size());
         tree_.nodes_.emplace_back();
         take('{');

@@ -80,8 +80,9 @@ private:
     /// The parser keeps a bit for each level.
     bool deeper()
     {
-        constexpr size_t kDeepest = 64;
-        return ++depth_ <= kDeepest || fail("found more than 64 levels of JSON, expected fewer");
+        constexpr size_t kDeepestJson = 64;
+        return ++depth_ <= kDeepestJson ||
+               fail("found more than 64 levels of JSON, expected fewer");
     }
     bool shallower()
     {
