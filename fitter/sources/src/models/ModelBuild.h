@@ -70,6 +70,8 @@ Model orenNayarModel();
 Model phongModel();
 Model plasticModel();
 Model poulinFournierModel();
+Model rossLiModel();
+Model rpvModel();
 Model sgdModel();
 Model wardModel();
 

@@ -21,6 +21,8 @@ const std::vector<Model>& models()
         disneyModel(),
         sgdModel(),
         abcModel(),
+        rpvModel(),
+        rossLiModel(),
     };
     return list;
 }
