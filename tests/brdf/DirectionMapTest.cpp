@@ -192,7 +192,7 @@ TEST(DirectionMap, TakesTheSizeThatItNeeds)
 
 TEST(DirectionMap, SaysWhatItCannotHold)
 {
-    const Form pqpr = formPqpr(8, 0.5, 16), hdio = formHdio(8, 4, 4);
+    const Form pqpr = formPqpr(8, 0.5, 16), hdio = formHdio({8, 4, 4});
     EXPECT_EQ(whyNotRecombined(pqpr, 0, Storage::log8), "");
     EXPECT_NE(whyNotRecombined(pqpr, 0, Storage::linear8).find("logs"), std::string::npos);
     EXPECT_NE(whyNotRecombined(pqpr, 2, Storage::half).find("angles"), std::string::npos);

@@ -17,10 +17,10 @@ TEST(Form, NamedFormsAreValidAndSayWhatTheyAre)
     EXPECT_EQ(
         describe(formPqpr(16, 1.0, 24)),
         "p[disc 16x16 gamma 1](wo) q[disc 16x16 gamma 1](h) p(wi) r[24 (1-cos)^0.5](theta_d)");
-    const std::string hdio = describe(formHdio(48, 8, 12));
+    const std::string hdio = describe(formHdio({48, 8, 12}));
     EXPECT_EQ(hdio.substr(0, 54), "T1[48 (1-cos)^0.25 x 8 (1-cos)^0.5](theta_h, theta_d) ");
     EXPECT_NE(hdio.find("symmetric](theta_i, theta_o)"), std::string::npos) << hdio;
-    for (const Form& form : {formPqp(32, 0.5), formPqpr(16, 1.0, 24), formHdio(48, 8, 12)})
+    for (const Form& form : {formPqp(32, 0.5), formPqpr(16, 1.0, 24), formHdio({48, 8, 12})})
         EXPECT_NO_THROW(validate(form, "form"));
     EXPECT_TRUE(formPqpr(16, 1.0, 24).tables[2].uniform);
 }
@@ -34,7 +34,7 @@ TEST(Form, SumsAreDescribedTermByTerm)
 
 TEST(Form, KnowsWhatIsIsotropicAndWhatDependsOnTheLight)
 {
-    EXPECT_TRUE(isIsotropic(formHdio(8, 4, 4)));
+    EXPECT_TRUE(isIsotropic(formHdio({8, 4, 4})));
     EXPECT_FALSE(isIsotropic(formPqp(8, 1.0)));
     EXPECT_FALSE(dependsOnLight({0, Direction::wo}));
     EXPECT_TRUE(dependsOnLight({0, Direction::h}));
@@ -128,7 +128,7 @@ TEST(Form, RefusesInvalidGrids)
          {"symmetric", [](Form& f) { grid(f).symmetric = true; }},
          {"uniform", [&](Form& f) { grid(f).axes.assign(2, axis); }},
          {"uniform", [](Form& f) { grid(f).axes[0].size = 65; }}});
-    Form unequal = formHdio(8, 4, 4);
+    Form unequal = formHdio({8, 4, 4});
     std::get<GridDomain>(unequal.tables[1].domain).axes[1].map.exponent = 0.75;
     EXPECT_THROW(validate(unequal, "here"), Error);
 }

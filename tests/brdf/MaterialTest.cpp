@@ -45,11 +45,11 @@ Material filled(const Form& form, Storage storage, int channels = 3)
     return material;
 }
 
-const Form kForms[] = {formPqp(16, 0.5), formPqpr(16, 1.0, 9), formHdio(12, 6, 8)};
+const Form kForms[] = {formPqp(16, 0.5), formPqpr(16, 1.0, 9), formHdio({12, 6, 8})};
 
 TEST(Material, TheFillingOfSymmetricTablesIsSymmetric)  // the tester of the next test
 {
-    const Table t2 = filled(formHdio(12, 6, 8), Storage::float32).tables[1];
+    const Table t2 = filled(formHdio({12, 6, 8}), Storage::float32).tables[1];
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) ASSERT_EQ(t2.texel(x + 8 * y, 1), t2.texel(y + 8 * x, 1));
 }
@@ -108,7 +108,7 @@ TEST(Material, DirectionsThatAreNoNumbersReadSomeTexel)
 
 TEST(Material, IsotropicFormsDoNotTurnWithTheSurface)
 {
-    const Material material = filled(formHdio(12, 6, 8), Storage::float32);
+    const Material material = filled(formHdio({12, 6, 8}), Storage::float32);
     const double c = std::cos(1.1), s = std::sin(1.1);
     const auto turned = [&](const Vec3d& v) {
         return Vec3d(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
@@ -222,7 +222,7 @@ TEST(Material, FloatAgreesWithDouble)
 TEST(Material, BytesAreThoseOfAllTables)
 {
     EXPECT_EQ(materialBytes(filled(formPqpr(16, 1.0, 9), Storage::log8)), 3u * (256 + 256 + 9));
-    EXPECT_EQ(materialBytes(filled(formHdio(12, 6, 8), Storage::half, 1)), 2u * (72 + 64));
+    EXPECT_EQ(materialBytes(filled(formHdio({12, 6, 8}), Storage::half, 1)), 2u * (72 + 64));
 }
 
 struct Fault {

@@ -111,7 +111,7 @@ struct Fault {
 /// Makes an hdio of which one texel is replaced, and one letter of the form.
 fbrdf_result made(Host& host, float texel, char firstOfForm = '{')
 {
-    GivenMaterial given(constantMaterial(formHdio(4, 4, 4), 0.0f));
+    GivenMaterial given(constantMaterial(formHdio({4, 4, 4}), 0.0f));
     given.texels[1][7] = texel;
     given.form[0] = firstOfForm;
     abi::Material none;

@@ -70,7 +70,7 @@ TEST(CApiMaterial, EveryFormThatAFileHoldsIsMadeFromMemory)
     for (const Material& expected :
          {everything, noiseMaterial(formPqp(8, 0.5), Storage::float32),
           noiseMaterial(formPqpr(8, 0.7, 6), Storage::float32),
-          noiseMaterial(sumOf(formIo(), formHdio(8, 6, 4)), Storage::float32)}) {
+          noiseMaterial(sumOf(formIo(), formHdio({8, 6, 4})), Storage::float32)}) {
         Log log;
         abi::Material material;
         ASSERT_EQ(GivenMaterial(expected).create(log.log, material), FBRDF_RESULT_OK) << log.text;
@@ -80,7 +80,7 @@ TEST(CApiMaterial, EveryFormThatAFileHoldsIsMadeFromMemory)
 
 TEST(CApiMaterial, TexelsAreRoundedToTheirStorage)
 {
-    const Material given = noiseMaterial(formHdio(8, 6, 4), Storage::float32);
+    const Material given = noiseMaterial(formHdio({8, 6, 4}), Storage::float32);
     const auto made = [&](fbrdf_storage storage, const std::function<Table(const Table&)>& round) {
         Log log;
         abi::Material material;

@@ -18,7 +18,7 @@ namespace {
 Material glossy()
 {
     Material material;
-    material.form = formHdio(8, 2, 2);
+    material.form = formHdio({8, 2, 2});
     for (const TableSpec& spec : material.form.tables) {
         Table table;
         table.name = spec.name;

@@ -96,13 +96,13 @@ TEST(Limits, OfALargeSystemAreThoseOfItsResidualAndIterations)
     options.solver = SystemSolver::conjugateGradients;
     for (const double tolerance : {1e-2, 1e-6}) {
         options.limits.systemTolerance = tolerance;
-        const LeastSquares problem(formHdio(12, 5, 5), dataset, statistics, 1, 2, options);
+        const LeastSquares problem(formHdio({12, 5, 5}), dataset, statistics, 1, 2, options);
         const auto system = step(problem, problem.flatState(), {}).system;
         EXPECT_TRUE(system.isSolved);
         EXPECT_LE(system.residual, tolerance);
     }
     options.limits.maxSystemIterations = 3;
-    const LeastSquares problem(formHdio(12, 5, 5), dataset, statistics, 1, 2, options);
+    const LeastSquares problem(formHdio({12, 5, 5}), dataset, statistics, 1, 2, options);
     const auto system = step(problem, problem.flatState(), {}).system;
     EXPECT_EQ(system.iterations, 3);
     EXPECT_FALSE(system.isSolved);

@@ -66,7 +66,7 @@ TEST_P(Recovery, OfAProductThatTheFormHolds)
 
 INSTANTIATE_TEST_SUITE_P(Forms, Recovery,
                          testing::Values(formPqp(10, 0.5), formPqp(10, 1.0), formPqpr(10, 0.5, 8),
-                                         formHdio(16, 6, 6)),
+                                         formHdio({16, 6, 6})),
                          [](const auto& form) {
                              return form.param.name + std::to_string(form.index);
                          });
@@ -75,7 +75,7 @@ TEST(Recovery, FailsWhenTheFormCannotHoldTheProduct)
 {
     const Material truth = test::waveMaterial(formPqp(10, 0.5));
     Problem problem(test::sourceOf(truth), 20000);
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     const LeastSquares squares(form, problem.dataset, problem.statistics, 1, 2);
     const Material fitted =
         quantize(form, squares.layout(), solve(squares, {}).x, Storage::float32);
@@ -104,7 +104,7 @@ TEST(Sums, OfTwoProductsComeBack)
 
 TEST(Robust, OutliersMoveAPlainFitAndNotARobustOne)
 {
-    const Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    const Material truth = test::waveMaterial(formHdio({16, 6, 6}));
     Source source = test::scattered(test::sourceOf(truth), 20000, 5);
     std::mt19937 random(3);
     for (Sample& s : source.samples)
@@ -127,7 +127,7 @@ TEST(Censored, ZerosPullOnlyPredictionsThatLieAbove)
 {
     // The darkest fifth is cut to zero: the fit must stay near or below the cut there, and right
     // elsewhere.
-    const Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    const Material truth = test::waveMaterial(formHdio({16, 6, 6}));
     Source source = test::scattered(test::sourceOf(truth), 20000, 5);
     std::vector<float> reds;
     for (const Sample& s : source.samples) reds.push_back(s.f.x);
@@ -161,7 +161,7 @@ TEST(Censored, ZerosPullOnlyPredictionsThatLieAbove)
 TEST(LeastSquares, DoesNotDependOnTheNumberOfThreads)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 40000);
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     const LeastSquares one(form, problem.dataset, problem.statistics, 1, 1),
         four(form, problem.dataset, problem.statistics, 1, 4);
     EXPECT_EQ(step(one, one.flatState(), {}).x, step(four, four.flatState(), {}).x);
@@ -170,7 +170,7 @@ TEST(LeastSquares, DoesNotDependOnTheNumberOfThreads)
 TEST(LeastSquares, TheStepMinimisesWhatCostMeasures)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 10000);
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     const LeastSquares squares(form, problem.dataset, problem.statistics, 1, 2);
     StepOptions options;
     options.smoothness = 1e-10;
@@ -198,11 +198,11 @@ class Solvers : public testing::TestWithParam<bool> {};
 TEST_P(Solvers, FactorizationAndConjugateGradientsAgree)
 {
     Source source =
-        test::scattered(test::sourceOf(test::waveMaterial(formHdio(16, 6, 6))), 15000, 5);
+        test::scattered(test::sourceOf(test::waveMaterial(formHdio({16, 6, 6}))), 15000, 5);
     std::mt19937 random(3);
     for (Sample& s : source.samples) s.f *= random() % 50 == 0 ? 30.0f : 1.0f;
     Problem problem(source, 0);
-    for (const Form& form : {formPqpr(8, 0.5, 8), formHdio(12, 5, 5)}) {
+    for (const Form& form : {formPqpr(8, 0.5, 8), formHdio({12, 5, 5})}) {
         LeastSquaresOptions factored, iterated;
         factored.solver = SystemSolver::factored;
         iterated.solver = SystemSolver::conjugateGradients;
@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Solvers, testing::Bool());
 
 TEST(SharedShape, ComesBackWithItsThreeLevels)
 {
-    Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    Material truth = test::waveMaterial(formHdio({16, 6, 6}));
     for (Table& table : truth.tables)
         for (size_t i = 0; i < table.texels.size(); ++i) table.texels[i] = table.texels[i - i % 3];
     truth.scales = {Vec3f(0.7f, 0.2f, 0.05f)};
@@ -244,7 +244,7 @@ TEST(SharedShape, ComesBackWithItsThreeLevels)
 
 TEST(SharedShape, CannotHoldThreeShapes)
 {
-    const Material truth = test::waveMaterial(formHdio(16, 6, 6));
+    const Material truth = test::waveMaterial(formHdio({16, 6, 6}));
     Problem problem(test::sourceOf(truth), 10000);
     LeastSquaresOptions options;
     options.sharedShape = true;
@@ -261,7 +261,7 @@ TEST(Cache, ASecondFitOnTheSameGridIsTheFitWithoutACache)
     for (const double f0 : {0.5, 0.04}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, f0, 0.1}), 20000);
         ASSERT_FALSE(geometryOf(problem.dataset, 1).empty());
-        const Form form = formHdio(16, 6, 6);
+        const Form form = formHdio({16, 6, 6});
         LeastSquaresOptions cached;
         cached.cache = &cache;
         const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
@@ -279,7 +279,7 @@ TEST(Cache, KnowsTheSupport)
     FitCache cache;
     LeastSquaresOptions cached;
     cached.cache = &cache;
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     for (const double f0 : {0.5, 0.04}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, f0, 0.1}), 20000);
         const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
@@ -308,7 +308,7 @@ TEST(Cache, AnotherGridIsNotMistakenForIt)
     FitCache cache;
     LeastSquaresOptions cached;
     cached.cache = &cache;
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     for (const size_t count : std::initializer_list<size_t>{20000, 10000}) {
         Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), count);
         const LeastSquares with(form, problem.dataset, problem.statistics, 1, 2, cached),
@@ -364,7 +364,7 @@ TEST(Folds, WhatIsHeldOutOfALongStreamTakesNoPartInTheFit)
     const Dataset dataset = datasetOfStream(stream);
     const DataStatistics statistics =
         statisticsOf(someSamples(dataset, FoldChoice::all(), 20000, kSeed), false, "data");
-    const LeastSquares squares(formHdio(8, 4, 4), dataset, statistics, kSeed, 2);
+    const LeastSquares squares(formHdio({8, 4, 4}), dataset, statistics, kSeed, 2);
     StepOptions options;
     options.excludedFold = 2;
     const State before = step(squares, squares.flatState(), options).x;
@@ -379,7 +379,7 @@ TEST(Folds, WhatIsHeldOutOfALongStreamTakesNoPartInTheFit)
 TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     EXPECT_FALSE(dependsOnState(LeastSquares(form, problem.dataset, problem.statistics, 1, 2), {}));
     std::vector<Sample> samples = someSamples(problem.dataset, FoldChoice::all(), 20000, 1);
     samples[777].f.y = 0.0f;
@@ -391,7 +391,7 @@ TEST(Weights, OneBlackSampleThatTheTraitsMissedIsSeen)
 TEST(Weights, AStepOfALinearProblemDoesNotDependOnWhereItStarts)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 20000);
-    const LeastSquares squares(formHdio(16, 6, 6), problem.dataset, problem.statistics, 1, 2);
+    const LeastSquares squares(formHdio({16, 6, 6}), problem.dataset, problem.statistics, 1, 2);
     const State flat = squares.flatState(), once = step(squares, flat, {}).x;
     StepOptions damped;  // so little that only the start is another
     damped.damping = 1e-15;
@@ -402,7 +402,7 @@ TEST(Weights, AStepOfALinearProblemDoesNotDependOnWhereItStarts)
 TEST(Ranks, TwoProcessesTakeTheStepOfOne)
 {
     Problem problem(test::sourceOf(test::Ggx{0.3, 0.3, 0.5, 0.1}), 60000);
-    const Form form = formHdio(16, 6, 6);
+    const Form form = formHdio({16, 6, 6});
     const LeastSquares alone(form, problem.dataset, problem.statistics, 1, 1);
     test::RankPair pair;
     std::array<State, 2> states;

@@ -21,7 +21,7 @@ State stateOf(const Material& material, const Layout& layout)
 
 TEST(Quantize, TheGaugeMovesConstantsIntoTheScaleAndKeepsTheValue)
 {
-    const Material wave = test::waveMaterial(formHdio(12, 6, 6));
+    const Material wave = test::waveMaterial(formHdio({12, 6, 6}));
     const Layout layout(wave.form);
     const Material stored = quantize(wave.form, layout, stateOf(wave, layout), Storage::float32);
     for (const Table& table : stored.tables) {
@@ -73,7 +73,7 @@ TEST(Quantize, TexelsThatNoPositionReachesDoNotWidenTheRange)
 
 TEST(Quantize, EightBitsOfDifferencesStayNearTheFloatTable)
 {
-    const Material wave = test::waveMaterial(formHdio(48, 12, 12));
+    const Material wave = test::waveMaterial(formHdio({48, 12, 12}));
     const Layout layout(wave.form);
     const State x = stateOf(wave, layout);
     const Material exact = quantize(wave.form, layout, x, Storage::float32);

@@ -12,7 +12,7 @@ namespace {
 struct Rows {
     Dataset dataset;
     DataStatistics statistics;
-    Form form = formHdio(16, 6, 6);
+    Form form = formHdio({16, 6, 6});
     Layout layout{form};
     RowMaker maker{form, layout};
 

@@ -11,7 +11,7 @@ constexpr float kFloat = 1e-5f;  // sums of a dozen float weights
 
 TEST(Layout, MirroredTexelsOfASymmetricTableAreOneUnknown)
 {
-    const Form form = formHdio(8, 4, 6);
+    const Form form = formHdio({8, 4, 6});
     const Layout layout(form);
     EXPECT_EQ(layout.unknowns(), 8 * 4 + 6 * 7 / 2);
     for (int i = 0; i < 6; ++i)
@@ -22,7 +22,7 @@ TEST(Layout, MirroredTexelsOfASymmetricTableAreOneUnknown)
 
 TEST(Layout, TheLargestTableOfASingleFactorIsBanded)
 {
-    const Layout hdio(formHdio(8, 4, 6));
+    const Layout hdio(formHdio({8, 4, 6}));
     EXPECT_EQ(hdio.banded(), 8 * 4);
     EXPECT_EQ(hdio.bandwidth(), 2 * 4);  // second differences along theta_h, numbered across it
     const Layout pqp(formPqp(8, 0.5));   // p is looked up twice
@@ -40,7 +40,7 @@ TEST(Layout, WhatSamplesAndSmoothnessCoupleLiesWithinTheBand)
 {
     const Axis h{7, {}}, d{5, {}}, phi{4, {}};
     const Form forms[] = {
-        formHdio(9, 4, 5), formPqpr(8, 0.5, 6),
+        formHdio({9, 4, 5}), formPqpr(8, 0.5, 6),
         Form{"volume",
              {{"V", GridDomain{{h, d, phi}}}},
              {{{{0, std::vector<Angle>{Angle::theta_h, Angle::theta_d, Angle::phi_d}}}}}}};
@@ -112,7 +112,7 @@ TEST(RowMaker, ARowTimesTheTexelsIsTheLogOfTheMaterial)
 
 TEST(Smoothness, VanishesOnLinearTablesButForTheFirstDifferences)
 {
-    const Form form = formHdio(8, 4, 5);
+    const Form form = formHdio({8, 4, 5});
     const Layout layout(form);
     const auto slope = [&](int unknown) {
         for (int i = 0; i < 32; ++i)

@@ -226,7 +226,7 @@ TEST(Search, SaysThatAResolutionIsOutOfRange)
 TEST(Fit, TakesAFormAsData)
 {
     FitOptions options;
-    options.formData = formHdio(9, 5, 6);
+    options.formData = formHdio({9, 5, 6});
     options.formData->name = "mine";
     const Source source = test::scattered(test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3}), 1500, 4);
     const FitResult result = fitMaterial(source, options);
@@ -244,14 +244,14 @@ TEST(FormVariants, ResizingKeepsWhatIsNotTheTable)
     EXPECT_EQ(domainSize(larger->tables[1].domain)[0], 24);
     EXPECT_TRUE(sameDomain(larger->tables[2].domain, form.tables[2].domain));
     EXPECT_NO_THROW(validate(*larger, "larger"));
-    EXPECT_FALSE(resized(formHdio(4, 4, 4), 0, 0.5));  // four knots are the fewest
+    EXPECT_FALSE(resized(formHdio({4, 4, 4}), 0, 0.5));  // four knots are the fewest
     EXPECT_TRUE(
         sameDomain(resized(*larger, 1, 1.0 / 1.5)->tables[1].domain, form.tables[1].domain));
 }
 
 TEST(FormVariants, WarpsOfSymmetricAxesStayEqual)
 {
-    const Form form = formHdio(8, 4, 6);
+    const Form form = formHdio({8, 4, 6});
     EXPECT_EQ(warpCount(form.tables[0].domain), 2u);
     EXPECT_EQ(warpCount(form.tables[1].domain), 1u);
     const auto warped = rewarped(form, 1, 0, 1.5);

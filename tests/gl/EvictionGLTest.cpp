@@ -130,7 +130,7 @@ TEST_P(Eviction, AProgramMadeForAFormOfMoreTablesDrawsOneOfFewer)
 {
     const Offscreen target = makeOffscreen(kSize);
     for (const Material& material :
-         {everythingMaterial(), noiseMaterial(formHdio(2, 2, 2), Storage::log8)}) {
+         {everythingMaterial(), noiseMaterial(formHdio({2, 2, 2}), Storage::log8)}) {
         const auto gpu = renderer_->createMaterial(material);
         const auto stats = renderer_->draw({target.framebuffer(), kSize, kSize}, perspectiveView(),
                                            {{gpu.get(), mesh_.get()}}, {});
@@ -145,8 +145,8 @@ TEST_P(Eviction, TenThousandReloadsLeaveNothingBehind)
     constexpr int kReloads = 10000, kSettled = 1000;
     constexpr size_t kNoise = 64 << 10;  // 8 bytes a reload; llvmpipe was seen to vary by 200 bytes
     const Offscreen target = makeOffscreen(kSize);
-    const Material first = noiseMaterial(formHdio(2, 2, 2), Storage::log8, 1),
-                   second = noiseMaterial(formHdio(2, 2, 2), Storage::log8, 2);
+    const Material first = noiseMaterial(formHdio({2, 2, 2}), Storage::log8, 1),
+                   second = noiseMaterial(formHdio({2, 2, 2}), Storage::log8, 2);
     std::shared_ptr<gl::GpuMaterial> material;
     size_t heap = 0;
     std::map<std::string, int> objects;

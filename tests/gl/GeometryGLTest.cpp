@@ -45,7 +45,7 @@ TEST_P(Geometry, TangentsAreDerivedFromTextureCoordinates)
 TEST_P(Geometry, NormalMapsMatchTheReference)
 {
     const auto normals = bumps();
-    const Material glossy = noiseMaterial(formHdio(16, 8, 8), Storage::half);
+    const Material glossy = noiseMaterial(formHdio({16, 8, 8}), Storage::half);
     for (const Material& material : {brushed(), glossy})
         for (const float handedness : {1.0f, -1.0f}) {
             Object plane{planeMesh(0.0f, handedness)};

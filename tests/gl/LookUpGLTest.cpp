@@ -145,7 +145,7 @@ TEST_P(LookUpMaps, OfAParabolicTableAreThatTable)
 TEST_P(LookUpMaps, StayNativeWhereTheyCannotBeAndSayWhy)
 {
     for (const Material& material :
-         {noiseMaterial(formHdio(8, 4, 4), Storage::log8), waterlooMaterial()}) {
+         {noiseMaterial(formHdio({8, 4, 4}), Storage::log8), waterlooMaterial()}) {
         log.clear();
         const auto gpu = renderer_->createMaterial(material, {LookUp::cube});
         EXPECT_NE(gpu->whyNotRecombined(), "");

@@ -49,7 +49,7 @@ TEST(ShaderSource, IsTheSameWhereTheDecimalSignIsAComma)
 {
     const auto all = [] {
         std::string text = vertexSource(330);
-        for (const Form& form : {formPqp(8, 0.5), formHdio(9, 7, 5), formPqp(2048, 0.25)})
+        for (const Form& form : {formPqp(8, 0.5), formHdio({9, 7, 5}), formPqp(2048, 0.25)})
             for (const Technique technique : {Technique::single, Technique::batched})
                 text += sourceOf(form, specOf(form, technique, 1234)) + describe(form);
         return text;
@@ -114,7 +114,7 @@ TEST(ShaderSource, LightSlotsGrowInSteps)
 
 TEST(ShaderSource, NeedsNoTangentFrameForAnIsotropicForm)
 {
-    const Form hdio = formHdio(8, 8, 8), pqp = formPqp(8, 0.5);
+    const Form hdio = formHdio({8, 8, 8}), pqp = formPqp(8, 0.5);
     const auto mainOf = [](const std::string& text) { return text.substr(text.find("void main")); };
     EXPECT_EQ(mainOf(sourceOf(hdio, specOf(hdio, Technique::single, 4))).find("Tangent"),
               std::string::npos);
@@ -124,7 +124,7 @@ TEST(ShaderSource, NeedsNoTangentFrameForAnIsotropicForm)
 
 TEST(ShaderSource, ComputesAnAxisOverTheViewOnce)
 {
-    const Form form = formHdio(16, 8, 8);
+    const Form form = formHdio({16, 8, 8});
     const std::string text = sourceOf(form, specOf(form, Technique::single, 9));
     const size_t loop = text.find("for (int i");
     ASSERT_NE(loop, std::string::npos);

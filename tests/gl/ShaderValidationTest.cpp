@@ -182,7 +182,7 @@ TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
     inputs.instanced = true;
     for (const int glsl : {140, 330, 450})
         for (const bool ranged : {false, true})
-            for (const Form& form : {formPqpr(8, 0.5, 6), formHdio(8, 8, 8)}) {
+            for (const Form& form : {formPqpr(8, 0.5, 6), formHdio({8, 8, 8})}) {
                 const std::vector<TableEncoding> encodings(form.tables.size(), {true, ranged});
                 ProgramSpec spec{{{0, {0, 1}, true}}, 4, true, false};
                 if (form.terms[0].factors.size() > 3) spec.parts[0].factors.push_back(3);

@@ -20,7 +20,7 @@ Capabilities capabilities(bool floatTextures)
 
 Table tableOf(Storage storage)
 {
-    return test::noiseMaterial(formHdio(8, 4, 4), storage).tables[0];
+    return test::noiseMaterial(formHdio({8, 4, 4}), storage).tables[0];
 }
 
 float decoded(const TextureImage& image, size_t index)

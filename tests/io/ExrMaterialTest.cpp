@@ -70,7 +70,7 @@ TEST(ExrMaterial, RoundTripsLog8OfNearlyConstantTables)
 {
     const TemporaryDir folder;
     const std::string path = folder.file("m.fbrdf");
-    Material material = test::testMaterial(formHdio(7, 4, 6), Storage::float32);
+    Material material = test::testMaterial(formHdio({7, 4, 6}), Storage::float32);
     for (const float spread : {0.0f, 1e-6f, 1e-4f, 1e-2f}) {
         for (Table& table : material.tables) {
             table.storage = Storage::float32;

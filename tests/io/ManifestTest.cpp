@@ -81,7 +81,7 @@ TEST(Manifest, SameMaterialGivesTheSameBytes)
 TEST(Manifest, PicturesMeanWhatTheManifestSays)
 {
     const TemporaryDir folder;
-    const Material material = test::testMaterial(formHdio(7, 4, 6), Storage::log8);
+    const Material material = test::testMaterial(formHdio({7, 4, 6}), Storage::log8);
     writeMaterial(material, folder.file("m.json"));
     const Json json = parseJson(test::fileBytes(folder.file("m.json")), "m.json");
     const Json& map = json["maps"][0];

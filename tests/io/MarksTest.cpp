@@ -18,7 +18,7 @@ namespace {
 
 Material markedMaterial()
 {
-    Material material = test::testMaterial(formHdio(7, 4, 6), Storage::log8);
+    Material material = test::testMaterial(formHdio({7, 4, 6}), Storage::log8);
     auto& marks = material.tables[1].unsupported;
     marks.assign(36, false);
     marks[0] = marks[5] = marks[6] = marks[35] = true;

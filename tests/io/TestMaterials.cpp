@@ -68,7 +68,7 @@ std::string tableDifference(const Table& a, const Table& b)
 
 std::vector<Form> testForms()
 {
-    return {formPqp(9, 0.5), formPqpr(8, 1.0, 5), formHdio(7, 4, 6), sumForm(),
+    return {formPqp(9, 0.5), formPqpr(8, 1.0, 5), formHdio({7, 4, 6}), sumForm(),
             volumeForm(),    unnamedForm(),       directionsForm()};
 }
 

@@ -188,7 +188,7 @@ TEST(WaterlooWriter, OneChannelBecomesThree)
 TEST(WaterlooWriter, RefusesFormsThatTheLayoutCannotHold)
 {
     const TemporaryDir folder;
-    std::vector<Form> forms = {formPqpr(8, 1.0, 5), formHdio(7, 4, 6)};
+    std::vector<Form> forms = {formPqpr(8, 1.0, 5), formHdio({7, 4, 6})};
     const DiscDomain disc = DiscDomain::fitting(8, 1.0);
     const std::vector<TableSpec> three = {{"p", disc}, {"q", disc}, {"r", disc}};
     const Term pqr{{{0, Direction::wo}, {1, Direction::h}, {2, Direction::wi}}},

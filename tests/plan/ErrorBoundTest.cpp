@@ -15,7 +15,7 @@ TEST(Precision, GrowsByOneRoundingAPass)
         PlanRequest request = twoLookup(lights);
         request.target = target;
         request.transfer = transfer;
-        return planPasses(formHdio(4, 4, 4), request, modern()).error;
+        return planPasses(formHdio({4, 4, 4}), request, modern()).error;
     };
     const ErrorBound one = bound(1, ColourFormat::rgba32f);
     EXPECT_NEAR(bound(256, ColourFormat::rgba32f).relative - one.relative, 255 * ulp, 1e-12);

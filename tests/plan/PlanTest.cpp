@@ -65,7 +65,7 @@ Form formUniform()
 
 std::vector<Form> allForms()
 {
-    const Form pqp = formPqp(8, 1.0), pqpr = formPqpr(8, 0.5, 16), hdio = formHdio(8, 8, 8);
+    const Form pqp = formPqp(8, 1.0), pqpr = formPqpr(8, 0.5, 16), hdio = formHdio({8, 8, 8});
     return {pqp,
             pqpr,
             hdio,
@@ -250,7 +250,7 @@ TEST(Plan, NeedsOnePassPerLightAndOneMoreForPqp)
         const Plan pqpr = planPasses(formPqpr(8, 0.5, 16), twoLookup(n), modern());
         EXPECT_EQ(pqpr.passes.size(), static_cast<size_t>(n + 1));
         EXPECT_EQ(pqpr.maxLookups, 2);
-        const Plan hdio = planPasses(formHdio(8, 8, 8), twoLookup(n), modern());
+        const Plan hdio = planPasses(formHdio({8, 8, 8}), twoLookup(n), modern());
         EXPECT_EQ(hdio.passes.size(), static_cast<size_t>(n));
         EXPECT_EQ(hdio.maxLookups, 2);
     }
@@ -268,7 +268,7 @@ TEST(Plan, DrawsAllLightsInOnePassWhenSingle)
     PlanRequest request;
     request.lights = 256;
     EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).maxLookups, 2 * 256 + 1);
-    EXPECT_EQ(planPasses(formHdio(8, 8, 8), request, modern()).maxLookups, 2 * 256);
+    EXPECT_EQ(planPasses(formHdio({8, 8, 8}), request, modern()).maxLookups, 2 * 256);
 }
 
 TEST(Plan, SplitsASinglePassThatUniformsCannotHold)
@@ -317,7 +317,7 @@ TEST(Plan, AddsUpInFloatWhereTheTargetIsCoarse)
     EXPECT_EQ(pqp.accumulation, ColourFormat::rgba32f);
     EXPECT_EQ(pqp.passes.size(), 9u);  // the composite is the multiplication
     EXPECT_EQ(pqp.passes.back().lookups, 2);
-    const Plan hdio = planPasses(formHdio(8, 8, 8), request, modern());
+    const Plan hdio = planPasses(formHdio({8, 8, 8}), request, modern());
     EXPECT_EQ(hdio.passes.size(), 9u);
     request.technique = Technique::single;
     const Plan single = planPasses(formPqp(8, 1.0), request, modern());
@@ -344,7 +344,7 @@ TEST(Plan, SaysWhyThereIsNone)
 
 TEST(Plan, AddsNothingNegativeUpWhereItWouldBeClamped)
 {
-    const Form two = sum(formHdio(8, 8, 8), formHdio(8, 8, 8));
+    const Form two = sum(formHdio({8, 8, 8}), formHdio({8, 8, 8}));
     for (const bool offscreen : {true, false})
         for (const ColourFormat target :
              {ColourFormat::rgba8, ColourFormat::rgba16, ColourFormat::rgba16f,

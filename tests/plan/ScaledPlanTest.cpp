@@ -47,7 +47,7 @@ PlanRequest requestOf(const Form& form, int lights, double dim,
 
 Form formSum()
 {
-    Form sum = formPqp(4, 1.0), other = formHdio(4, 4, 4);
+    Form sum = formPqp(4, 1.0), other = formHdio({4, 4, 4});
     sum.name = "pqp+hdio";
     for (TableSpec& table : other.tables) sum.tables.push_back(table);
     sum.terms.push_back(other.terms[0]);
@@ -83,7 +83,7 @@ TEST(ScaledPlan, IsWithinItsBound)
 {
     double worst = 0.0;
     int scaled = 0;
-    for (const Form& form : {formPqp(4, 1.0), formHdio(4, 4, 4), formSum(), formThree()})
+    for (const Form& form : {formPqp(4, 1.0), formHdio({4, 4, 4}), formSum(), formThree()})
         for (const Technique technique : {Technique::batched, Technique::twoLookup})
             for (const Transfer transfer : {Transfer::linear, Transfer::srgb, Transfer::toneMap})
                 for (const int lights : {1, 3, 9})
@@ -223,7 +223,7 @@ TEST(ScaledPlan, TakesTheSmallerErrorOfTheTwo)
 {
     // Adding up in the target itself costs a step for each light. Lights that reach a hundredth of
     // it leave room to scale up.
-    const Form form = formHdio(4, 4, 4);
+    const Form form = formHdio({4, 4, 4});
     const auto surfaces = [&](double dim) {
         return planPasses(form, requestOf(form, 5, dim), old()).surfaces;
     };

@@ -26,7 +26,7 @@ inline Material constantMaterial(const Vec3f& value, const Form& form)
 
 inline Material constantMaterial(const Vec3f& value)
 {
-    return constantMaterial(value, formHdio(8, 4, 4));
+    return constantMaterial(value, formHdio({8, 4, 4}));
 }
 
 inline Source lambertianSource(double value)

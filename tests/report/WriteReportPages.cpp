@@ -33,7 +33,7 @@ try {
     function.isotropic = false;
     function.name = function.description = scattered.description = kHostile;
     writePage(function, fbrdf::formPqpr(16, 0.5, 16), std::string(argv[1]) + "/function.html");
-    writePage(scattered, fbrdf::formHdio(8, 4, 4), std::string(argv[1]) + "/scattered.html");
+    writePage(scattered, fbrdf::formHdio({8, 4, 4}), std::string(argv[1]) + "/scattered.html");
     return 0;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

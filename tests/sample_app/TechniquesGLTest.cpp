@@ -130,7 +130,7 @@ void TechniquesGL::expectAgreementOf(const Form& form, Shape shape, int lights)
 
 void TechniquesGL::expectAgreement(Shape shape, int lights)
 {
-    for (const Form& form : {formPqp(32, 0.5), formPqpr(32, 0.5, 16), formHdio(48, 8, 8)})
+    for (const Form& form : {formPqp(32, 0.5), formPqpr(32, 0.5, 16), formHdio({48, 8, 8})})
         expectAgreementOf(form, shape, lights);
 }
 

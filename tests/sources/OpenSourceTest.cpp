@@ -134,7 +134,7 @@ TEST(OpenSource, UnknownModelsAreUsageErrors)
 TEST(OpenSource, MaterialsAreSourcesThatEvaluate)
 {
     Material material;
-    material.form = formHdio(8, 6, 4);
+    material.form = formHdio({8, 6, 4});
     for (const TableSpec& spec : material.form.tables) {
         Table table;
         table.name = spec.name;

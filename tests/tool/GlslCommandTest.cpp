@@ -21,7 +21,7 @@ Form formIoPqpr()
 {
     Form form = formPqpr(8, 0.5, 6);
     form.name = "io+pqpr";
-    form.tables.push_back(formHdio(2, 2, 6).tables[1]);
+    form.tables.push_back(formHdio({2, 2, 6}).tables[1]);
     form.terms.insert(form.terms.begin(),
                       Term{{{3, std::vector<Angle>{Angle::theta_i, Angle::theta_o}}}});
     return form;
@@ -53,7 +53,7 @@ struct Golden {
 
 std::vector<Golden> goldens()
 {
-    return {{formHdio(12, 6, 6), {}},
+    return {{formHdio({12, 6, 6}), {}},
             {formPqpr(8, 0.5, 6), {"--technique", "two-lookup", "--version", "120"}},
             {formIoPqpr(), {"--technique", "batched", "--version", "300", "--lights", "20"}}};
 }

@@ -74,7 +74,7 @@ std::string samplesCsv(size_t count, double factor)
 Material smallMaterial(const std::string& form)
 {
     Material material;
-    material.form = form == "pqp" ? formPqp(16, 1.0) : formHdio(12, 6, 6);
+    material.form = form == "pqp" ? formPqp(16, 1.0) : formHdio({12, 6, 6});
     for (const TableSpec& spec : material.form.tables) {
         Table table;
         table.name = spec.name;

@@ -227,13 +227,13 @@ Form formPqpr(int size, double gamma, int knots)
     return form;
 }
 
-Form formHdio(int sizeH, int sizeD, int sizeIo)
+Form formHdio(const HdioSizes& sizes)
 {
-    const Axis h{sizeH, {AxisMap::From::oneMinusCosine, 0.25}},
-        d{sizeD, {AxisMap::From::oneMinusCosine, 0.5}};
+    const Axis h{sizes.h, {AxisMap::From::oneMinusCosine, 0.25}},
+        d{sizes.d, {AxisMap::From::oneMinusCosine, 0.5}};
     // cos^(1/2): knots gather towards grazing, where shadowing varies fastest (a GGX metal of alpha
     // 0.02 gains 13 dB).
-    const Axis io{sizeIo, {AxisMap::From::cosine, 0.5}};
+    const Axis io{sizes.io, {AxisMap::From::cosine, 0.5}};
     return {"hdio",
             {{"T1", GridDomain{{h, d}}}, {"T2", GridDomain{{io, io}, true}}},
             {{{{0, std::vector<Angle>{Angle::theta_h, Angle::theta_d}},

@@ -23,7 +23,7 @@ Material white()
 {
     Material material;
     material.name = "white";
-    material.form = formHdio(4, 4, 4);
+    material.form = formHdio({4, 4, 4});
     for (const TableSpec& spec : material.form.tables) {
         Table table;
         table.name = spec.name;

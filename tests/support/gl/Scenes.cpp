@@ -157,7 +157,7 @@ Material directionsMaterial()
 
 std::vector<Material> testMaterials()
 {
-    const Form pqp = formPqp(16, 0.5), pqpr = formPqpr(16, 1.0, 12), hdio = formHdio(16, 8, 8);
+    const Form pqp = formPqp(16, 0.5), pqpr = formPqpr(16, 1.0, 12), hdio = formHdio({16, 8, 8});
     return {noiseMaterial(pqp, Storage::log8),
             noiseMaterial(pqpr, Storage::log8),
             noiseMaterial(hdio, Storage::log8),

@@ -49,7 +49,9 @@ Form formGg(int)
 
 Form formHdg(int size)
 {
-    Form form = formHdio(size, quarter(size), 2);
+    HdioSizes sizes;
+    sizes.h = size, sizes.d = quarter(size);
+    Form form = formHdio(sizes);
     form.name = "hdg";
     form.tables[1] = curve("g", kGrazingAxis);
     form.terms[0].factors = {form.terms[0].factors[0], {1, kThetaO}, {1, kThetaI}};
@@ -166,10 +168,16 @@ BaseForm baseOf(const NamedForm& named, const std::function<Form(int)>& make)
 // hdio and hdpio list their smaller sizes explicitly: they do not scale in proportion.
 BaseForm baseHdio()
 {
-    const auto make = [](int n) { return formHdio(n, quarter(n), quarter(n)); };
+    const auto make = [](int n) {
+        HdioSizes sizes;
+        sizes.h = n, sizes.d = sizes.io = quarter(n);
+        return formHdio(sizes);
+    };
+    HdioSizes fewAngles;
+    fewAngles.h = 48, fewAngles.d = fewAngles.io = 8;
     return {{"hdio", "T1(theta_h, theta_d) T2(theta_i, theta_o)",
              "isotropic, reciprocal; N passes of two look-ups", 64, true},
-            {make(16), make(24), make(32), formHdio(48, 8, 8), make(48), make(64)},
+            {make(16), make(24), make(32), formHdio(fewAngles), make(48), make(64)},
             make};
 }
 

@@ -15,7 +15,7 @@ int main(int argc, char** argv)
     if (argc != 2) return 2;
     const std::string folder = argv[1], file = folder + "/grey.fbrdf", saved = folder + "/out.osgt";
     fbrdf::Material grey;
-    grey.form = fbrdf::formHdio(4, 4, 4);
+    grey.form = fbrdf::formHdio({4, 4, 4});
     for (const fbrdf::TableSpec& spec : grey.form.tables) {
         fbrdf::Table table;
         table.name = spec.name;

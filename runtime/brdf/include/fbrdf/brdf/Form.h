@@ -55,7 +55,12 @@ const char* angleName(Angle angle);  ///< "theta_h", ...
 Form formPqp(int size, double gamma);
 /// p(wo) q(h) p(wi) r(theta_d), r with `knots` knots in uniforms.
 Form formPqpr(int size, double gamma, int knots);
-/// T1(theta_h, theta_d) T2(theta_i, theta_o), T2 symmetric of size x size.
-Form formHdio(int sizeH, int sizeD, int sizeIo);
+/// Knots along each axis of hdio, at least 2.
+struct HdioSizes {
+    int h = 64, d = 16;  ///< theta_h and theta_d of T1
+    int io = 16;         ///< theta_i and theta_o of T2
+};
+/// T1(theta_h, theta_d) T2(theta_i, theta_o), T2 symmetric.
+Form formHdio(const HdioSizes& sizes);
 
 }  // namespace fbrdf
