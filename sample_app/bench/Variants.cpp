@@ -1,7 +1,7 @@
 #include "bench/Variants.h"
 
 #include "bench/Materials.h"
-#include "bench/Peers.h"
+#include "bench/ShaderPeers.h"
 
 #include <fbrdf/base/Error.h>
 

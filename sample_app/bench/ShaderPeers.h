@@ -1,7 +1,7 @@
-// Peers.h - the peers that factored materials are timed against, each as good as we can write it:
-// it computes once what does not depend on the light, and nothing that is not needed.
+// ShaderPeers.h - the peers that factored materials are timed against, each as good as we can write
+// it: it computes once what does not depend on the light, and nothing that is not needed.
 #pragma once
-#include "bench/Peer.h"
+#include "bench/ShaderPeer.h"
 
 namespace fbrdf::bench {
 

@@ -1,6 +1,6 @@
 // Compares the drawing of each peer with its CPU twin, and the twins with the models that they
 // implement.
-#include "bench/Peers.h"
+#include "bench/ShaderPeers.h"
 
 #include "bench/Network.h"
 

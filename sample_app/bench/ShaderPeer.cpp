@@ -1,4 +1,4 @@
-#include "bench/Peer.h"
+#include "bench/ShaderPeer.h"
 
 #include "EmbeddedShaders.h"
 

@@ -1,5 +1,5 @@
-// Peer.h - another way to draw a material: a GLSL function f(wo, wi), its data and its CPU twin. It
-// is drawn by the same vertex shader and the same light loop as the runtime's.
+// ShaderPeer.h - another way to draw a material: a GLSL function f(wo, wi), its data and its CPU
+// twin. It is drawn by the same vertex shader and the same light loop as the runtime's.
 #pragma once
 #include "bench/Stage.h"
 #include "viewer/GlFunctions.h"

@@ -1,4 +1,4 @@
-#include "bench/Peers.h"
+#include "bench/ShaderPeers.h"
 
 #include <fbrdf/base/Number.h>
 
