@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kGlsl = 330;
 
-std::string fragmentText(const Peer& peer, int slots)
+std::string fragmentText(const ShaderPeer& peer, int slots)
 {
     std::string text = "#version " + std::to_string(kGlsl) + "\n#define PEER_LIGHTS " +
                        std::to_string(slots) + "\n";
@@ -64,7 +64,7 @@ GLuint linked(const GladGLContext& gl, const std::string& fragment)
     throw Error(ErrorKind::gl, "peer", std::string("found a program that does not link: ") + log);
 }
 
-int slotsFor(const GladGLContext& gl, const Peer& peer, int lights)
+int slotsFor(const GladGLContext& gl, const ShaderPeer& peer, int lights)
 {
     if (peer.passPerLight) return 1;
     GLint components = 0;
@@ -83,7 +83,8 @@ std::vector<LightVectors> vectorsOf(const std::vector<Light>& lights, const gl::
 
 }  // namespace
 
-PeerDrawing::PeerDrawing(const GladGLContext& gl, const Peer& peer, const Stage& stage, int lights)
+PeerDrawing::PeerDrawing(const GladGLContext& gl, const ShaderPeer& peer, const Stage& stage,
+                         int lights)
     : gl_(gl), peer_(peer), view_(stage.view), slots_(slotsFor(gl, peer, lights))
 {
     program_ = linked(gl_, fragmentText(peer, slots_));

@@ -17,7 +17,7 @@ struct PeerMap {
     bool repeats = false;  ///< repeats along x; otherwise it is clamped
 };
 
-struct Peer {
+struct ShaderPeer {
     std::string name, description;
     std::string shader;                 ///< text that defines peerView and peerBrdf
     std::vector<glm::vec4> parameters;  ///< peerParameters
@@ -35,7 +35,7 @@ public:
     static constexpr int kMostLights = 1024;
 
     /// Throws Error(gl) with the compiler's log.
-    PeerDrawing(const GladGLContext& gl, const Peer& peer, const Stage& stage, int lights);
+    PeerDrawing(const GladGLContext& gl, const ShaderPeer& peer, const Stage& stage, int lights);
     ~PeerDrawing();
     PeerDrawing(const PeerDrawing&) = delete;
     PeerDrawing& operator=(const PeerDrawing&) = delete;
@@ -51,7 +51,7 @@ private:
     GLint location(const char* name) const { return gl_.GetUniformLocation(program_, name); }
 
     const GladGLContext& gl_;
-    const Peer& peer_;
+    const ShaderPeer& peer_;
     gl::View view_;
     GLsizei indexCount_ = 0;
     int slots_ = 1;  ///< lights in one pass

@@ -98,7 +98,7 @@ PeerMap factorMap(const Material& material, const std::string& sampler, const st
 
 }  // namespace
 
-Peer ggxPeer()
+ShaderPeer ggxPeer()
 {
     const auto vec = [](const Vec3d& v) { return glm::vec4(Vec3f(v), 0.0f); };
     const std::string spec = "ggx:alpha_x=" + text(kAlpha) + ",alpha_y=" + text(kAlphaAcross) +
@@ -113,7 +113,7 @@ Peer ggxPeer()
         false};
 }
 
-Peer merlPeer()
+ShaderPeer merlPeer()
 {
     PeerMap map{"peerTable", merlImage(), true};
     return {"merl",
@@ -127,7 +127,7 @@ Peer merlPeer()
             false};
 }
 
-Peer nbrdfPeer()
+ShaderPeer nbrdfPeer()
 {
     const std::vector<float> weights = networkWeights();
     std::vector<glm::vec4> packed((weights.size() + 3) / 4, glm::vec4(0.0f));
@@ -142,9 +142,9 @@ Peer nbrdfPeer()
         false};
 }
 
-Peer bakedNbrdfPeer()
+ShaderPeer bakedNbrdfPeer()
 {
-    Peer peer = nbrdfPeer();
+    ShaderPeer peer = nbrdfPeer();
     peer.name = "nbrdf-baked";
     peer.description = "the same, weights as constants: a program a material";
     peer.shader = shaderOf({"half_difference.glsl"}) + bakedNetworkShader(networkWeights());
@@ -152,7 +152,7 @@ Peer bakedNbrdfPeer()
     return peer;
 }
 
-Peer poulinFournierPeer()
+ShaderPeer poulinFournierPeer()
 {
     const std::string spec = "poulin-fournier:height=" + text(kHeight) +
                              ",spacing=" + text(kSpacing) + ",n=" + text(kExponent) +
@@ -173,7 +173,7 @@ Peer poulinFournierPeer()
             false};
 }
 
-Peer multipassPeer()
+ShaderPeer multipassPeer()
 {
     const Material material = ggxMaterial("pqp");
     const PeerMap p = factorMap(material, "peerMapP", "p"),
@@ -192,7 +192,7 @@ Peer multipassPeer()
             true};
 }
 
-std::vector<Peer> peers()
+std::vector<ShaderPeer> shaderPeers()
 {
     return {ggxPeer(),        merlPeer(),           nbrdfPeer(),
             bakedNbrdfPeer(), poulinFournierPeer(), multipassPeer()};

@@ -5,13 +5,14 @@
 
 namespace fbrdf::bench {
 
-Peer ggxPeer();             ///< analytic, anisotropic
-Peer merlPeer();            ///< 90 x 90 x 180 table, filtered linearly
-Peer nbrdfPeer();           ///< network of 6-21-21-3 (Network.h)
-Peer bakedNbrdfPeer();      ///< the same, weights as constants
-Peer poulinFournierPeer();  ///< parallel cylinders, by quadrature
-Peer multipassPeer();       ///< p(wo) q(h) p(wi) with one pass for each light, like an osgFX effect
+ShaderPeer ggxPeer();             ///< analytic, anisotropic
+ShaderPeer merlPeer();            ///< 90 x 90 x 180 table, filtered linearly
+ShaderPeer nbrdfPeer();           ///< network of 6-21-21-3 (Network.h)
+ShaderPeer bakedNbrdfPeer();      ///< the same, weights as constants
+ShaderPeer poulinFournierPeer();  ///< parallel cylinders, by quadrature
+ShaderPeer
+multipassPeer();  ///< p(wo) q(h) p(wi) with one pass for each light, like an osgFX effect
 
-std::vector<Peer> peers();  ///< all of them
+std::vector<ShaderPeer> shaderPeers();  ///< all of them
 
 }  // namespace fbrdf::bench

@@ -43,9 +43,9 @@ Variant runtimeVariant(const std::string& form, Technique technique, LookUp look
             }};
 }
 
-Variant peerVariant(Peer peer)
+Variant peerVariant(ShaderPeer peer)
 {
-    const auto shared = std::make_shared<const Peer>(std::move(peer));
+    const auto shared = std::make_shared<const ShaderPeer>(std::move(peer));
     return {shared->name, shared->description, [shared](const Scene& scene) {
                 const auto drawing = std::make_shared<const PeerDrawing>(
                     scene.gl, *shared, scene.stage, static_cast<int>(scene.lights.size()));
@@ -58,7 +58,7 @@ Variant peerVariant(Peer peer)
 std::vector<Variant> allVariants()
 {
     std::vector<Variant> variants;
-    for (Peer& peer : peers()) variants.push_back(peerVariant(std::move(peer)));
+    for (ShaderPeer& peer : shaderPeers()) variants.push_back(peerVariant(std::move(peer)));
     for (const char* form : {"hdio", "pqp", "pqpr", "io+hdio"})
         for (const Technique technique : allTechniques())
             variants.push_back(runtimeVariant(form, technique));

@@ -44,7 +44,7 @@ Vec3d pixelOf(const std::vector<float>& image, size_t pixel)
 }
 
 /// Radiance at a point in eye space, in double.
-Vec3d radiance(const Peer& peer, const std::vector<Light>& lights, const glm::dmat4& view,
+Vec3d radiance(const ShaderPeer& peer, const std::vector<Light>& lights, const glm::dmat4& view,
                const Vec3d& point, const ShadingFrame<double>& frame)
 {
     const Vec3d wo = frame.local(glm::normalize(-point));
@@ -61,7 +61,7 @@ Vec3d radiance(const Peer& peer, const std::vector<Light>& lights, const glm::dm
 
 class PeerImage : public GlTest {
 protected:
-    std::vector<float> drawn(const Peer& peer, const Stage& stage, Offscreen& offscreen)
+    std::vector<float> drawn(const ShaderPeer& peer, const Stage& stage, Offscreen& offscreen)
     {
         const auto lights = stageLights(kLights);
         const PeerDrawing drawing(gl(), peer, stage, kLights);
@@ -70,7 +70,7 @@ protected:
         return offscreen.readPixels();
     }
 
-    std::vector<double> expected(const Peer& peer, const Stage& stage,
+    std::vector<double> expected(const ShaderPeer& peer, const Stage& stage,
                                  const GeometryBuffer& geometry)
     {
         const auto lights = stageLights(kLights);
@@ -95,7 +95,7 @@ TEST_P(PeerImage, AgreesWithItsCpuTwin)
         const Stage stage = makeStage(mesh, 1.0);
         const auto geometry =
             geometryBuffer(gl(), offscreen, stage.mesh, glm::mat4(1.0f), stage.view);
-        for (const Peer& peer : peers()) {
+        for (const ShaderPeer& peer : shaderPeers()) {
             SCOPED_TRACE(peer.name + " on a " + mesh);
             const auto d =
                 compareImages(drawn(peer, stage, offscreen), expected(peer, stage, geometry));
@@ -111,7 +111,7 @@ TEST_P(PeerImage, OfAnotherRoughnessIsNoticed)
     Offscreen offscreen = makeOffscreen(kSize);
     const Stage stage = makeStage("triangle", 1.0);
     const auto geometry = geometryBuffer(gl(), offscreen, stage.mesh, glm::mat4(1.0f), stage.view);
-    Peer peer = ggxPeer();
+    ShaderPeer peer = ggxPeer();
     peer.parameters[0].x *= 1.01f;
     const auto d = compareImages(drawn(peer, stage, offscreen), expected(peer, stage, geometry));
     EXPECT_GT(d.maxRelative, 10.0 * kRounding) << describe(d);
@@ -150,7 +150,7 @@ TEST(PeerTwin, OfTheNetworkIsTheReaderOfPublishedWeights)
 
 TEST(PeerTwin, OfTheTableIsCloseToWhatItTabulates)
 {
-    const Peer merl = merlPeer();
+    const ShaderPeer merl = merlPeer();
     const Source ggx = openSource("ggx:alpha=0.3,f0=0.9/0.6/0.3");
     constexpr double kTabulated = 0.01;  // linear between cells of one degree
     for (const auto& pair : somePairs()) {
