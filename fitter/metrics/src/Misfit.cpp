@@ -27,7 +27,10 @@ constexpr size_t kFewest = 5;         // samples that a wrong region must have
 constexpr double kFewPairs = 10.0;    // neighbours that separate noise from structure
 constexpr double kOutOfLine = 4.0;    // times the scale of all residuals, where they cannot
 constexpr double kMostLog = 10.0;     // one absurd ratio counts as e^10
-constexpr double kBrightest = 0.99;   // quantile of c f above which light counts no more
+// 1/sr, in place of a fitted value of 0 or less, which has no logarithm: so far below what is
+// measured that the residual is -kMostLog.
+constexpr double kLeastFitted = 1e-30;
+constexpr double kBrightest = 0.99;  // quantile of c f above which light counts no more
 
 size_t binOf(const Edges& edges, double degrees)
 {
@@ -98,7 +101,8 @@ public:
     {
         const size_t region = regionOf(angles);
         Region& r = regions_[region];
-        const double residual = std::clamp(std::log(std::max(g, 1e-30) / f), -kMostLog, kMostLog);
+        const double residual =
+            std::clamp(std::log(std::max(g, kLeastFitted) / f), -kMostLog, kMostLog);
         r.residuals.add(residual);
         r.difference += cosine * std::abs(g - f);
         r.light += cosine * f;
