@@ -4,7 +4,7 @@
 
 namespace {
 
-TEST(Assert, PassesWhatHolds)
+TEST(Assert, PassesWhatIsTrue)
 {
     FBRDF_ASSERT(1, <, 2);
     FBRDF_ASSERT(2, ==, 2);

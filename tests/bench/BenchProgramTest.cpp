@@ -79,7 +79,7 @@ TEST(BenchProgram, CountsTheLightsThatReachAPixel)
     }
 }
 
-TEST(BenchProgram, HoldsItsBounds)
+TEST(BenchProgram, StaysWithinItsBounds)
 {
     const Result result = runBench("--accuracy --lights 9 --only pqpr,io+hdio --json");
     NEEDS_GL(result);

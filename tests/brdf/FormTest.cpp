@@ -10,7 +10,7 @@ using namespace fbrdf;
 
 namespace {
 
-TEST(Form, NamedFormsAreValidAndSayWhatTheyAre)
+TEST(Form, NamedFormsAreValidAndDescribeThemselves)
 {
     EXPECT_EQ(describe(formPqp(32, 0.5)),
               "p[disc 32x32 gamma 0.5](wo) q[disc 32x32 gamma 0.5](h) p(wi)");

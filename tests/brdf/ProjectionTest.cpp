@@ -261,7 +261,7 @@ TEST(DirectionVector, DifferenceHasTheAnglesOfTheFrameAboutH)  // Rusinkiewicz 1
     }
 }
 
-TEST(DirectionVector, MirrorAndCombinationsAreWhatTheySay)
+TEST(DirectionVector, MirrorAndCombinationsMatchTheirDefinitions)
 {
     const auto pair = test::pair(3);
     const PairGeometry<double> g(pair);

@@ -12,7 +12,7 @@ namespace {
 
 class CApiGL : public CApiTest {};
 
-TEST_P(CApiGL, AHostInCDrawsWhatTheNumbersSay)
+TEST_P(CApiGL, AHostInCDrawsTheExpectedNumbers)
 {
     Offscreen offscreen = makeOffscreen(kSize);
     Lines lines;

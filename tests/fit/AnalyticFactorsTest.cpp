@@ -26,13 +26,13 @@ double medianError(const std::string& spec, int size)
     return errors[1000];
 }
 
-TEST(AnalyticFactors, HoldWardsModel)
+TEST(AnalyticFactors, RepresentWardsModel)
 {
     EXPECT_LT(medianError("ward:rho_d=0.1,rho_s=0.2,alpha_x=0.2,alpha_y=0.4", 128), 0.01);
     EXPECT_LT(medianError("ward-rolled-brass", 128), 0.01);
 }
 
-TEST(AnalyticFactors, HoldAshikhminAndShirleysModel)
+TEST(AnalyticFactors, RepresentAshikhminAndShirleysModel)
 {
     EXPECT_LT(medianError("ashikhmin-shirley:kd=0.2,ks=0.3,nu=20,nv=80", 128), 0.01);
 }
@@ -85,7 +85,7 @@ TEST(AnalyticFactors, AreAForm)
     EXPECT_THROW(fitMaterial(source, options), Error);
 }
 
-TEST(AnalyticFactors, SayWhichModelsHaveThem)
+TEST(AnalyticFactors, NameTheModelsThatHaveThem)
 {
     try {
         fitMaterial(makeModelSource("ggx"), analytic());

@@ -18,7 +18,7 @@ TEST(Coarse, HalvedFormsAreValidAndEnd)
     EXPECT_EQ(describe(halved(form)), describe(form));
 }
 
-TEST(Coarse, ProlongationKeepsAFunctionThatTheCoarseTablesHold)
+TEST(Coarse, ProlongationKeepsAFunctionOfTheCoarseTables)
 {
     const Source source = test::sourceOf(test::Ggx{0.4, 0.4, 0.5, 0.1});
     const Dataset dataset = makeDataset(source, 64, 1, 1);

@@ -52,7 +52,7 @@ constexpr double kSolversAgree = 1e-6;
 
 class Recovery : public testing::TestWithParam<Form> {};
 
-TEST_P(Recovery, OfAProductThatTheFormHolds)
+TEST_P(Recovery, OfAProductThatTheFormCanRepresent)
 {
     const Material truth = test::waveMaterial(GetParam());
     Problem problem(test::sourceOf(truth), 30000);
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, Recovery,
                              return form.param.name + std::to_string(form.index);
                          });
 
-TEST(Recovery, FailsWhenTheFormCannotHoldTheProduct)
+TEST(Recovery, FailsWhenTheFormCannotRepresentTheProduct)
 {
     const Material truth = test::waveMaterial(formPqp(10, 0.5));
     Problem problem(test::sourceOf(truth), 20000);
@@ -242,7 +242,7 @@ TEST(SharedShape, ComesBackWithItsThreeLevels)
     EXPECT_LT(largestError(fitted, truth), kRecovered);
 }
 
-TEST(SharedShape, CannotHoldThreeShapes)
+TEST(SharedShape, CannotRepresentThreeShapes)
 {
     const Material truth = test::waveMaterial(formHdio({16, 6, 6}));
     Problem problem(test::sourceOf(truth), 10000);

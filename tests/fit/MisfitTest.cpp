@@ -119,7 +119,7 @@ Source scatteredOf(const BrdfFunction& brdf, double noise)
     return source;
 }
 
-TEST(Misfit, ARetroReflectorIsMoreThanPqpHolds)
+TEST(Misfit, PqpCannotRepresentARetroReflector)
 {
     const auto tape = [](const Vec3d& wo, const Vec3d& wi) {
         const double theta_d = halfDifferenceFromPair({wo, wi}).theta_d * 180.0 / kPi;
@@ -131,14 +131,14 @@ TEST(Misfit, ARetroReflectorIsMoreThanPqpHolds)
     EXPECT_TRUE(fitMaterial(scatteredOf(tape, 0.05), named("hdio")).summary.misfits.empty());
 }
 
-TEST(Misfit, AnisotropyIsMoreThanHdioHolds)
+TEST(Misfit, HdioCannotRepresentAnisotropy)
 {
     const BrdfFunction brushed = makeModelSource("ggx:alpha_x=0.1,alpha_y=0.5,f0=0.9").evaluate;
     EXPECT_FALSE(fitMaterial(scatteredOf(brushed, 0.05), named("hdio")).summary.misfits.empty());
     EXPECT_TRUE(fitMaterial(scatteredOf(brushed, 0.05), named("pqpr")).summary.misfits.empty());
 }
 
-TEST(Misfit, NoisyDataOfAFormThatHoldsThemAreHeld)
+TEST(Misfit, NoisyDataOfASuitableFormArePassed)
 {
     for (const char* model : {"ggx:alpha=0.1,f0=0.04,kd=0.3", "ggx:alpha=0.05,f0=0.9", "lambert"})
         for (const double noise : {0.0, 0.1, 0.3}) {

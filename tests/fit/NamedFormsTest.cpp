@@ -17,7 +17,7 @@ TEST(NamedForms, EachIsValidAtItsDefaultSize)
     }
 }
 
-TEST(NamedForms, HdioIsWhatTheBudgetsSay)
+TEST(NamedForms, HdioHasTheSizesOfTheBudgets)
 {
     EXPECT_EQ(formBytes(makeForm("hdio"), Storage::log8), 3840u);
     EXPECT_EQ(formBytes(makeFormFor("hdio", 1000000, 1400, Storage::log8), Storage::log8), 1344u);
@@ -31,7 +31,7 @@ TEST(NamedForms, HdpioFitsTheSameBudgets)
     EXPECT_EQ(lookupsPerPass(makeForm("hdpio")), 2);
 }
 
-TEST(NamedForms, HdpuTellsLightFromViewInTheSameBytes)
+TEST(NamedForms, HdpuSeparatesLightFromViewInTheSameBytes)
 {
     const Form form = makeFormFor("hdpu", 1000000, 3900, Storage::log8);
     EXPECT_EQ(formBytes(form, Storage::log8), 3888u);

@@ -41,7 +41,7 @@ TEST(Reach, GarnetRedIsFarBelowTheMapsOf2001)
     EXPECT_LE(result.summary.heldOut.logMedianChannel.z, 0.15);
 }
 
-TEST(Reach, AnisotropicMetalIsHeldByPqpr)
+TEST(Reach, PqprRepresentsAnisotropicMetal)
 {
     const Source source = test::sourceOf(test::Ggx{0.1, 0.4, 0.9, 0.0});
     const FitResult result = fit(source, "pqpr", Storage::log8);

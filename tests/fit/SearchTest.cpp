@@ -91,7 +91,7 @@ Source oneWay()
     return test::sourceOf(test::waveMaterial(makeForm("hdpu", 6)));
 }
 
-TEST(Search, TriesFormsThatTellLightFromViewWhereTheDataDoes)
+TEST(Search, TriesFormsThatSeparateLightFromViewWhereTheDataDoes)
 {
     const auto triesHdpu = [](const Source& source) {
         FitOptions options = optionsOf("auto");
@@ -115,7 +115,7 @@ TEST(Symmetry, IsMeasuredOnFunctionsAndUnknownForScatteredSamples)
     EXPECT_FALSE(isIsotropicSource(test::sourceOf(test::Ggx{0.2, 0.5, 0.9, 0.0})));
 }
 
-TEST(Hdpu, HoldsWhatNoReciprocalFormHolds)
+TEST(Hdpu, RepresentsWhatNoReciprocalFormCan)
 {
     FitOptions options;
     options.heldOut = false;

@@ -79,7 +79,7 @@ const BrdfFunction kRankThree = [](const Vec3d& wo, const Vec3d& wi) {
     return Vec3d(rankThreeOf(wo, wi));
 };
 
-TEST(Svd, OneTermHoldsALambertian)
+TEST(Svd, OneTermRepresentsALambertian)
 {
     const BrdfFunction lambert = makeModelSource("lambert:albedo=0.2/0.4/0.8").evaluate;
     for (const bool isotropic : {true, false}) {
@@ -113,7 +113,7 @@ TEST(Svd, EveryTermLowersTheError)
     }
 }
 
-TEST(Svd, HoldsAnisotropy)
+TEST(Svd, RepresentsAnisotropy)
 {
     const BrdfFunction ggx = makeModelSource("ggx:alpha_x=0.2,alpha_y=0.6,f0=0.9").evaluate;
     const double isotropic = squaredError(svdOf(ggx, 4, 32, true), ggx);
@@ -156,7 +156,7 @@ FitOptions named(const std::string& form)
     return options;
 }
 
-TEST(SvdForm, TakesTheTermsThatTheNameOrTheBudgetSays)
+TEST(SvdForm, TakesTheTermsOfTheNameOrTheBudget)
 {
     const Source source = makeModelSource("ggx:alpha=0.4");
     FitOptions options = named("svd2");

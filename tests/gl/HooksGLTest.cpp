@@ -149,7 +149,7 @@ TEST_P(HostHooks, BatchesTakeHooksAndNormalMaps)
                drawItems(*renderer_, kSize, mapView(), items, testLights(6)).pixels, kSameGeometry);
 }
 
-TEST_P(HostHooks, WhatIsMissingIsSaidAndTheNextDrawWorks)
+TEST_P(HostHooks, WhatIsMissingIsReportedAndTheNextDrawWorks)
 {
     const auto skin = hooksOf(kSkin, "");
     Object object{planeMesh(0.0f, 1.0f), glm::mat4(1.0f), skin.get()};

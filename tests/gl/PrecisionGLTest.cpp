@@ -16,7 +16,7 @@ constexpr int kSize = 32;
 
 class Precision : public GlTest {};
 
-TEST_P(Precision, HoldsInEveryFormTechniqueTargetAndTransfer)
+TEST_P(Precision, IsWithinBoundsInEveryFormTechniqueTargetAndTransfer)
 {
     gl::Renderer renderer = makeRenderer();
     const gl::MeshData sphere = sphereMesh(16);
@@ -59,7 +59,7 @@ TEST_P(Precision, HoldsInEveryFormTechniqueTargetAndTransfer)
 }
 
 // OpenGL ES often cannot blend in RGBA32F.
-TEST_P(Precision, HoldsWhereSumsAreHalves)
+TEST_P(Precision, IsWithinBoundsWhereSumsAreHalves)
 {
     gl::RendererOptions options = rendererOptions();
     options.capabilities = makeRenderer().capabilities();

@@ -49,7 +49,7 @@ protected:
     std::shared_ptr<gl::GpuMesh> mesh_;
 };
 
-TEST_P(Transfers, StoreWhatTheDefinitionSays)
+TEST_P(Transfers, StoreWhatTheDefinitionGives)
 {
     for (const size_t m : {0u, 2u, 4u}) {
         const Material material = testMaterials()[m];

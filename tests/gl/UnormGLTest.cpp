@@ -98,7 +98,7 @@ TEST_P(Unorm, SumsAreWithinWhatThePlanStates)
     EXPECT_GT(worst, 0.25) << "a bound that nothing comes near says nothing";
 }
 
-TEST_P(Unorm, MoreLightsLoseMoreAndSaySo)
+TEST_P(Unorm, MoreLightsLoseMoreAndTheBoundRises)
 {
     gl::Renderer renderer(withoutFloatTargets());
     const gl::DrawOptions options{Technique::twoLookup};

@@ -78,7 +78,7 @@ TEST(Manifest, SameMaterialGivesTheSameBytes)
 }
 
 // An engine multiplies a texture's value by a range: no code of ours may be needed.
-TEST(Manifest, PicturesMeanWhatTheManifestSays)
+TEST(Manifest, PicturesMeanWhatTheManifestDefines)
 {
     const TemporaryDir folder;
     const Material material = test::testMaterial(formHdio({7, 4, 6}), Storage::log8);

@@ -137,7 +137,7 @@ TEST(SampleErrors, EveryMetricSeesAWrongFit)
         EXPECT_GT(value, 0.05) << name;
 }
 
-TEST(Named, HoldsTheContractsNames)
+TEST(Named, HasTheDocumentedNames)
 {
     const auto has = [](const std::map<std::string, double>& values, const char* name) {
         return values.count(name) == 1;

@@ -35,7 +35,7 @@ TEST(Peer, NamesAreUniqueAndFound)
 constexpr double kSane = 0.2;
 
 // Every peer with an answer is sane on a material that all can represent well.
-TEST(Peer, EachHoldsADullMaterial)
+TEST(Peer, EachRepresentsADullMaterial)
 {
     const Source source = openSource("ggx:alpha=0.5,f0=0.04,kd=0.3/0.2/0.1");
     for (const Peer& peer : peers()) {

@@ -204,7 +204,7 @@ TEST(LightClusters, KeepTheStrongestUnderACap)
     EXPECT_LT(first, 0.5 * whole);
 }
 
-TEST(PixelBounds, OfASpotHoldItsCone)
+TEST(PixelBounds, OfASpotEncloseItsCone)
 {
     constexpr int kSide = 100;
     std::mt19937 random(8);

@@ -108,7 +108,7 @@ TEST(ScaledPlan, IsWithinItsBound)
     EXPECT_GT(worst, 0.4) << "a bound that nothing comes near says nothing";
 }
 
-TEST(ScaledPlan, SaysWhatItLoses)
+TEST(ScaledPlan, BoundsWhatItLoses)
 {
     const Form form = formPqp(4, 1.0);
     const int lights = 5;

@@ -90,7 +90,7 @@ TEST(WeakestPlaces, NamesThePlantedError)
     EXPECT_NE(text.find("1.39 (samples: 8)"), std::string::npos) << text;  // ln 4
 }
 
-TEST(WeakestPlaces, SaysNothingOfAPerfectFit)
+TEST(WeakestPlaces, AreEmptyForAPerfectFit)
 {
     ComparisonSet set;
     for (int i = 0; i < 8; ++i) add(set, 0.1, 2.0, 1.0f);

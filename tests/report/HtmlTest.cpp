@@ -52,7 +52,7 @@ TEST(Number, HasThreeDigits)
     EXPECT_EQ(number(1.234e-5), "1.2e-05");
 }
 
-TEST(Number, SaysWhatIsNone)
+TEST(Number, HasSignsForNotANumberAndInfinity)
 {
     EXPECT_EQ(number(std::numeric_limits<double>::quiet_NaN()), "\xE2\x80\x93");
     EXPECT_EQ(number(std::numeric_limits<double>::infinity()), "\xE2\x88\x9E");

@@ -100,7 +100,7 @@ TEST(Report, ScatteredDataHaveNoPictureAndNoImageErrors)
     EXPECT_FALSE(has(page, "Standard sphere, data"));
 }
 
-TEST(Report, SaysWhatBecameOfTheRows)
+TEST(Report, CountsWhatBecameOfTheRows)
 {
     const Material material = test::constantMaterial(Vec3f(0.5f));
     Source source = test::scatteredSource(0.5f);

@@ -83,7 +83,7 @@ TEST(View, LooksStraightDown)
     EXPECT_GT(projected(view, {0.5, 0.0, 0.0}).x, 0.1);
 }
 
-TEST(Orbit, KeepsDistanceAndCentreAndTurnsTheWayItSays)
+TEST(Orbit, KeepsDistanceAndCentreAndTurnsTheDocumentedWay)
 {
     Camera camera;
     camera.centre = {1.0, 2.0, 3.0};

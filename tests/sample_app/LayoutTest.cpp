@@ -47,7 +47,7 @@ TEST(Arranged, SeveralNeitherOverlapNorLeanToOneSide)
     EXPECT_LT(wide[0].model[3].x, wide[2].model[3].x);
 }
 
-TEST(Arranged, BoundsHoldEveryInstance)
+TEST(Arranged, BoundsEncloseEveryInstance)
 {
     const Mesh mesh = makeSphere(8, 4);
     const Bounds bounds = boundsOf(arranged(mesh, 4, 1.0));

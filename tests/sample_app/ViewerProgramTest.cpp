@@ -244,7 +244,7 @@ TEST_F(Viewer, CpuTechniquesNeedNoGl)
     }
 }
 
-TEST_F(Viewer, TechniquesAgreeAndTheStatsTellHowTheyWereDrawn)
+TEST_F(Viewer, TechniquesAgreeAndTheStatsNameThem)
 {
     NEEDS(Backend::egl);
     const std::string scene = drawMade() + "--mesh knot --light-count 3 --seed 4 ";

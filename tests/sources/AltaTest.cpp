@@ -66,7 +66,7 @@ TEST(Alta, KnowsTheDirectionsOfEachParameterisation)
     expectPair("2 1", "COS_TH_TD", "1 0.8", {0.6, 0, 0.8}, {-0.6, 0, 0.8});
 }
 
-TEST(Alta, HalfVectorsAreWhereTheySay)
+TEST(Alta, HalfVectorsAreAtTheirAngles)
 {
     const Source source =
         read(alta("4 1", "RUSIN_TH_PH_TD_PD", "INV_STERADIAN", "0.3 0.7 0.5 1.1 1\n"));

@@ -232,7 +232,7 @@ std::string countedLeaf(int rank, int log2)
 
 }  // namespace
 
-TEST(TensorTree, OneValueHoldsEverywhere)
+TEST(TensorTree, OneValueAppliesEverywhere)
 {
     for (const int rank : {3, 4}) {
         const Source source = read(tree(rank, "\n{ 0.318309886 }\n"));

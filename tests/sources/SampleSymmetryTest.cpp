@@ -71,7 +71,7 @@ TEST(SampleSymmetry, SpreadSamplesOfAnisotropicMaterialsAreNot)
     EXPECT_FALSE(areIsotropic(spread(model("ward-rolled-brass"), 20000)));
 }
 
-TEST(SampleSymmetry, TurnsOfAGoniometerTell)
+TEST(SampleSymmetry, TurnsOfAGoniometerDecide)
 {
     const std::vector<double> turns{0.0, 30.0, 60.0, 90.0};
     EXPECT_TRUE(areIsotropic(onGrid(model(kPlastic), turns)));

@@ -179,7 +179,7 @@ TEST(ExrTable, LatLongTilesAreViewHemispheres)
     EXPECT_FLOAT_EQ(s.weight, float(std::sin(1.5 / 4 * 90 * kDegree)));
 }
 
-TEST(ExrTable, ChannelsAreToldByName)
+TEST(ExrTable, ChannelsAreFoundByName)
 {
     const TempFolder folder;
     const auto colourOf = [&](const std::vector<std::string>& names,

@@ -57,7 +57,7 @@ protected:
     const std::string list = folder.file("list.txt"), output = folder.file("new/out");
 };
 
-TEST_F(BatchCommand, FitsEachMaterialAndTellsAboutItInOrder)
+TEST_F(BatchCommand, FitsEachMaterialAndReportsItInOrder)
 {
     const ToolRun run = batch();
     EXPECT_EQ(run.code, 0) << run.err;

@@ -74,7 +74,7 @@ TEST_F(BatchRanks, MoreRanksThanMaterialsIsFine)
     EXPECT_EQ(filesIn("out").size(), 2u);
 }
 
-TEST_F(BatchRanks, AWrongListIsSaidOnce)
+TEST_F(BatchRanks, AWrongListIsReportedOnce)
 {
     writeText(list, "no tab\n");
     const ToolRun run = runTool(arguments("out"), ranks("2"));

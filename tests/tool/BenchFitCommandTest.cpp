@@ -113,7 +113,7 @@ TEST(BenchFitCommand, GoesOnFromTheTableOfAnEarlierRun)
     expectError(bench({ward, "--csv", csv, "--resume"}), 3, "t.csv");
 }
 
-TEST(BenchFitCommand, HoldsSamplesOutWhereThereIsNoFunction)
+TEST(BenchFitCommand, LeavesSamplesOutWhereThereIsNoFunction)
 {
     const TemporaryDir folder;
     writeText(folder.file("s.csv"), samplesCsv(400));

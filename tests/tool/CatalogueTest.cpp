@@ -77,7 +77,7 @@ TEST(Catalogue, EveryListedDefaultIsAccepted)
     }
 }
 
-TEST(Catalogue, FormsSayWhatTheyCost)
+TEST(Catalogue, FormsPrintWhatTheyCost)
 {
     const auto json = jsonFrom(runTool({"forms", "--json"}));
     const std::set<std::string> names = namesIn(json["forms"]);

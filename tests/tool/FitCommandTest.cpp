@@ -114,7 +114,7 @@ TEST_F(FitCommand, TheMaterialSaysWhereItIsFromButNamesNoFolder)
     EXPECT_EQ(readText(output).find(folder.file("")), std::string::npos);
 }
 
-TEST_F(FitCommand, QuietSaysNothingAndWithoutItAPersonCanRead)
+TEST_F(FitCommand, QuietPrintsNothingAndWithoutItAPersonCanRead)
 {
     const ToolRun quiet = runTool(with(quickFit(csv, output), {"--quiet"}));
     EXPECT_EQ(quiet.code, 0);
@@ -220,7 +220,7 @@ TEST_F(FitCommand, BeatsThePublishedMapsOfGarnetRed)
     EXPECT_GT(json["samples"]["out_of_gamut"].get<int>(), 0);
 }
 
-TEST_F(FitCommand, SaysWhereTheFormDoesNotHoldTheData)
+TEST_F(FitCommand, NamesThePlacesWhereTheFormMissesTheData)
 {
     const std::string brushed = "ggx:alpha_x=0.1,alpha_y=0.5,f0=0.9";
     const std::vector<std::string> fit{"fit",  brushed,        "-o",   output,         "--form",

@@ -12,7 +12,7 @@
 namespace fbrdf::test {
 namespace {
 
-TEST(InfoCommand, SaysWhatAMaterialHolds)
+TEST(InfoCommand, ListsWhatAMaterialHas)
 {
     const TemporaryDir folder;
     Material material = smallMaterial("pqp");
@@ -119,7 +119,7 @@ TEST(InfoCommand, KnowsTheAlbedoOfAModel)
     }
 }
 
-TEST(InfoCommand, SaysWhatAReciprocalFormCanReach)
+TEST(InfoCommand, PrintsWhatAReciprocalFormCanReach)
 {
     FBRDF_NEEDS_DATA("rgl_iso_rgb/paper_white_rgb.bsdf");
     const std::string file = test::dataPath("rgl_iso_rgb/paper_white_rgb.bsdf");

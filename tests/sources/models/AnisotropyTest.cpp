@@ -43,7 +43,7 @@ double ratioOfTilts(const std::string& spec, double degrees)
     return source.evaluate(x, x).x / source.evaluate(y, y).x;
 }
 
-TEST(Anisotropy, HighlightIsWideWhereTheRoughnessOrTheFallOffSaysSo)
+TEST(Anisotropy, HighlightIsWideAlongTheLargerRoughnessOrFallOff)
 {
     EXPECT_LT(ratioOfTilts("ggx:alpha_x=0.1,alpha_y=0.4", 15.0), 0.5);
     EXPECT_LT(ratioOfTilts("beckmann:alpha_x=0.1,alpha_y=0.4", 15.0), 0.5);

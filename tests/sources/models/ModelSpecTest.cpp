@@ -67,7 +67,7 @@ TEST(ModelSpec, FixedNamesAndParametersExist)
         EXPECT_EQ(messageOf(spec), "") << spec;
 }
 
-TEST(ModelSpec, SourceSaysWhatItIs)
+TEST(ModelSpec, SourceDescribesItself)
 {
     const Source source = makeModelSource("ggx:alpha=0.2");
     EXPECT_EQ(source.name, "ggx:alpha=0.2");
