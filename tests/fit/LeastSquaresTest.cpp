@@ -214,7 +214,7 @@ TEST_P(Solvers, FactorizationAndConjugateGradientsAgree)
         options.smoothness = 1e-2;
         options.robust = true;
         const State from = step(a, a.flatState(), {}).x;
-        // From one state, so that the robust weights are the same.
+        // Both start from one state, so that the robust weights are the same.
         const State x = step(a, from, options).x;
         const State y = step(b, from, options).x;
         EXPECT_LT(largestDifference(a, x, b, y), kSolversAgree) << form.name;

@@ -138,8 +138,9 @@ TEST_P(Eviction, AProgramMadeForAFormOfMoreTablesDrawsOneOfFewer)
     }
 }
 
-// As an editor does all day: new numbers for a material, the old one released after. What a reload
-// leaked before programs were evicted, an entry of the cache with its key, was over 100 bytes.
+// An editor does this all day: it makes a material of new numbers and releases the old one. What a
+// reload leaked before programs were evicted, an entry of the cache with its key, was over 100
+// bytes.
 TEST_P(Eviction, TenThousandReloadsLeaveNothingBehind)
 {
     constexpr int kReloads = 10000, kSettled = 1000;

@@ -113,7 +113,7 @@ const std::vector<std::string>& published()
         "GL_PIXEL_UNPACK_BUFFER", "GL_VIEWPORT", "GL_UNPACK", "GL_RED_", "GL_GREEN_", "GL_BLUE_",
         "GL_MAP_COLOR", "GL_CLAMP_FRAGMENT_COLOR", "unit ", "blend", "buffer ", "viewport 0",
         "attribute ",
-        // Of the active unit, which changes:
+        // These belong to the active unit, which changes:
         "GL_TEXTURE_2D"};
     return names;
 }

@@ -89,7 +89,7 @@ double albedoOnAFineGrid(const BrdfFunction& brdf, double theta_i)
     return sum * kPi / kZeniths * 2.0 * kPi / kAzimuths;
 }
 
-// As tables have them: kinks along theta_h and theta_d, and narrow along x.
+// Tables have such lobes: with kinks along theta_h and theta_d, and narrow along x.
 Vec3d kinked(const Vec3d& wo, const Vec3d& wi)
 {
     const Vec3d h = glm::normalize(wo + wi);

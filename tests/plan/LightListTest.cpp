@@ -71,7 +71,7 @@ TEST(LightSelection, KeepsTheStrongestUnderACap)
     directional.type = Light::Type::directional;
     directional.position = {0.0f, 0.0f, 1.0f};
     directional.intensity = Vec3f(0.3f);
-    // At the nearest point: 1/4, 4/4, 1/16, 0.3.
+    // Their irradiances at the nearest point are 1/4, 4/4, 1/16, 0.3.
     const std::vector<Light> lights{pointLight({3.0f, 0.0f, 0.0f}, 0.0f),
                                     pointLight({0.0f, 3.0f, 0.0f}, 0.0f, 4.0f),
                                     pointLight({0.0f, 0.0f, 5.0f}, 0.0f), directional};

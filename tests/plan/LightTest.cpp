@@ -77,7 +77,7 @@ TEST(Spot, IsFullInsideAndBlackOutside)
         EXPECT_EQ(coneFactor(light, towards(angle)), 1.0) << angle;
     for (double angle = 0.61; angle < kPi; angle += 0.05)
         EXPECT_EQ(coneFactor(light, towards(angle)), 0.0) << angle;
-    // By hand: half way between the cosines a quarter remains.
+    // Worked out by hand: half way between the cosines a quarter remains.
     const double between = std::acos(0.5 * (std::cos(0.3) + std::cos(0.6)));
     EXPECT_NEAR(coneFactor(light, towards(between)), 0.25, 1e-6);  // the angles are floats
 }

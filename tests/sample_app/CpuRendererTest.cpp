@@ -113,7 +113,8 @@ TEST(Reference, PointLightsFallOffWithTheSquareOfDistanceAndEndAtTheirRadius)
 
 TEST(Reference, HandsTheBrdfDirectionsInTheTangentFrame)
 {
-    // On the plane t, s, n = x, y, z. The eye is straight above, so the pixel sees the origin.
+    // The frame of the plane is t, s, n = x, y, z. The eye is straight above, so the pixel sees the
+    // origin.
     const Mesh mesh = makePlane(1);
     const Vec3d toLight = glm::normalize(Vec3d(0.3, -0.5, 0.8));
     const Brdf probe = [&](const Vec3d& wo, const Vec3d& wi) {

@@ -243,7 +243,7 @@ TEST_P(TechniquesGL, SeveralInstancesAgree)
     Scene scene = sceneOf(mesh, material, 3);
     scene.instances = {{&mesh}, {&mesh}, {&mesh}};
     scene.instances[1].model[3] = glm::vec4(0.5f, 0.2f, 0.4f, 1.0f);  // through the first
-    // Turned by a quarter about z and stretched along x.
+    // The sphere is turned by a quarter about z and stretched along x.
     scene.instances[2].model =
         glm::mat4(0, 0.6f, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, -0.3f, 0.1f, 0.8f, 1);
     scene.view = viewFromCamera(Camera(), 1.0, {Vec3f(0.0f), 2.0f});

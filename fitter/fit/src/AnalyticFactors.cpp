@@ -142,7 +142,7 @@ Material ashikhminShirleyFactors(const ModelValues& values, int size)
 
 using Writer = Material (*)(const ModelValues& values, int size);
 
-// None for a model without factors of its own.
+// Returns nothing for a model without factors of its own.
 Writer writerOf(const std::string& model)
 {
     if (model == "ward") return wardFactors;

@@ -34,7 +34,7 @@ float zenithOf(const Vec3f& w)
     return std::atan2(std::hypot(w.x, w.y), w.z);
 }
 
-/// To [-pi, pi].
+/// Wraps an angle into [-pi, pi].
 float wrapped(float angle)
 {
     return std::remainder(angle, float(2.0 * kPi));

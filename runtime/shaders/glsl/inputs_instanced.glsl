@@ -11,7 +11,7 @@ flat FBRDF_TO_FRAGMENT int fbrdfMaterial;
 #define FBRDF_VERTEX vec4(fbrdfVertex, 1.0)
 #define FBRDF_CLIP(position)
 
-// Also passes the material on.
+// This also passes the material on.
 mat4 fbrdfModelViewMatrix()
 {
     int first = 4 * gl_InstanceID;

@@ -1,4 +1,4 @@
-// From exposed radiance to the value that is stored. Twins: Transfer.h.
+// Turns exposed radiance into the value that is stored. Twins: Transfer.h.
 
 // IEC 61966-2-1:1999; x in [0, 1].
 vec3 fbrdfSrgbFromLinear(vec3 x)

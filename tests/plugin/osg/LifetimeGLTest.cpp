@@ -168,7 +168,7 @@ TEST_F(Lifetime, TheLogHasReasonsThatTakeTurnsOnce)
     const osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
     osgFbrdf::DrawLog log;
     const Notices notices;
-    // As two views of one scene give them.
+    // This is the order in which two views of one scene give them.
     for (int i = 0; i < 5; ++i)
         for (const char* reason : {"one", "", "two"}) log.report(*effect, {"t", reason, 1, 1});
     EXPECT_EQ(countOf(notices.text(), "t is drawn: one"), 1u) << notices.text();

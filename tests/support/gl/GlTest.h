@@ -41,7 +41,7 @@ protected:
 
     HeadlessContext& context() { return *context_; }
     const GladGLContext& gl() const { return gl_; }
-    /// For a renderer of this variant; messages go to `log`.
+    /// Options of a renderer of this variant; its messages go to `log`.
     gl::RendererOptions rendererOptions();
     gl::Renderer makeRenderer() { return gl::Renderer(rendererOptions()); }
     Offscreen makeOffscreen(int size = 64, OffscreenFormat format = OffscreenFormat::rgba32f);
@@ -51,8 +51,8 @@ protected:
                     const std::vector<gl::Item>& items, const std::vector<Light>& lights,
                     const gl::DrawOptions& options = {});
 
-    /// For tests that provoke messages of the driver, such as those about a shader that does not
-    /// compile.
+    /// Called by tests that provoke messages of the driver, such as those about a shader that does
+    /// not compile.
     void expectMessages() const { gl_.Disable(GL_DEBUG_OUTPUT); }
 
     std::vector<std::string> log;
@@ -62,7 +62,7 @@ private:
     GladGLContext gl_{};
 };
 
-/// With a renderer, which goes before the context does.
+/// A test with a renderer, which goes before the context does.
 class RendererTest : public GlTest {
 protected:
     void SetUp() override;

@@ -66,7 +66,7 @@ void GLAD_API_PTR shaderSource(GLuint shader, GLsizei n, const GLchar* const* te
         active->real.ShaderSource(shader, n, text, length);
 }
 
-/// With a second main() where asked.
+/// The program gets a second main() where a test asks for it.
 void GLAD_API_PTR linkProgram(GLuint program)
 {
     if (active->spoilPrograms) {

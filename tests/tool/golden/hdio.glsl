@@ -335,7 +335,7 @@ vec3 fbrdfIrradiance(vec4 position, vec4 intensity, vec4 cone, vec3 point, out v
     wi = toLight * inversesqrt(max(distanceSquared, 1e-30));
     return intensity.rgb * (fbrdfFalloff(distanceSquared, position.w) * fbrdfConeFactor(cone, wi));
 }
-// From exposed radiance to the value that is stored. Twins: Transfer.h.
+// Turns exposed radiance into the value that is stored. Twins: Transfer.h.
 
 // IEC 61966-2-1:1999; x in [0, 1].
 vec3 fbrdfSrgbFromLinear(vec3 x)

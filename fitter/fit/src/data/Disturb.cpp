@@ -15,7 +15,7 @@ class Random {
 public:
     explicit Random(uint64_t seed) : engine_(seed) {}
 
-    /// In [0, 1), 53 bits.
+    /// A number in [0, 1) of 53 bits.
     double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
     /// Box and Muller 1958.
     double normal()

@@ -24,13 +24,13 @@ struct Candidate {
     double mark() const;
 };
 
-/// By mark.
+/// True when the mark of `a` is the smaller.
 bool isBetter(const Candidate& a, const Candidate& b);
 
 /// Parts of what is held out: the folds, or as many parts of the only one.
 constexpr size_t kMarkParts = static_cast<size_t>(kFolds);
 
-/// By how much a mark is above another, and the standard error of that: of the mean over parts of
+/// How far a mark is above another, and the standard error of that: of the mean over parts of
 /// their differences. Parts are the same samples for both.
 struct Lead {
     double mean = 0, error = 0;

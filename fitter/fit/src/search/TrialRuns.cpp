@@ -187,7 +187,7 @@ std::vector<Candidate> TrialRuns::tryAll(const std::vector<Form>& forms, const s
         untilOver(std::move(candidates), [this](const FitContext& context, Candidate& candidate) {
             holdOutMore(context, candidate, 1);
         });
-    // Of few samples one fold shows too little.
+    // With few samples one fold shows too little to leave a form behind.
     if (part_.folds == 1) leaveBehind(candidates);
     std::sort(candidates.begin(), candidates.end(), isBetter);  // the most promising first
     return untilOver(

@@ -31,7 +31,7 @@ void parseKlemsXml(const InputFile& file, pugi::xml_document& document);
 std::string textWithin(const pugi::xml_node& node);
 /// First child of that name, whatever its namespace prefix.
 pugi::xml_node childNamed(const pugi::xml_node& parent, std::string_view name);
-/// Its text, trimmed.
+/// The text of the element, trimmed.
 std::string childText(const pugi::xml_node& parent, std::string_view name);
 /// All elements of that name below a node, in document order.
 std::vector<pugi::xml_node> elementsNamed(const pugi::xml_node& parent, std::string_view name);

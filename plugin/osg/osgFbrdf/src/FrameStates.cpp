@@ -48,7 +48,7 @@ osg::ref_ptr<osg::Uniform> attenuationUniform(const std::vector<Attenuation>& at
     return uniform;
 }
 
-/// For attenuation.glsl: which attenuation each light of the pass has.
+/// The uniform from which attenuation.glsl knows which attenuation each light of the pass has.
 osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuationOf,
                                               const fbrdf::Pass& pass)
 {

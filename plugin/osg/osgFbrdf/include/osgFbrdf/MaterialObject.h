@@ -23,8 +23,8 @@ public:
     MaterialObject(const MaterialObject& other, const osg::CopyOp& op = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgFbrdf, MaterialObject)
 
-    /// For readers of scenes, which make an object before they know what is in it: takes the
-    /// material of another. Only while nobody else has this one.
+    /// Takes the material of another, for readers of scenes, which make an object before they know
+    /// what is in it. Precondition: nobody else has this one.
     void take(const MaterialObject& other);
 
     bool valid() const { return states_.valid(); }

@@ -34,7 +34,7 @@ struct MeshData {
     /// One for each tangent: negative where s = -n x t, as under mirrored texture coordinates. May
     /// be empty, which means s = n x t.
     std::vector<float> handedness = {};
-    /// For vertex hooks: fbrdfExtra0 is the first.
+    /// Arrays for vertex hooks: fbrdfExtra0 is the first.
     std::vector<std::vector<glm::vec4>> extra = {};
 };
 
