@@ -3,6 +3,7 @@
 #include "bench/Turns.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Stats.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ private:
                                             [&](const Variant& v) { return v.name == name; });
             if (found == all.end())
                 throw Error(ErrorKind::usage, "--only",
-                            "found '" + name + "', expected a variant such as 'hdio single'");
+                            Found("'" + name + "'").expected("a variant such as 'hdio single'"));
             result.push_back(*found);
         }
         return result;

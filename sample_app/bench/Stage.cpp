@@ -1,6 +1,7 @@
 #include "bench/Stage.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/Lights.h>
 
@@ -40,7 +41,8 @@ Stage makeStage(const std::string& mesh, double aspect)
     Stage stage;
     const bool isTriangle = mesh == "triangle";
     if (!isTriangle && mesh != "sphere")
-        throw Error(ErrorKind::usage, "mesh", "found '" + mesh + "', expected triangle or sphere");
+        throw Error(ErrorKind::usage, "mesh",
+                    Found("'" + mesh + "'").expected("triangle or sphere"));
     stage.mesh =
         isTriangle ? fullScreenTriangle(static_cast<float>(aspect)) : scene::makeSphere(64, 32);
     // The outline of a unit sphere is seen at the tangent distance sqrt(distance^2 - 1).

@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <fmt/core.h>
 
@@ -20,8 +21,9 @@ Size sizeFromText(const std::string& text)
     const auto inRange = [](int side) { return side >= 1 && side <= kLargestSide; };
     if (!hasCross || error2 != std::errc() || last != end || !inRange(size.width) ||
         !inRange(size.height))
-        throw Error(ErrorKind::usage, "--size",
-                    "found '" + text + "', expected WxH of 1 to " + std::to_string(kLargestSide));
+        throw Error(
+            ErrorKind::usage, "--size",
+            Found("'" + text + "'").expected("WxH of 1 to " + std::to_string(kLargestSide)));
     return size;
 }
 

@@ -2,6 +2,7 @@
 #include "GlFunctions.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 namespace fbrdf::viewer {
 
@@ -13,7 +14,7 @@ GladGLContext loadGlFunctions(gl::LoadFunction load)
             (*static_cast<gl::LoadFunction*>(user))(nullptr, name));
     };
     if (!gladLoadGLContextUserPtr(&functions, loadOne, &load))
-        throw Error(ErrorKind::gl, "viewer", "found no current context, expected OpenGL 3.3");
+        throw Error(ErrorKind::gl, "viewer", Found("no current context").expected("OpenGL 3.3"));
     return functions;
 }
 

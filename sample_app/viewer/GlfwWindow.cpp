@@ -1,6 +1,7 @@
 #include "GlfwWindow.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -16,8 +17,8 @@ namespace {
     const char* description = nullptr;
     glfwGetError(&description);
     throw Error(ErrorKind::gl, "window",
-                std::string("found ") + (description ? description : "no reason") + " (" + step +
-                    "), expected a display with OpenGL 3.3; without one use --headless");
+                Found(std::string(description ? description : "no reason") + " (" + step + ")")
+                    .expected("a display with OpenGL 3.3; without one use --headless"));
 }
 
 GlfwWindow* windowOf(GLFWwindow* handle)
@@ -65,7 +66,7 @@ gl::LoadFunction GlfwWindow::loader()
 void GlfwWindow::installCallbacks()
 {
     glfwSetWindowUserPointer(window_, this);
-    // By character and not by key, so that every keyboard layout works; escape and F1 have no
+    // Keys are recognised by character, so that every keyboard layout works; escape and F1 have no
     // character.
     glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned code) {
         GlfwWindow& self = *windowOf(handle);

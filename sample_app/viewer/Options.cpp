@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Image.h>
 
 #include <CLI/CLI.hpp>
@@ -79,7 +80,7 @@ void understand(const Texts& texts, Options& options)
         options.height = size.height;
     }
     if (!std::isfinite(options.exposure))
-        throw Error(ErrorKind::usage, "--exposure", "found no finite number, expected one > 0");
+        throw Error(ErrorKind::usage, "--exposure", Found("no finite number").expected("one > 0"));
     if (!options.out.empty()) scene::checkImagePath(options.out);
 }
 

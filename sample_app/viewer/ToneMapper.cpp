@@ -4,6 +4,7 @@
 #include "ToneMapShaders.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 namespace fbrdf::viewer {
 namespace {
@@ -84,7 +85,7 @@ void ToneMapper::resize(int width, int height)
     const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ErrorKind::gl, "window", "found no RGBA32F framebuffer, expected one");
+        throw Error(ErrorKind::gl, "window", Found("no RGBA32F framebuffer").expected("one"));
     width_ = width;
     height_ = height;
 }

@@ -9,6 +9,7 @@
 #include "Unsampled.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/metrics/SampleSets.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ Dataset readDataset(const Source& source, const FitOptions& options)
 {
     Dataset dataset = makeDataset(source, kFunctionSamples, options.seed, options.threads);
     if (dataset.rows == 0)
-        throw Error(ErrorKind::fit, source.name, "found no samples, expected at least one");
+        throw Error(ErrorKind::fit, source.name, Found("no samples").expected("at least one"));
     return dataset;
 }
 

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/Fit.h>
 
 namespace fbrdf {
@@ -18,7 +19,7 @@ Metric metricFromName(const std::string& name)
     for (const Metric m : {Metric::log, Metric::cubeRoot, Metric::log1p})
         if (name == metricName(m)) return m;
     throw Error(ErrorKind::usage, "metric",
-                "found '" + name + "', expected log, cuberoot or log1p");
+                Found("'" + name + "'").expected("log, cuberoot or log1p"));
 }
 
 }  // namespace fbrdf

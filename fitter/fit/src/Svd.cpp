@@ -6,6 +6,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/metrics/Metrics.h>
@@ -206,8 +207,8 @@ void checkTerms(const Form& form)
     const auto terms = static_cast<int>(form.terms.size());
     if (terms < 1 || terms > most)
         throw Error(ErrorKind::usage, "form",
-                    "found svd of " + std::to_string(terms) + " terms, expected 1 to " +
-                        std::to_string(most));
+                    Found("svd of " + std::to_string(terms) + " terms")
+                        .expected("1 to " + std::to_string(most)));
 }
 
 void roundToHalf(Table& table)

@@ -1,6 +1,7 @@
 #include <fbrdf/peers/GgxFit.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Parallel.h>
 
@@ -227,7 +228,7 @@ GgxModel fitLobes(const std::vector<Sample>& samples, const GgxFitOptions& optio
             }
         }
     if (best.empty())
-        throw Error(ErrorKind::fit, "ggx", "found no start that descends, expected one");
+        throw Error(ErrorKind::fit, "ggx", Found("no start that descends").expected("one"));
     descend<Lobes>(samples, 1, kFinalSteps, options, best);
     return modelOf(best, Lobes);
 }
@@ -237,10 +238,10 @@ GgxModel fitLobes(const std::vector<Sample>& samples, const GgxFitOptions& optio
 GgxModel fitGgx(const std::vector<Sample>& samples, const GgxFitOptions& options)
 {
     if (samples.empty())
-        throw Error(ErrorKind::fit, "ggx", "found no samples, expected at least one");
+        throw Error(ErrorKind::fit, "ggx", Found("no samples").expected("at least one"));
     if (options.lobes < 1 || options.lobes > kMaxLobes)
         throw Error(ErrorKind::usage, "lobes",
-                    "found " + std::to_string(options.lobes) + ", expected 1 or 2");
+                    Found(std::to_string(options.lobes)).expected("1 or 2"));
     return options.lobes == 1 ? fitLobes<1>(samples, options) : fitLobes<2>(samples, options);
 }
 

@@ -1,6 +1,7 @@
 #include <fbrdf/peers/LinearMaps.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ Material linearMaps(const Material& material, const MaterialError& errorOf)
 {
     if (material.form.terms.size() != 1)
         throw Error(ErrorKind::usage, "linear maps",
-                    "found " + std::to_string(material.form.terms.size()) + " terms, expected one");
+                    Found(std::to_string(material.form.terms.size()) + " terms").expected("one"));
     Material best;
     double bestError = std::numeric_limits<double>::infinity();
     std::vector<size_t> choice(material.tables.size(), 0);

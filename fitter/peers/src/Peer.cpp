@@ -8,6 +8,7 @@
 #endif
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/Clock.h>
 #include <fbrdf/fit/Fit.h>
 #include <fbrdf/metrics/SampleSets.h>
@@ -262,8 +263,9 @@ const Peer& findPeer(const std::string& name)
         known += (known.empty() ? "" : ", ") + peer.name;
     }
     throw Error(ErrorKind::usage, "peers",
-                "found '" + name + "', expected some of " + known +
-                    (peersLeftOut().empty() ? "" : "; without " + peersLeftOut()));
+                Found("'" + name + "'")
+                    .expected("some of " + known +
+                              (peersLeftOut().empty() ? "" : "; without " + peersLeftOut())));
 }
 
 std::vector<Sample> peerSamples(const Source& source, size_t count, const PeerContext& context)

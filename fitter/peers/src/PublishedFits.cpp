@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Fields.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
 
@@ -24,7 +25,7 @@ double numberOf(const std::string& text, const std::string& where)
 {
     double value = 0.0;
     if (!parseNumber(text, value) || !std::isfinite(value))
-        throw Error(ErrorKind::input, where, "found '" + text + "', expected a number");
+        throw Error(ErrorKind::input, where, Found("'" + text + "'").expected("a number"));
     return value;
 }
 
@@ -33,8 +34,8 @@ ParameterRow rowOf(const std::vector<std::string>& header, const std::vector<std
 {
     if (fields.size() != header.size())
         throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(fields.size()) + " fields, expected " +
-                        std::to_string(header.size()));
+                    Found(std::to_string(fields.size()) + " fields")
+                        .expected(std::to_string(header.size())));
     ParameterRow row;
     for (size_t i = 1; i < fields.size(); ++i) row[header[i]] = numberOf(fields[i], where);
     return row;
@@ -62,7 +63,7 @@ std::string specFromRow(const std::string& model, const ParameterRow& row,
     const auto at = [&](const std::string& column) {
         const auto found = row.find(column);
         if (found == row.end())
-            throw Error(ErrorKind::input, model, "found no column " + column + ", expected one");
+            throw Error(ErrorKind::input, model, Found("no column " + column).expected("one"));
         return numberText(found->second, kExact);
     };
     std::string spec = model;

@@ -3,6 +3,7 @@
 #include <fbrdf/base/Text.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 #include <fstream>
@@ -45,14 +46,14 @@ size_t rowNamed(const FileRequest& request, const std::vector<Entry>& entries)
     for (size_t i = 0; i < entries.size(); ++i) {
         if (!matches(entries[i], request.choice)) continue;
         if (row != entries.size())
-            throw choiceError(request, "found " + inQuotes(request.choice) + " in several sets (" +
-                                           entries[row].set + ", " + entries[i].set +
-                                           "), expected set/name");
+            throw choiceError(request, Found(inQuotes(request.choice) + " in several sets (" +
+                                             entries[row].set + ", " + entries[i].set + ")")
+                                           .expected("set/name"));
         row = i;
     }
     if (row == entries.size())
-        throw choiceError(request, "found no material " + inQuotes(request.choice) +
-                                       ", expected a name of the materials.txt beside it or a row");
+        throw choiceError(request, Found("no material " + inQuotes(request.choice))
+                                       .expected("a name of the materials.txt beside it or a row"));
     return row;
 }
 
@@ -72,13 +73,13 @@ Chosen chosenMaterial(const FileRequest& request, size_t rows)
     const std::vector<Entry> entries = entriesBeside(*request.file);
     const std::string range = "a row from 0 to " + std::to_string(rows - 1);
     if (request.choice.empty() && rows > 1)
-        throw choiceError(request,
-                          "found no choice of material, expected FILE#name or FILE#row, " + range);
+        throw choiceError(
+            request, Found("no choice of material").expected("FILE#name or FILE#row, " + range));
     long long number = 0;
     if (!request.choice.empty() && !parseInteger(request.choice, number))
         number = static_cast<long long>(rowNamed(request, entries));
     if (number < 0 || static_cast<unsigned long long>(number) >= rows)
-        throw choiceError(request, "found row " + std::to_string(number) + ", expected " + range);
+        throw choiceError(request, Found("row " + std::to_string(number)).expected(range));
     const size_t row = static_cast<size_t>(number);
     if (row < entries.size()) return {row, entries[row].name};
     return {row, request.file->stem() + "#" + std::to_string(row)};

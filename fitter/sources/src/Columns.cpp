@@ -2,6 +2,7 @@
 
 #include "ColumnName.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 
 #include <algorithm>
@@ -82,8 +83,8 @@ void readUnits(const InputFile& file, size_t line, const std::vector<std::string
         const std::optional<double> degrees = degreesIn(unit);
         if (!degrees)
             throw lineError(file, line,
-                            "found the unit " + inQuotes(unit) + " of " + columnName(field.column) +
-                                ", expected deg or rad");
+                            Found("the unit " + inQuotes(unit) + " of " + columnName(field.column))
+                                .expected("deg or rad"));
         field.unit = *degrees;
         layout.namesUnit |= !unit.empty();
     }
@@ -106,21 +107,20 @@ ColumnLayout columnLayout(const InputFile& file, size_t line, const std::vector<
     ColumnLayout layout;
     std::vector<Field>& fields = layout.fields;
     fields = fieldsOf(names);
-    const std::string header = joined(names);
-    const auto fail = [&](const std::string& what) {
-        return lineError(file, line, "found " + what);
-    };
+    const Found header("the header " + inQuotes(joined(names)));
     for (size_t i = 0; i < kColumnCount; ++i)
         if (countOf(fields, static_cast<Column>(i)) > 1)
-            throw fail("column '" + std::string(kNames[i]) + "' twice, expected each name once");
+            throw lineError(
+                file, line,
+                Found("column '" + std::string(kNames[i]) + "' twice").expected("each name once"));
     layout.directions = hasAll(fields, Column::wo_x, Column::wi_z);
     layout.colour = hasAll(fields, Column::r, Column::b);
     if (!hasGeometry(fields))
-        throw fail("the header " + inQuotes(header) +
-                   ", expected columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z or "
-                   "theta_i,phi_i,theta_o,phi_o");
+        throw lineError(file, line,
+                        header.expected("columns wo_x,wo_y,wo_z,wi_x,wi_y,wi_z or "
+                                        "theta_i,phi_i,theta_o,phi_o"));
     if (!layout.colour && !hasAll(fields, Column::value, Column::value))
-        throw fail("the header " + inQuotes(header) + ", expected columns r,g,b or value");
+        throw lineError(file, line, header.expected("columns r,g,b or value"));
     if (layout.directions) forget(fields, Column::theta_i, Column::phi_o);
     readUnits(file, line, names, layout);
     if (layout.colour) forget(fields, Column::value, Column::value);

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fbrdf/base/TextDecoder.h>
 
@@ -36,7 +37,7 @@ private:
 
 Error systemError(const std::string& path, const std::string& expected)
 {
-    return Error(ErrorKind::input, path, std::string(std::strerror(errno)) + ", " + expected);
+    return Error(ErrorKind::input, path, Found(std::strerror(errno)).expected(expected));
 }
 
 }  // namespace
@@ -46,18 +47,18 @@ InputFile::InputFile(const std::string& path) : path_(path)
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat status {};
     if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
-        throw systemError(path, "expected a readable file");
+        throw systemError(path, "a readable file");
     if (S_ISDIR(status.st_mode))
-        throw Error(ErrorKind::input, path, "found a directory, expected a file");
+        throw Error(ErrorKind::input, path, Found("a directory").expected("a file"));
     if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
-        throw Error(ErrorKind::input, path, "found a device or socket, expected a file");
+        throw Error(ErrorKind::input, path, Found("a device or socket").expected("a file"));
     const size_t size = static_cast<size_t>(status.st_size);
     if (S_ISREG(status.st_mode) && size >= kMapFrom)
         mapAll(file.get(), size);
     else
         readAll(file.get(), size);
     if (view_.empty())
-        throw Error(ErrorKind::input, path, "found an empty file, expected reflectance data");
+        throw Error(ErrorKind::input, path, Found("an empty file").expected("reflectance data"));
     decodeText();
 }
 
@@ -99,11 +100,12 @@ void InputFile::readAll(int descriptor, size_t expected)
     for (;;) {
         const ssize_t got = ::read(descriptor, held_.data() + used, held_.size() - used);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw systemError(path_, "expected a readable file");
+        if (got < 0) throw systemError(path_, "a readable file");
         if (got == 0) break;
         used += static_cast<size_t>(got);
         if (used > kPipeLimit)
-            throw Error(ErrorKind::input, path_, "found a pipe of more than 4 GiB, use a file");
+            throw Error(ErrorKind::input, path_,
+                        Found("a pipe of more than 4 GiB").expected("a file"));
         if (used == held_.size()) held_.resize(std::max<size_t>(2 * used, 65536));
     }
     held_.resize(used);
@@ -113,7 +115,7 @@ void InputFile::readAll(int descriptor, size_t expected)
 void InputFile::mapAll(int descriptor, size_t size)
 {
     void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    if (address == MAP_FAILED) throw systemError(path_, "expected a file that can be mapped");
+    if (address == MAP_FAILED) throw systemError(path_, "a file that can be mapped");
     mapped_ = address;
     mappedSize_ = size;
     view_ = std::string_view(static_cast<const char*>(address), size);

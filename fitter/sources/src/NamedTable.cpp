@@ -1,5 +1,7 @@
 #include "NamedTable.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <algorithm>
 
 namespace fbrdf {
@@ -40,7 +42,7 @@ NamedTable::NamedTable(const InputFile& file) : file_(file), lines_(file.bytes()
 {
     std::string_view header;
     if (!readHeader(lines_, header, separator_))
-        throw inputError(file, "found no line of data, expected a header");
+        throw inputError(file, Found("no line of data").expected("a header"));
     names_ = namesIn(header, separator_);
 }
 
@@ -50,7 +52,7 @@ size_t NamedTable::column(std::string_view name) const
                                     [&](const std::string& n) { return sameWord(n, name); });
     if (found == names_.end())
         throw lineError(file_, lines_.number(),
-                        "found no column '" + std::string(name) + "', expected it");
+                        Found("no column '" + std::string(name) + "'").expected("it"));
     return size_t(found - names_.begin());
 }
 
@@ -72,9 +74,8 @@ void NamedTable::requireFields() const
                     fields_.end(), [](std::string_view field) { return field.empty(); });
     if (fields_.size() >= expected && empty) return;
     throw lineError(file_, lines_.number(),
-                    "found " + std::to_string(fields_.size()) + " fields between " +
-                        nameOf(separator_) + ", expected " + std::to_string(names_.size()) +
-                        " as in the header");
+                    Found(std::to_string(fields_.size()) + " fields between " + nameOf(separator_))
+                        .expected(std::to_string(names_.size()) + " as in the header"));
 }
 
 double NamedTable::number(size_t column) const
@@ -82,9 +83,9 @@ double NamedTable::number(size_t column) const
     const std::string_view field = fields_[first_ + column];
     double value = 0.0;
     if (!parseField(field, value))
-        throw lineError(file_, lines_.number(),
-                        "found " + inQuotes(field) + " as " + lowerCase(names_[column]) +
-                            ", expected a number");
+        throw lineError(
+            file_, lines_.number(),
+            Found(inQuotes(field) + " as " + lowerCase(names_[column])).expected("a number"));
     return value;
 }
 

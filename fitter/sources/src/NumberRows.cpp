@@ -1,5 +1,6 @@
 #include "NumberRows.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ void parseNumbers(const InputFile& file, size_t line, const std::vector<std::str
     numbers.resize(words.size());
     for (size_t i = 0; i < words.size(); ++i)
         if (!parseField(words[i], numbers[i]))
-            throw lineError(file, line, "found " + inQuotes(words[i]) + ", expected a number");
+            throw lineError(file, line, Found(inQuotes(words[i])).expected("a number"));
 }
 
 size_t mostRows(const InputFile& file, size_t numbers)

@@ -3,6 +3,7 @@
 #include "SampleSymmetry.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/sources/MaterialSource.h>
 #include <fbrdf/sources/Model.h>
@@ -79,7 +80,7 @@ Source openSource(const std::string& spec, const SourceOptions& options)
     const FileSpec file = fileSpecOf(spec);
     if (!file.path.empty()) return openFile(file, options);
     if (mustBeFile(spec))
-        throw Error(ErrorKind::input, spec, "found no such file, expected a file or a model");
+        throw Error(ErrorKind::input, spec, Found("no such file").expected("a file or a model"));
     return makeModelSource(spec);
 }
 

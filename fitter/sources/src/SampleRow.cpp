@@ -1,6 +1,7 @@
 #include "SampleRow.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>
@@ -105,8 +106,8 @@ void requireSamples(const Source& source, const std::string& where)
         if (!samples.empty()) return;
     }
     throw Error(ErrorKind::input, where,
-                "found no usable sample (" + briefReport(report) +
-                    "), expected at least one that is finite and above the horizon");
+                Found("no usable sample (" + briefReport(report) + ")")
+                    .expected("at least one that is finite and above the horizon"));
 }
 
 }  // namespace fbrdf

@@ -1,6 +1,7 @@
 #include <fbrdf/sources/Spectrum.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 
 #include <algorithm>
@@ -61,13 +62,14 @@ void requireAscending(const std::vector<double>& wavelengths)
     double last = 0.0;
     for (const double wavelength : wavelengths) {
         if (!(wavelength > last) || !std::isfinite(wavelength))
-            throw Error(ErrorKind::input, "spectrum",
-                        "found wavelength " + numberText(wavelength) + " nm after " +
-                            numberText(last) + ", expected ascending wavelengths above 0");
+            throw Error(
+                ErrorKind::input, "spectrum",
+                Found("wavelength " + numberText(wavelength) + " nm after " + numberText(last))
+                    .expected("ascending wavelengths above 0"));
         last = wavelength;
     }
     if (wavelengths.empty())
-        throw Error(ErrorKind::input, "spectrum", "found no wavelength, expected at least one");
+        throw Error(ErrorKind::input, "spectrum", Found("no wavelength").expected("at least one"));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "Tensor.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -27,9 +29,8 @@ public:
     {
         if (count > file_.size() - at_)
             throw inputError(file_, at_,
-                             "found the end of the file in the table of fields, "
-                             "expected " +
-                                 std::to_string(count) + " more bytes");
+                             Found("the end of the file in the table of fields")
+                                 .expected(std::to_string(count) + " more bytes"));
         at_ += count;
         return file_.bytes().substr(at_ - count, count);
     }
@@ -48,11 +49,15 @@ size_t countOf(const InputFile& file, size_t at, const TensorField& field)
     size_t count = 1;
     for (const size_t extent : field.shape) {
         if (extent != 0 && count > most / extent)
-            throw inputError(file, at, "found a field that reaches beyond the end of the file");
+            throw inputError(
+                file, at,
+                Found("a field that reaches beyond the end of the file").expected("one within it"));
         count *= extent;
     }
     if (count > most)
-        throw inputError(file, at, "found a field that starts beyond the end of the file");
+        throw inputError(
+            file, at,
+            Found("a field that starts beyond the end of the file").expected("one within it"));
     return count;
 }
 
@@ -66,9 +71,9 @@ TensorField readField(const InputFile& file, ByteReader& reader)
     field.offset = reader.number<uint64_t>();
     if (dimensions > kMostDimensions || field.type < 1 || size_t(field.type) >= kTypeSize.size())
         throw inputError(file, start,
-                         "found type " + std::to_string(field.type) + " and " +
-                             std::to_string(dimensions) +
-                             " dimensions, expected types 1 to 11 and at most 16");
+                         Found("type " + std::to_string(field.type) + " and " +
+                               std::to_string(dimensions) + " dimensions")
+                             .expected("types 1 to 11 and at most 16"));
     for (size_t i = 0; i < dimensions; ++i) field.shape.push_back(reader.number<uint64_t>());
     field.count = countOf(file, start, field);
     return field;
@@ -101,17 +106,17 @@ bool isTensorFile(const InputFile& file)
 TensorFields readTensorFields(const InputFile& file)
 {
     constexpr uint32_t kMostFields = 4096;
-    if (!isTensorFile(file)) throw inputError(file, 0, "found no 'tensor_file', expected it");
+    if (!isTensorFile(file)) throw inputError(file, 0, Found("no 'tensor_file'").expected("it"));
     ByteReader reader(file, kTensorMagic.size());
     const int major = reader.number<uint8_t>(), minor = reader.number<uint8_t>();
     if (major != 1 || minor != 0)
         throw inputError(file, kTensorMagic.size(),
-                         "found version " + std::to_string(major) + "." + std::to_string(minor) +
-                             ", expected 1.0");
+                         Found("version " + std::to_string(major) + "." + std::to_string(minor))
+                             .expected("1.0"));
     const uint32_t count = reader.number<uint32_t>();
     if (count > kMostFields)
         throw inputError(file, kTensorMagic.size() + 2,
-                         "found " + std::to_string(count) + " fields, expected at most 4096");
+                         Found(std::to_string(count) + " fields").expected("at most 4096"));
     TensorFields fields;
     for (uint32_t i = 0; i < count; ++i) {
         const std::string name(reader.bytes(reader.number<uint16_t>()));
@@ -124,19 +129,21 @@ std::vector<float> readTensor(const InputFile& file, const TensorFields& fields,
                               const std::string& name, const std::vector<size_t>& shape)
 {
     const auto found = fields.find(name);
-    if (found == fields.end()) throw inputError(file, "found no field '" + name + "', expected it");
+    if (found == fields.end())
+        throw inputError(file, Found("no field '" + name + "'").expected("it"));
     const TensorField& field = found->second;
     if (field.type != kFloat32 || !hasShape(field, shape))
-        throw inputError(file, "found field '" + name + "' of type " + std::to_string(field.type) +
-                                   " and shape " + shapeText(field.shape, "0") +
-                                   ", expected type 10 (float32) and shape " +
-                                   shapeText(shape, "any"));
+        throw inputError(file,
+                         Found("field '" + name + "' of type " + std::to_string(field.type) +
+                               " and shape " + shapeText(field.shape, "0"))
+                             .expected("type 10 (float32) and shape " + shapeText(shape, "any")));
     std::vector<float> values(field.count);
     std::memcpy(values.data(), file.bytes().data() + field.offset, field.count * sizeof(float));
     for (size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]))
-            throw inputError(file, field.offset + i * sizeof(float),
-                             "found a value of '" + name + "' that is not finite");
+            throw inputError(
+                file, field.offset + i * sizeof(float),
+                Found("a value of '" + name + "' that is not finite").expected("finite ones"));
     return values;
 }
 

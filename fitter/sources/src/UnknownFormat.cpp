@@ -1,5 +1,6 @@
 #include "UnknownFormat.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fmt/format.h>
 
@@ -96,12 +97,12 @@ bool hasExtension(const Format& format, const std::string& extension)
 
 Error unknownFormat(const InputFile& file)
 {
-    std::string what = "found an unknown format (" + appearance(file) + ")";
+    std::string what = "an unknown format (" + appearance(file) + ")";
     if (const std::string known = resemblance(file); !known.empty())
         what += ", it resembles " + known;
     if (const std::string named = couldBe(file); !named.empty()) what += "; " + named;
     return inputError(
-        file, what + "; expected the content of one of " + formatNames() + ", or a material");
+        file, Found(what).expected("the content of one of " + formatNames() + ", or a material"));
 }
 
 }  // namespace fbrdf

@@ -1,5 +1,6 @@
 #include "Wavelengths.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fbrdf/sources/Spectrum.h>
 #include <fmt/format.h>
@@ -61,18 +62,19 @@ BandColour::BandColour(const FileRequest& request, const std::vector<double>& wa
         throw inputError(
             *request.file,
             wavelengths.empty()
-                ? std::string("found no wavelength, expected at least one")
-                : fmt::format("found wavelengths from {:.6g} to {:.6g}, expected all in "
-                              "nm (100 and more), um (below 100) or m (below 1e-4)",
-                              *std::min_element(wavelengths.begin(), wavelengths.end()),
-                              *std::max_element(wavelengths.begin(), wavelengths.end())));
+                ? Found("no wavelength").expected("at least one")
+                : fmt::format(
+                      Found("wavelengths from {:.6g} to {:.6g}")
+                          .expected("all in nm (100 and more), um (below 100) or m (below 1e-4)"),
+                      *std::min_element(wavelengths.begin(), wavelengths.end()),
+                      *std::max_element(wavelengths.begin(), wavelengths.end())));
     unit_ = *unit;
     std::iota(order_.begin(), order_.end(), size_t(0));
     std::sort(order_.begin(), order_.end(),
               [&](size_t a, size_t b) { return wavelengths[a] < wavelengths[b]; });
     for (const size_t i : order_) wavelengths_.push_back(wavelengths[i] * unit_);
     if (std::adjacent_find(wavelengths_.begin(), wavelengths_.end()) != wavelengths_.end())
-        throw inputError(*request.file, "found a wavelength twice, expected each once");
+        throw inputError(*request.file, Found("a wavelength twice").expected("each once"));
     choose(request);
 }
 
@@ -89,13 +91,13 @@ void BandColour::choose(const FileRequest& request)
                 return;
             }
         throw Error(ErrorKind::usage, request.file->path(),
-                    "found the choice " + inQuotes(request.choice) +
-                        ", expected one of the wavelengths " + listed() + " nm");
+                    Found("the choice " + inQuotes(request.choice))
+                        .expected("one of the wavelengths " + listed() + " nm"));
     }
     if (wavelengths_.size() == 1) return;
     if (wavelengths_.back() < kFirstVisible || wavelengths_.front() > kLastVisible)
-        throw inputError(*request.file, "found no visible wavelength among " + listed() +
-                                            " nm, expected a choice of one: FILE@WAVELENGTH");
+        throw inputError(*request.file, Found("no visible wavelength among " + listed() + " nm")
+                                            .expected("a choice of one: FILE@WAVELENGTH"));
     const SpectrumToRgb toRgb(wavelengths_);
     std::vector<double> unit(wavelengths_.size());
     weights_.resize(wavelengths_.size());

@@ -4,6 +4,7 @@
 #include "SpreadPairs.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 
 #include <array>
@@ -71,8 +72,8 @@ CellFunction cellsOf(const Source& source, const MerlGrid& grid, const std::stri
         };
     if (!source.evaluate)
         throw Error(ErrorKind::usage, path,
-                    "found a source of scattered samples, expected one that can be evaluated "
-                    "anywhere: fit it first");
+                    Found("a source of scattered samples")
+                        .expected("one that can be evaluated anywhere: fit it first"));
     return [&source, &grid](size_t cell) {
         const DirectionPair<double> pair = grid.pair(cell);
         if (pair.wo.z <= 0.0 || pair.wi.z <= 0.0) return Vec3d(-1.0);

@@ -1,6 +1,7 @@
 #include "Arguments.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/FormFile.h>
 #include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ uint64_t integerFromText(const std::string& where, const std::string& text, uint
     const auto parsed = std::from_chars(text.data(), end, value);
     if (parsed.ec != std::errc() || parsed.ptr != end || value < lower || value > upper)
         throw Error(ErrorKind::usage, where,
-                    fmt::format("found '{}', expected a whole number {}", text,
+                    fmt::format(Found("'{}'").expected("a whole number {}"), text,
                                 upper == kAny ? fmt::format("of at least {}", lower)
                                               : fmt::format("between {} and {}", lower, upper)));
     return value;
@@ -62,7 +63,7 @@ std::optional<double> smoothnessFromText(const std::string& text)
     const auto parsed = std::from_chars(text.data(), end, value);
     if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value) || value <= 0.0)
         throw Error(ErrorKind::usage, "--smoothness",
-                    "found '" + text + "', expected auto or a number above 0");
+                    Found("'" + text + "'").expected("auto or a number above 0"));
     return value;
 }
 

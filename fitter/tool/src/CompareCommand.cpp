@@ -10,6 +10,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/NoiseFloor.h>
 #include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/OpenSource.h>
@@ -61,7 +62,7 @@ Comparison compare(const Reflectance& tested, const Reflectance& reference, int 
     result.set = referenceSet(reference, threads);
     if (result.set.samples.empty())
         throw Error(ErrorKind::input, reference.source.name,
-                    "found no usable sample, expected at least one");
+                    Found("no usable sample").expected("at least one"));
     const auto values = evaluateAt(tested.brdf, result.set.samples, threads);
     result.onSamples = errorMap(sampleErrors(result.set.samples, values, result.set.floor));
     progress.phase("comparing pictures");

@@ -4,6 +4,7 @@
 #include "Progress.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/sources/OpenSource.h>
@@ -28,18 +29,19 @@ Target targetOf(const std::string& path)
         return Target::material;
     if (extension == ".csv") return Target::csv;
     if (extension == ".binary") return Target::merl;
-    throw Error(ErrorKind::usage, path,
-                "found extension '" + extension +
-                    "', expected .fbrdf, .txt (2001 layout), .json (manifest and PNG), .csv or "
-                    ".binary (MERL)");
+    throw Error(
+        ErrorKind::usage, path,
+        Found("extension '" + extension + "'")
+            .expected(
+                ".fbrdf, .txt (2001 layout), .json (manifest and PNG), .csv or .binary (MERL)"));
 }
 
 void convertMaterial(const ConvertCommand& command, const Source& source)
 {
     if (source.format != "material")
-        throw Error(
-            ErrorKind::usage, command.input,
-            "found reflectance (" + source.format + "), expected a material: fbrdf fit makes one");
+        throw Error(ErrorKind::usage, command.input,
+                    Found("reflectance (" + source.format + ")")
+                        .expected("a material: fbrdf fit makes one"));
     writeMaterial(readMaterial(command.input), command.output);
 }
 

@@ -3,6 +3,7 @@
 #include "PairRows.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Parallel.h>
 #include <fmt/compile.h>
 
@@ -48,7 +49,7 @@ PairRows takeHeader(LineBlocks& blocks, LineBlock& block)
         }
     }
     throw Error(ErrorKind::input, blocks.name(),
-                "found no line, expected the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z");
+                Found("no line").expected("the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z"));
 }
 
 // Threads take blocks one after the other and hand in their rows in the order of taking.

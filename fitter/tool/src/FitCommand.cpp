@@ -8,6 +8,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ void requireMaterialExtension(const std::string& path)
     const std::string extension = std::filesystem::path(path).extension().string();
     if (extension != ".fbrdf" && extension != ".txt" && extension != ".json")
         throw Error(ErrorKind::usage, path,
-                    "found extension '" + extension + "', expected .fbrdf, .txt or .json");
+                    Found("extension '" + extension + "'").expected(".fbrdf, .txt or .json"));
 }
 
 double secondsToWrite(const Material& material, const std::string& path)

@@ -3,6 +3,7 @@
 #include "Output.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/shaders/TextureImage.h>
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ void checkVersion(int version)
 {
     if (std::find(kGlslVersions.begin(), kGlslVersions.end(), version) == kGlslVersions.end())
         throw Error(ErrorKind::usage, "--version",
-                    fmt::format("found {}, expected one of {}", version, versionList()));
+                    fmt::format(Found("{}").expected("one of {}"), version, versionList()));
 }
 
 /// A common context of that version. OpenGL ES 2.0 seldom draws to floats or filters them, and no

@@ -1,6 +1,7 @@
 #include "LineBlocks.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -68,7 +69,7 @@ bool LineBlocks::next(LineBlock& block)
            (end == std::string::npos || (block.text.size() < kBlockBytes && !mustWait()))) {
         if (end == std::string::npos && block.text.size() > kBlockBytes)
             throw Error(ErrorKind::input, where(line_),
-                        "found a line longer than a megabyte, expected numbers");
+                        Found("a line longer than a megabyte").expected("numbers"));
         ended_ = !readMore(block.text);
         end = block.text.rfind('\n');
     }

@@ -1,6 +1,7 @@
 #include "PairRows.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 
 #include <algorithm>
@@ -59,8 +60,8 @@ PairRows::PairRows(std::string_view header, const std::string& where)
     for (int c = 0; c < 6; ++c)
         if (std::count(componentOfField_.begin(), componentOfField_.end(), c) != 1)
             throw Error(ErrorKind::input, where,
-                        "found the header " + inQuotes(header) +
-                            ", expected wo_x,wo_y,wo_z,wi_x,wi_y,wi_z, each once");
+                        Found("the header " + inQuotes(header))
+                            .expected("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z, each once"));
 }
 
 std::string PairRows::parse(std::string_view line, DirectionPair<double>& pair) const
@@ -73,18 +74,18 @@ std::string PairRows::parse(std::string_view line, DirectionPair<double>& pair) 
         const int component = count < componentOfField_.size() ? componentOfField_[count] : kUnused;
         if (component != kUnused && wrong.empty() &&
             !parseFinite(field, v[static_cast<size_t>(component)]))
-            wrong = "found " + inQuotes(field) + " as " +
-                    std::string(kNames[static_cast<size_t>(component)]) +
-                    ", expected a finite number";
+            wrong = Found(inQuotes(field) + " as " +
+                          std::string(kNames[static_cast<size_t>(component)]))
+                        .expected("a finite number");
     }
     if (count != componentOfField_.size())
-        return "found " + std::to_string(count) + " fields, expected " +
-               std::to_string(componentOfField_.size()) + " as in the header";
+        return Found(std::to_string(count) + " fields")
+            .expected(std::to_string(componentOfField_.size()) + " as in the header");
     if (!wrong.empty()) return wrong;
     pair.wo = {v[0], v[1], v[2]};
     pair.wi = {v[3], v[4], v[5]};
     if (!normalise(pair.wo) || !normalise(pair.wi))
-        return "found a direction of length 0, expected any other length";
+        return Found("a direction of length 0").expected("any other length");
     return {};
 }
 

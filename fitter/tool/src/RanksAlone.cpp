@@ -2,6 +2,7 @@
 #include "Ranks.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <cstdlib>
 
@@ -15,9 +16,9 @@ bool startedByMpirun()
 Ranks::Ranks()
 {
     if (startedByMpirun())
-        throw Error(ErrorKind::usage, "mpirun",
-                    "found a fbrdf that was built without MPI, expected one built with "
-                    "libopenmpi-dev");
+        throw Error(
+            ErrorKind::usage, "mpirun",
+            Found("a fbrdf that was built without MPI").expected("one built with libopenmpi-dev"));
 }
 
 Ranks::~Ranks() = default;

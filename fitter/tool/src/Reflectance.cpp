@@ -1,6 +1,7 @@
 #include "Reflectance.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/sources/MaterialSource.h>
 #include <fbrdf/sources/OpenSource.h>
@@ -37,8 +38,8 @@ void requireFunction(const Reflectance& reflectance, const std::string& spec)
 {
     if (!reflectance.brdf)
         throw Error(ErrorKind::input, spec,
-                    "found scattered samples, which have no values in between, expected a material "
-                    "or a model (fbrdf fit makes a material of samples)");
+                    Found("scattered samples, which have no values in between")
+                        .expected("a material or a model (fbrdf fit makes a material of samples)"));
 }
 
 }  // namespace fbrdf::tool

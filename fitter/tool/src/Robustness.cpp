@@ -3,6 +3,7 @@
 #include "TextTable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/Disturb.h>
 #include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/OpenSource.h>
@@ -62,7 +63,7 @@ double psnr(const Contender& form, const Source& source, const SphereImage& trut
     const auto fit = fitContender(form, source, options);
     if (!fit)
         throw Error(ErrorKind::usage, "--forms",
-                    "found " + form.label + ", expected forms that measurements are fitted with");
+                    Found(form.label).expected("forms that measurements are fitted with"));
     return imageErrors(renderStandardSphere(fit->brdf, kSphere, options.fit.threads), truth)
         .psnrLinear;
 }
@@ -111,7 +112,7 @@ std::vector<RobustScore> robustness(const std::string& spec, const BenchOptions&
     const Source source = openSource(spec, options.source);
     if (!source.evaluate)
         throw Error(ErrorKind::input, spec,
-                    "found samples alone, expected a function whose picture is known");
+                    Found("samples alone").expected("a function whose picture is known"));
     const SphereImage truth = renderStandardSphere(source.evaluate, kSphere, options.fit.threads);
     const Samples samples = samplesOf(source, options.fit.threads);
     std::vector<RobustScore> scores;

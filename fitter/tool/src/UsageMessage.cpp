@@ -1,5 +1,7 @@
 #include "UsageMessage.h"
 
+#include <fbrdf/base/Found.h>
+
 namespace fbrdf::tool {
 namespace {
 
@@ -19,9 +21,9 @@ std::string complaint(const CLI::ParseError& error)
     const std::string words = error.what();
     const size_t required = words.find(" is required"), colon = words.find(": ");
     if (code == CLI::ExitCodes::RequiredError && required != std::string::npos)
-        return "found no " + words.substr(0, required) + ", expected one";
+        return Found("no " + words.substr(0, required)).expected("one");
     if (code == CLI::ExitCodes::ExtrasError && colon != std::string::npos)
-        return "found '" + words.substr(colon + 2) + "', expected no such argument";
+        return Found("'" + words.substr(colon + 2) + "'").expected("no such argument");
     if (code == CLI::ExitCodes::ArgumentMismatch && colon != std::string::npos)
         return "found " + words.substr(0, colon) +
                (words.find("received") != std::string::npos ? " again, expected it once"

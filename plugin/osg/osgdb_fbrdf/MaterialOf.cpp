@@ -1,5 +1,7 @@
 #include "MaterialOf.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <osg/NodeVisitor>
@@ -32,8 +34,8 @@ osg::ref_ptr<const MaterialObject> materialOf(const osg::Object& object, std::st
     if (const auto* node = dynamic_cast<const osg::Node*>(&object))
         const_cast<osg::Node*>(node)->accept(found);
     if (found.materials.size() == 1) return *found.materials.begin();
-    problem = "found " + std::to_string(found.materials.size()) +
-              " materials, expected one; a whole scene is written to SCENE.osgt.fbrdf";
+    problem = fbrdf::Found(std::to_string(found.materials.size()) + " materials")
+                  .expected("one; a whole scene is written to SCENE.osgt.fbrdf");
     return nullptr;
 }
 

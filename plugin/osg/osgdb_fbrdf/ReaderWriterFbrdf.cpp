@@ -12,6 +12,7 @@
 #include <osgFbrdf/PlainForm.h>
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/MaterialFile.h>
 
 #include <osg/Notify>
@@ -168,7 +169,9 @@ private:
         if (path.empty()) return notFound(name + ".fbrdf");
         const osg::ref_ptr<Options> local = besides(path, options);
         const osg::ref_ptr<osg::Node> scene = osgDB::readRefNodeFile(path, local);
-        if (!scene) return ReadResult(name + ": found no scene that can be read");
+        if (!scene)
+            return ReadResult(name + ": " +
+                              fbrdf::Found("no scene that can be read").expected("one"));
         return restored(*scene, local).get();
     }
 
@@ -182,7 +185,7 @@ private:
 
     static ReadResult notFound(const std::string& file)
     {
-        return ReadResult(file + ": found no such file, expected a material");
+        return ReadResult(file + ": " + fbrdf::Found("no such file").expected("a material"));
     }
 
     /// An effect with the properties of the option string; others have their defaults.
@@ -198,7 +201,9 @@ private:
     static ReadResult readModel(const PseudoName& name, const Options* options)
     {
         osg::ref_ptr<osg::Node> model = osgDB::readRefNodeFile(name.model, options);
-        if (!model) return ReadResult(name.model + ": found no model that can be read");
+        if (!model)
+            return ReadResult(name.model + ": " +
+                              fbrdf::Found("no model that can be read").expected("one"));
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setName(name.model);
         // The material may also be beside the model. Without it the fallback draws the model.

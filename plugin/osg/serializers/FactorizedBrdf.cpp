@@ -3,6 +3,8 @@
 // share it.
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <fbrdf/base/Found.h>
+
 #include <osg/Notify>
 #include <osgDB/InputStream>
 #include <osgDB/ObjectWrapper>
@@ -74,8 +76,11 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
     int format = 0;
     stream >> format;
     if (format > kFormat)
-        OSG_WARN << "osgFbrdf: found a FactorizedBrdf of format " << format << ", expected at most "
-                 << kFormat << ": written by a newer version, what it added is lost" << std::endl;
+        OSG_WARN << "osgFbrdf: "
+                 << fbrdf::Found("a FactorizedBrdf of format " + std::to_string(format))
+                        .expected("at most " + std::to_string(kFormat) +
+                                  ": written by a newer version, what it added is lost")
+                 << std::endl;
     return true;
 }
 
@@ -103,8 +108,10 @@ bool readTransfer(osgDB::InputStream& stream, FactorizedBrdf& effect)
             effect.setTransfer(static_cast<fbrdf::Transfer>(i));
             return true;
         }
-    OSG_WARN << "osgFbrdf: found transfer '" << name
-             << "', expected linear, exposure, srgb or toneMap" << std::endl;
+    OSG_WARN
+        << "osgFbrdf: "
+        << fbrdf::Found("transfer '" + name + "'").expected("linear, exposure, srgb or toneMap")
+        << std::endl;
     return true;
 }
 
@@ -131,8 +138,10 @@ bool readTechnique(osgDB::InputStream& stream, FactorizedBrdf& effect)
         effect.selectTechnique(index);
         return true;
     }
-    OSG_WARN << "osgFbrdf: found technique " << index << ", expected -1 to "
-             << osgFbrdf::kDiffuseFallback << std::endl;
+    OSG_WARN << "osgFbrdf: "
+             << fbrdf::Found("technique " + std::to_string(index))
+                    .expected("-1 to " + std::to_string(osgFbrdf::kDiffuseFallback))
+             << std::endl;
     return true;
 }
 

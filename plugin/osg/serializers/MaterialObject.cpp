@@ -2,6 +2,8 @@
 // text, binary and XML streams of osgDB all carry whole. A string in quotes would not do: where a
 // text file ends within one, OSG 3.6.5 reads on for ever. The plugin osgdb_fbrdf makes and reads
 // the bytes, so that this library need not link fbrdf::io.
+#include <fbrdf/base/Found.h>
+
 #include <osgFbrdf/MaterialObject.h>
 
 #include <osg/Notify>
@@ -25,8 +27,9 @@ osgDB::ReaderWriter* materialFormat()
 void warn(const MaterialObject& material, const std::string& found)
 {
     OSG_WARN << "osgFbrdf: material '" << material.getName() << "': "
-             << (found.empty() ? "found no plugin osgdb_fbrdf, expected it in OSG_LIBRARY_PATH"
-                               : found)
+             << (found.empty()
+                     ? fbrdf::Found("no plugin osgdb_fbrdf").expected("it in OSG_LIBRARY_PATH")
+                     : found)
              << std::endl;
 }
 

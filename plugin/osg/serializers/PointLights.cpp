@@ -1,5 +1,7 @@
 #include <osgFbrdf/PointLights.h>
 
+#include <fbrdf/base/Found.h>
+
 #include <osg/Notify>
 #include <osg/Vec2f>
 #include <osg/Vec3f>
@@ -57,7 +59,9 @@ bool readLights(osgDB::InputStream& stream, PointLights& node)
     unsigned int count = 0;
     stream >> count >> stream.BEGIN_BRACKET;
     if (count > kMostLights) {
-        OSG_WARN << "osgFbrdf: found " << count << " lights, expected at most " << kMostLights
+        OSG_WARN << "osgFbrdf: "
+                 << fbrdf::Found(std::to_string(count) + " lights")
+                        .expected("at most " + std::to_string(kMostLights))
                  << std::endl;
         return false;
     }

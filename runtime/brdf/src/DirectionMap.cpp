@@ -6,6 +6,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/DirectionMap.h>
 
 #include <algorithm>
@@ -215,23 +216,23 @@ LookUp lookUpFromName(const std::string& name)
     for (const LookUp l : {LookUp::native, LookUp::parabolic, LookUp::cube})
         if (name == lookUpName(l)) return l;
     throw Error(ErrorKind::usage, "look-up",
-                "found '" + name + "', expected native, parabolic or cube");
+                Found("'" + name + "'").expected("native, parabolic or cube"));
 }
 
 std::string whyNotRecombined(const Form& form, int table, Storage storage)
 {
     FBRDF_ASSERT(table, >=, 0);
     FBRDF_ASSERT(static_cast<size_t>(table), <, form.tables.size());
-    const std::string name = "table '" + form.tables[static_cast<size_t>(table)].name + "': found ";
-    if (!isLog(storage)) return name + "values, expected logs: only those have a bound";
+    const std::string name = "table '" + form.tables[static_cast<size_t>(table)].name + "': ";
+    if (!isLog(storage)) return name + Found("values").expected("logs: only those have a bound");
     for (const Term& term : form.terms)
         for (const Factor& factor : term.factors) {
             if (factor.table != table) continue;
             const auto* direction = std::get_if<Direction>(&factor.argument);
-            if (!direction) return name + "angles, expected one direction";
+            if (!direction) return name + Found("angles").expected("one direction");
             if (!staysAbove(*direction))
-                return name + directionName(*direction) +
-                       ", expected a direction that is never below the horizon";
+                return name + Found(directionName(*direction))
+                                  .expected("a direction that is never below the horizon");
         }
     return "";
 }
@@ -244,9 +245,9 @@ DirectionMap recombined(const Table& table, const DirectionMapRequest& request)
     if (request.size != 0) {
         if (request.size < kLeastMapSize || request.size > kLargestMapSize || request.size % 2 != 0)
             throw Error(ErrorKind::usage, "map size",
-                        "found " + std::to_string(request.size) +
-                            ", expected an even number from " + std::to_string(kLeastMapSize) +
-                            " to " + std::to_string(kLargestMapSize));
+                        Found(std::to_string(request.size))
+                            .expected("an even number from " + std::to_string(kLeastMapSize) +
+                                      " to " + std::to_string(kLargestMapSize)));
         return recombinedAt(table, request, request.size, kNever);
     }
     const int largest = std::min(largestByItself(request.lookUp), request.largest);

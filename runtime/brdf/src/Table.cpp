@@ -1,5 +1,6 @@
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/brdf/Table.h>
 
@@ -124,7 +125,7 @@ Storage storageFromName(const std::string& name)
     for (const Storage s : {Storage::log8, Storage::half, Storage::float32, Storage::linear8})
         if (name == storageName(s)) return s;
     throw Error(ErrorKind::usage, "storage",
-                "found '" + name + "', expected log8, half, float or linear8");
+                Found("'" + name + "'").expected("log8, half, float or linear8"));
 }
 
 int bytesPerChannel(Storage storage)

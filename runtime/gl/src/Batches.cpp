@@ -1,5 +1,7 @@
 #include "RendererState.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -16,7 +18,7 @@ const CompiledHooks* hooksOf(const Batch& batch)
 void Renderer::State::checkBatch(const Batch& batch) const
 {
     if (!batch.library || !batch.mesh)
-        throw Error(ErrorKind::usage, "batch", "found none, expected a library and a mesh");
+        throw Error(ErrorKind::usage, "batch", Found("none").expected("a library and a mesh"));
     checkOwner(batch.library->resources().device());
     checkOwner(batch.mesh->resources().device());
     if (batch.hooks) checkOwner(batch.hooks->compiled().device());
@@ -34,8 +36,8 @@ std::vector<std::vector<const Instance*>> Renderer::State::sorted(const Batch& b
             const auto index = static_cast<size_t>(instance.material);
             if (instance.material < 0 || index >= places.size())
                 throw Error(ErrorKind::usage, "item",
-                            "found material " + std::to_string(instance.material) +
-                                ", expected one of " + std::to_string(places.size()));
+                            Found("material " + std::to_string(instance.material))
+                                .expected("one of " + std::to_string(places.size())));
             // An instance that cannot be drawn must not keep the others from being drawn.
             checkModel(instance.model);
             result[places[index].group].push_back(&instance);

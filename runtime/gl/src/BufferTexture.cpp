@@ -4,6 +4,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 
@@ -14,8 +15,8 @@ void BufferTexture::update(size_t texels, size_t bytes, const void* data)
     const Functions& gl = device_->gl;
     if (texels > static_cast<size_t>(device_->maxBufferTexels))
         throw Error(ErrorKind::gl, name_,
-                    "found " + std::to_string(texels) + " texels, expected at most " +
-                        std::to_string(device_->maxBufferTexels));
+                    Found(std::to_string(texels) + " texels")
+                        .expected("at most " + std::to_string(device_->maxBufferTexels)));
     FBRDF_ASSERT(device_->capabilities.bufferTextures, ==, true);
     // Made by the first use: most renderers never draw a batch or a list of lights.
     if (!texture_) create();

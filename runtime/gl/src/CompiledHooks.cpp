@@ -1,6 +1,7 @@
 #include "CompiledHooks.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
 {
     if (normalMap != 0 && !mesh.has(kTextureCoordinate))
         throw Error(ErrorKind::usage, "item",
-                    "found a normal map on a mesh without texture coordinates, expected them");
+                    Found("a normal map on a mesh without texture coordinates").expected("them"));
     const bool needsFrame = normalMap != 0 || !isIsotropic(form);
     return {hooks, normalMap, needsFrame && !mesh.hasTangents() && mesh.has(kTextureCoordinate)};
 }

@@ -1,6 +1,7 @@
 #include "Device.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -131,13 +132,14 @@ void check(const Capabilities& c, bool embedded)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "OpenGL", what); };
     if (embedded && c.glsl != 100 && c.glsl != 300)
-        fail("found GLSL " + std::to_string(c.glsl) + ", expected 100 or 300 in OpenGL ES");
+        fail(Found("GLSL " + std::to_string(c.glsl)).expected("100 or 300 in OpenGL ES"));
     if (embedded) return;
     if (10 * c.glMajor + c.glMinor < 21 || c.glsl < 120)
-        fail("found version " + std::to_string(c.glMajor) + "." + std::to_string(c.glMinor) +
-             " with GLSL " + std::to_string(c.glsl) + ", expected 2.1 with GLSL 120 or newer");
+        fail(Found("version " + std::to_string(c.glMajor) + "." + std::to_string(c.glMinor) +
+                   " with GLSL " + std::to_string(c.glsl))
+                 .expected("2.1 with GLSL 120 or newer"));
     if (c.coreProfile && !c.vertexArrays)
-        fail("found a core profile without vertex arrays, expected them");
+        fail(Found("a core profile without vertex arrays").expected("them"));
 }
 
 std::string text(const Functions& gl, GLenum name)
@@ -169,10 +171,10 @@ DevicePtr createDevice(const RendererOptions& options)
     device->firstTextureUnit = options.firstTextureUnit;
     if (options.firstTextureUnit < 0 ||
         options.firstTextureUnit >= device->capabilities.maxTextureUnits)
-        throw Error(ErrorKind::usage, "OpenGL",
-                    "found first texture unit " + std::to_string(options.firstTextureUnit) +
-                        ", expected one of " +
-                        std::to_string(device->capabilities.maxTextureUnits));
+        throw Error(
+            ErrorKind::usage, "OpenGL",
+            Found("first texture unit " + std::to_string(options.firstTextureUnit))
+                .expected("one of " + std::to_string(device->capabilities.maxTextureUnits)));
     return device;
 }
 
@@ -188,8 +190,9 @@ void checkErrors(const Device& device, const std::string& where)
     char code[16];
     std::snprintf(code, sizeof code, "0x%04x", first);
     throw Error(ErrorKind::gl, where,
-                std::string("found GL error ") + code +
-                    (first == GL_OUT_OF_MEMORY ? " (out of memory)" : "") + ", expected none");
+                Found("GL error " + std::string(code) +
+                      (first == GL_OUT_OF_MEMORY ? " (out of memory)" : ""))
+                    .expected("none"));
 }
 
 void discardHostErrors(const Device& device)

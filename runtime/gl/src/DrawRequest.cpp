@@ -4,6 +4,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 
 #include <glm/geometric.hpp>
@@ -28,9 +29,9 @@ void checkView(const View& view)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
     if (!isFinite(view.view) || !isFinite(view.projection))
-        fail("found a number that is not finite, expected finite matrices");
+        fail(Found("a number that is not finite").expected("finite matrices"));
     if (glm::determinant(glm::dmat4(view.projection)) == 0.0)
-        fail("found a singular projection, expected an invertible one");
+        fail(Found("a singular projection").expected("an invertible one"));
 }
 
 bool passes(float depth, DepthTest test, float stored)
@@ -49,29 +50,31 @@ void checkDepth(const Device& device, const DepthOptions& depth)
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::usage, "view", what); };
     for (const float value : {depth.rangeLow, depth.rangeHigh, depth.clear})
         if (!(value >= 0.0f && value <= 1.0f))
-            fail("found depth " + numberText(double(value)) + ", expected one in [0, 1]");
+            fail(Found("depth " + numberText(double(value))).expected("one in [0, 1]"));
     // Everything would be hidden: most often reversed depth with the usual test or clear value.
     if (!passes(depth.rangeLow, depth.test, depth.clear) &&
         !passes(depth.rangeHigh, depth.test, depth.clear))
-        fail("found clear depth " + numberText(double(depth.clear)) +
-             " against which no depth of the range passes the depth test, expected one");
+        fail(Found("clear depth " + numberText(double(depth.clear)) +
+                   " against which no depth of the range passes the depth test")
+                 .expected("one"));
     if (depth.clip == ClipDepth::zeroToOne && !device.capabilities.clipControl)
         throw Error(ErrorKind::gl, "view",
-                    "found a context without glClipControl, expected it for depths in [0, 1]");
+                    Found("a context without glClipControl").expected("it for depths in [0, 1]"));
 }
 
 void checkTarget(const Device& device, const Target& target)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "target", what); };
     if (target.width <= 0 || target.height <= 0)
-        fail("found " + std::to_string(target.width) + "x" + std::to_string(target.height) +
-             " pixels, expected at least one");
+        fail(Found(std::to_string(target.width) + "x" + std::to_string(target.height) + " pixels")
+                 .expected("at least one"));
     if (!(target.exposure > 0.0f) || !std::isfinite(target.exposure))
-        fail("found exposure " + numberText(double(target.exposure)) +
-             ", expected a finite number above 0");
+        fail(Found("exposure " + numberText(double(target.exposure)))
+                 .expected("a finite number above 0"));
     if (target.framebuffer != 0 && !device.capabilities.framebufferObjects)
-        fail("found framebuffer object " + std::to_string(target.framebuffer) +
-             " in a context without framebuffer objects, expected 0");
+        fail(Found("framebuffer object " + std::to_string(target.framebuffer) +
+                   " in a context without framebuffer objects")
+                 .expected("0"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -29,8 +30,8 @@ void checkArrays(const MeshResources& mesh, const Program& program)
     for (size_t k = 0; k < program.extraArrays; ++k)
         if (!mesh.has(static_cast<GLuint>(kExtra + k)))
             throw Error(ErrorKind::usage, "item",
-                        "found a mesh without extra array " + std::to_string(k) +
-                            ", expected what its vertex hook reads");
+                        Found("a mesh without extra array " + std::to_string(k))
+                            .expected("what its vertex hook reads"));
 }
 
 }  // namespace

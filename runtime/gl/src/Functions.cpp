@@ -2,6 +2,7 @@
 #include "Functions.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <cstring>
 #include <type_traits>
@@ -23,8 +24,9 @@ struct Loader {
 // for any name, so a pointer proves nothing; but a null one proves that a call would crash.
 #define FBRDF_NEEDS(when, name)                                                                  \
     if (when && !gl.name)                                                                        \
-        fail("found no gl" #name " in a context of version " + std::to_string(gl.version / 10) + \
-             "." + std::to_string(gl.version % 10) + ", expected one");
+        fail(Found("no gl" #name " in a context of version " + std::to_string(gl.version / 10) + \
+                   "." + std::to_string(gl.version % 10))                                        \
+                 .expected("one"));
 
 // What every context has, of whatever version, is checked without a condition.
 void checkPrograms(const Functions& gl)
@@ -211,7 +213,7 @@ bool Functions::hasExtension(const char* name) const
 
 Functions loadFunctions(LoadFunction load, void* user)
 {
-    if (!load) fail("found no loader, expected a function that returns GL functions by name");
+    if (!load) fail(Found("no loader").expected("a function that returns GL functions by name"));
     Functions gl{};
     Loader loader{load, user};
     const auto byName = [](void* context, const char* name) {
@@ -220,9 +222,8 @@ Functions loadFunctions(LoadFunction load, void* user)
     };
     const int version = gladLoadGLContextUserPtr(&gl, byName, &loader);
     if (version == 0)
-        fail(
-            "found no current context or a loader that yields nothing, expected OpenGL 2.1 or "
-            "newer");
+        fail(Found("no current context or a loader that yields nothing")
+                 .expected("OpenGL 2.1 or newer"));
     const std::string text = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
     gl.version = 10 * GLAD_VERSION_MAJOR(version) + GLAD_VERSION_MINOR(version);
     if (text.compare(0, 9, "OpenGL ES") == 0) {
@@ -233,7 +234,7 @@ Functions loadFunctions(LoadFunction load, void* user)
         loadEmbedded(gl, loader);
     }
     if (gl.version < 21 || (gl.es != 0 && gl.es < 20))
-        fail("found version '" + text + "', expected OpenGL 2.1 or OpenGL ES 2.0 or newer");
+        fail(Found("version '" + text + "'").expected("OpenGL 2.1 or OpenGL ES 2.0 or newer"));
     checkBasics(gl);
     checkPrograms(gl);
     // checkNewer asks for glClipControl, so it has to be found first.

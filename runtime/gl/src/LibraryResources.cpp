@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
@@ -51,8 +52,8 @@ LibraryResources::LibraryResources(DevicePtr device, const std::vector<Material>
 std::string LibraryResources::whyNotPacked(const Form& form) const
 {
     if (options_.lookUp != LookUp::native)
-        return std::string("found ") + lookUpName(options_.lookUp) +
-               " maps asked for, expected native ones: only those have one size";
+        return Found(std::string(lookUpName(options_.lookUp)) + " maps asked for")
+            .expected("native ones: only those have one size");
     return fbrdf::whyNotPacked(form, device_->capabilities);
 }
 

@@ -1,6 +1,7 @@
 #include "MaterialUniforms.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/gl/MaterialBinding.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
@@ -12,7 +13,7 @@ namespace {
 void checkAlive(const Device& device)
 {
     if (!device.alive)
-        throw Error(ErrorKind::gl, "binding", "found an abandoned context, expected a live one");
+        throw Error(ErrorKind::gl, "binding", Found("an abandoned context").expected("a live one"));
 }
 
 }  // namespace
@@ -46,8 +47,8 @@ MaterialBinding::MaterialBinding(std::shared_ptr<const GpuMaterial> material, ui
     // Every term has a scale that the linker cannot remove where the functions are called.
     if (std::all_of(scales.begin(), scales.end(), [](GLint at) { return at < 0; }))
         throw Error(ErrorKind::gl, "binding of program " + std::to_string(program),
-                    "found no uniform of material '" + state_->material->name() +
-                        "', expected a linked program that calls its functions");
+                    Found("no uniform of material '" + state_->material->name() + "'")
+                        .expected("a linked program that calls its functions"));
 }
 
 MaterialBinding::~MaterialBinding() = default;
@@ -65,9 +66,9 @@ int MaterialBinding::apply(int firstUnit) const
     const int room = device.capabilities.maxTextureUnits;
     if (firstUnit < 0 || firstUnit > room - used)
         throw Error(ErrorKind::gl, "binding",
-                    "found first unit " + std::to_string(firstUnit) + " for " +
-                        std::to_string(used) + " textures, expected " + std::to_string(room) +
-                        " units to suffice");
+                    Found("first unit " + std::to_string(firstUnit) + " for " +
+                          std::to_string(used) + " textures")
+                        .expected(std::to_string(room) + " units to suffice"));
     // The program stays current: the host draws with it next, and has its own state afterwards.
     gl.UseProgram(state_->program);
     setUniforms(state_->resources(), state_->uniforms);

@@ -4,6 +4,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
@@ -65,17 +66,17 @@ void checkTexels(const Capabilities& c, const Table& table, const TextureImage& 
     const GLenum target = targetOf(table, image);
     if (image.type == TexelType::unorm16 && !c.unorm16Textures)
         throw Error(ErrorKind::gl, "table '" + table.name + "'",
-                    "found neither half float nor 16-bit textures, expected "
-                    "OES_texture_half_float and OES_texture_half_float_linear");
+                    Found("neither half float nor 16-bit textures")
+                        .expected("OES_texture_half_float and OES_texture_half_float_linear"));
     if (target == GL_TEXTURE_3D && c.max3dTextureSize == 0)
         throw Error(ErrorKind::gl, "table '" + table.name + "'",
-                    "found three dimensions, expected two: OpenGL ES 2.0 has no volumes");
+                    Found("three dimensions").expected("two: OpenGL ES 2.0 has no volumes"));
     const int limit = largestSide(c, target);
     const int largest = *std::max_element(image.size.begin(), image.size.end());
     if (largest > limit)
         throw Error(ErrorKind::gl, "table '" + table.name + "'",
-                    "found " + std::to_string(largest) + " texels on a side, expected at most " +
-                        std::to_string(limit));
+                    Found(std::to_string(largest) + " texels on a side")
+                        .expected("at most " + std::to_string(limit)));
 }
 
 /// Sets linear filtering between texel centres, clamping at the border, and a single level.

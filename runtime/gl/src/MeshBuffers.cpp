@@ -1,6 +1,7 @@
 #include "MeshArrays.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <cmath>
 #include <cstring>
@@ -14,8 +15,8 @@ size_t sizeOf(const Functions& gl, GLuint buffer, const std::string& name)
 {
     if (!gl.IsBuffer(buffer))
         throw Error(ErrorKind::gl, "mesh",
-                    "found no buffer object " + std::to_string(buffer) + " for " + name +
-                        ", expected one of the context");
+                    Found("no buffer object " + std::to_string(buffer) + " for " + name)
+                        .expected("one of the context"));
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
     GLint size = 0;
     gl.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
@@ -32,15 +33,16 @@ void checkRange(const Functions& gl, const BufferArray& array, size_t count, siz
                  stride = array.stride != 0 ? array.stride : bytes;
     if (array.offset % 4 != 0 || stride % 4 != 0 || stride < bytes ||
         stride > static_cast<size_t>(std::numeric_limits<GLsizei>::max()))
-        failMesh("found " + name + " at offset " + std::to_string(array.offset) + " and stride " +
-                 std::to_string(array.stride) + ", expected multiples of 4 and at least " +
-                 std::to_string(bytes) + " bytes an element");
+        failMesh(Found(name + " at offset " + std::to_string(array.offset) + " and stride " +
+                       std::to_string(array.stride))
+                     .expected("multiples of 4 and at least " + std::to_string(bytes) +
+                               " bytes an element"));
     // The last element need not be followed by a whole stride.
     const size_t last = (count - 1) * stride + bytes;
     if (array.offset > size || last > size - array.offset)
-        failMesh("found a buffer of " + std::to_string(size) + " bytes for " + name +
-                 ", expected at least " + std::to_string(array.offset) + " + " +
-                 std::to_string(last));
+        failMesh(Found("a buffer of " + std::to_string(size) + " bytes for " + name)
+                     .expected("at least " + std::to_string(array.offset) + " + " +
+                               std::to_string(last)));
 }
 
 MeshArrays::Array checkedArray(const Functions& gl, const BufferArray& array, uint32_t count,
@@ -53,19 +55,19 @@ MeshArrays::Array checkedArray(const Functions& gl, const BufferArray& array, ui
 
 void checkCounts(const MeshBuffers& mesh)
 {
-    if (mesh.vertexCount == 0) failMesh("found 0 vertices, expected at least one");
+    if (mesh.vertexCount == 0) failMesh(Found("0 vertices").expected("at least one"));
     if (mesh.indexCount == 0 || mesh.indexCount % 3 != 0 ||
         mesh.indexCount > static_cast<uint32_t>(std::numeric_limits<GLsizei>::max()))
-        failMesh("found " + std::to_string(mesh.indexCount) +
-                 " indices, expected three a triangle and below 2^31");
+        failMesh(Found(std::to_string(mesh.indexCount) + " indices")
+                     .expected("three a triangle and below 2^31"));
     if (mesh.positions.buffer == 0 || mesh.normals.buffer == 0 || mesh.indexBuffer == 0)
-        failMesh("found buffer 0, expected buffers of positions, normals and indices");
+        failMesh(Found("buffer 0").expected("buffers of positions, normals and indices"));
     if (mesh.tangentComponents != 3 && mesh.tangentComponents != 4)
-        failMesh("found tangents of " + std::to_string(mesh.tangentComponents) +
-                 " components, expected 3 or 4");
+        failMesh(Found("tangents of " + std::to_string(mesh.tangentComponents) + " components")
+                     .expected("3 or 4"));
     if (mesh.extra.size() > kExtraArrays)
-        failMesh("found " + std::to_string(mesh.extra.size()) + " extra arrays, expected at most " +
-                 std::to_string(kExtraArrays));
+        failMesh(Found(std::to_string(mesh.extra.size()) + " extra arrays")
+                     .expected("at most " + std::to_string(kExtraArrays)));
 }
 
 void setIndices(const Device& device, const MeshBuffers& mesh, MeshArrays& arrays)
@@ -73,14 +75,15 @@ void setIndices(const Device& device, const MeshBuffers& mesh, MeshArrays& array
     const bool wide = mesh.indexType == IndexType::uint32;
     if (wide && !device.wideIndices)
         throw Error(ErrorKind::gl, "mesh",
-                    "found no 32-bit indices, expected OES_element_index_uint");
+                    Found("no 32-bit indices").expected("OES_element_index_uint"));
     const size_t bytes = wide ? sizeof(uint32_t) : sizeof(uint16_t),
                  size = sizeOf(device.gl, mesh.indexBuffer, "indices");
     if (mesh.indexOffset % bytes != 0 || mesh.indexOffset > size ||
         mesh.indexCount * bytes > size - mesh.indexOffset)
-        failMesh("found a buffer of " + std::to_string(size) + " bytes for indices, expected " +
-                 std::to_string(mesh.indexCount * bytes) + " from a multiple of " +
-                 std::to_string(bytes) + " on, not " + std::to_string(mesh.indexOffset));
+        failMesh(Found("a buffer of " + std::to_string(size) + " bytes for indices")
+                     .expected(std::to_string(mesh.indexCount * bytes) + " from a multiple of " +
+                               std::to_string(bytes) + " on, not " +
+                               std::to_string(mesh.indexOffset)));
     arrays.indexBuffer = mesh.indexBuffer;
     arrays.indexType = wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT;
     arrays.indexOffset = mesh.indexOffset;
@@ -113,11 +116,11 @@ Sphere checkedBounds(const Device& device, const MeshBuffers& mesh)
     if (!mesh.bounds && device.gl.es != 0)
         throw Error(
             ErrorKind::gl, "mesh",
-            "found no bounds, expected them in OpenGL ES, which does not read buffers back");
+            Found("no bounds").expected("them in OpenGL ES, which does not read buffers back"));
     const Sphere bounds =
         mesh.bounds ? *mesh.bounds : boundsIn(device.gl, mesh.positions, mesh.vertexCount);
     if (!isFinite(bounds))
-        failMesh("found bounds that are not finite, expected a sphere around the positions");
+        failMesh(Found("bounds that are not finite").expected("a sphere around the positions"));
     return bounds;
 }
 
@@ -138,7 +141,7 @@ MeshArrays hostArrays(const Device& device, const MeshBuffers& mesh)
         checkedArray(gl, mesh.textureCoordinates, count, 2, "texture coordinates");
     for (size_t k = 0; k < mesh.extra.size(); ++k) {
         const std::string name = "extra array " + std::to_string(k);
-        if (mesh.extra[k].buffer == 0) failMesh("found buffer 0 for " + name + ", expected one");
+        if (mesh.extra[k].buffer == 0) failMesh(Found("buffer 0 for " + name).expected("one"));
         attributes[kExtra + k] = checkedArray(gl, mesh.extra[k], count, 4, name);
     }
     // Indices themselves are not checked: that would read the whole buffer back.

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,39 +16,39 @@ namespace {
 void checkOptional(size_t size, size_t count, const char* name)
 {
     if (size != 0 && size != count)
-        failMesh("found " + std::to_string(size) + " " + name + ", expected none or " +
-                 std::to_string(count));
+        failMesh(
+            Found(std::to_string(size) + " " + name).expected("none or " + std::to_string(count)));
 }
 
 void checkIndices(const MeshData& mesh)
 {
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
-        failMesh("found " + std::to_string(mesh.indices.size()) +
-                 " indices, expected three a triangle");
+        failMesh(
+            Found(std::to_string(mesh.indices.size()) + " indices").expected("three a triangle"));
     if (mesh.indices.size() > static_cast<size_t>(std::numeric_limits<GLsizei>::max()))
-        failMesh("found " + std::to_string(mesh.indices.size()) + " indices, expected below 2^31");
+        failMesh(Found(std::to_string(mesh.indices.size()) + " indices").expected("below 2^31"));
     for (const uint32_t index : mesh.indices)
         if (index >= mesh.positions.size())
-            failMesh("found index " + std::to_string(index) + ", expected below " +
-                     std::to_string(mesh.positions.size()));
+            failMesh(Found("index " + std::to_string(index))
+                         .expected("below " + std::to_string(mesh.positions.size())));
 }
 
 void check(const MeshData& mesh)
 {
     const size_t count = mesh.positions.size();
     if (mesh.normals.size() != count)
-        failMesh("found " + std::to_string(mesh.normals.size()) + " normals, expected " +
-                 std::to_string(count));
+        failMesh(Found(std::to_string(mesh.normals.size()) + " normals")
+                     .expected(std::to_string(count)));
     checkOptional(mesh.tangents.size(), count, "tangents");
     checkOptional(mesh.handedness.size(), mesh.tangents.size(), "signs of tangents");
     checkOptional(mesh.textureCoordinates.size(), count, "texture coordinates");
     if (mesh.extra.size() > kExtraArrays)
-        failMesh("found " + std::to_string(mesh.extra.size()) + " extra arrays, expected at most " +
-                 std::to_string(kExtraArrays));
+        failMesh(Found(std::to_string(mesh.extra.size()) + " extra arrays")
+                     .expected("at most " + std::to_string(kExtraArrays)));
     for (const auto& array : mesh.extra)
         if (array.size() != count)
-            failMesh("found an extra array of " + std::to_string(array.size()) + ", expected " +
-                     std::to_string(count));
+            failMesh(Found("an extra array of " + std::to_string(array.size()))
+                         .expected(std::to_string(count)));
     // A wrong index would read beyond the arrays on the GPU, with whatever result.
     checkIndices(mesh);
 }
@@ -67,7 +68,7 @@ void uploadVertices(const DevicePtr& device, const MeshData& mesh, MeshArrays& a
                     Object& vertices)
 {
     vertices = createObject(device, ObjectKind::buffer);
-    // Not interleaved: hosts pass separate arrays, and copying each whole is quickest.
+    // Arrays are not interleaved: hosts pass separate arrays, and copying each whole is quickest.
     std::vector<unsigned char> bytes;
     const auto append = [&](GLuint attribute, GLint components, const auto& array) {
         if (array.empty()) return;
@@ -129,7 +130,7 @@ MeshArrays uploadArrays(const DevicePtr& device, const MeshData& mesh, MeshStora
     check(mesh);
     if (!device->wideIndices)
         throw Error(ErrorKind::gl, "mesh",
-                    "found no 32-bit indices, expected OES_element_index_uint");
+                    Found("no 32-bit indices").expected("OES_element_index_uint"));
     MeshArrays arrays;
     arrays.bounds = boundsOf(mesh.positions);
     uploadVertices(device, mesh, arrays, storage.vertices);

@@ -1,6 +1,7 @@
 #include "Objects.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 namespace fbrdf::gl {
 namespace {
@@ -54,7 +55,7 @@ Object createObject(const DevicePtr& device, ObjectKind kind)
         case ObjectKind::shader: break;
     }
     if (name == 0)
-        throw Error(ErrorKind::gl, "OpenGL", "found no name for a new object, expected one");
+        throw Error(ErrorKind::gl, "OpenGL", Found("no name for a new object").expected("one"));
     return Object(device, kind, name);
 }
 

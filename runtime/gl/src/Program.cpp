@@ -3,6 +3,7 @@
 #include "MeshResources.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 
@@ -112,8 +113,8 @@ public:
     {
         const int room = device.capabilities.maxTextureUnits - device.firstTextureUnit;
         if (static_cast<int>(samplers_.size()) > room)
-            failShader("found " + std::to_string(samplers_.size()) +
-                       " textures in one pass, expected at most " + std::to_string(room));
+            failShader(Found(std::to_string(samplers_.size()) + " textures in one pass")
+                           .expected("at most " + std::to_string(room)));
     }
     const std::vector<std::string>& samplers() const { return samplers_; }
     /// -1 where the program has no such sampler.
@@ -171,7 +172,7 @@ Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& 
     const Functions& gl = device->gl;
     Object shader(device, ObjectKind::shader, gl.CreateShader(stage));
     // A lost context returns 0.
-    if (!shader) failShader("found no shader object, expected one");
+    if (!shader) failShader(Found("no shader object").expected("one"));
     const GLchar* text = source.c_str();
     gl.ShaderSource(shader.name(), 1, &text, nullptr);
     gl.CompileShader(shader.name());

@@ -1,5 +1,6 @@
 #include "RendererState.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
 namespace fbrdf::gl {
@@ -65,7 +66,7 @@ std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)
     // The negation also refuses a reach that is not a number.
     if (!(hooks.reach >= 0.0f) || hooks.shadowUniforms < 0)
         throw Error(ErrorKind::input, "hooks",
-                    "found a negative reach or number of uniforms, expected 0 or more");
+                    Found("a negative reach or number of uniforms").expected("0 or more"));
     discardHostErrors(*state_->device);
     state_->programs.check(hooks);
     return std::make_shared<GpuHooks>(std::make_shared<CompiledHooks>(state_->device, hooks));
@@ -87,11 +88,11 @@ void Renderer::replaceMaterial(GpuLibrary& library, int index, const Material& m
     LibraryResources& resources = library.resources();
     if (resources.device() != state_->device.get())
         throw Error(ErrorKind::usage, "library",
-                    "found one of another renderer, expected one of this");
+                    Found("one of another renderer").expected("one of this"));
     if (index < 0 || static_cast<size_t>(index) >= resources.places().size())
         throw Error(ErrorKind::usage, "library",
-                    "found material " + std::to_string(index) + ", expected one of " +
-                        std::to_string(resources.places().size()));
+                    Found("material " + std::to_string(index))
+                        .expected("one of " + std::to_string(resources.places().size())));
     discardHostErrors(*state_->device);
     // The old one stays where GL refuses the new one: it is prepared before it takes the place.
     resources.replace(static_cast<size_t>(index), material,

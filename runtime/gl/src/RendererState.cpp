@@ -1,13 +1,17 @@
 #include "RendererState.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <algorithm>
 
 namespace fbrdf::gl {
 namespace {
 
-constexpr const char* kNoLists =
-    "found lists of lights asked for, expected OpenGL 3.1, technique single and no limit of "
-    "look-ups";
+std::string noLists()
+{
+    return Found("lists of lights asked for")
+        .expected("OpenGL 3.1, technique single and no limit of look-ups");
+}
 
 /// True where some pass writes a surface of ours, which must then exist.
 bool needsSurfaces(const Plan& plan)
@@ -42,20 +46,22 @@ Renderer::State::State(const DevicePtr& d)
 void Renderer::State::checkAlive() const
 {
     if (!device->alive)
-        throw Error(ErrorKind::gl, "renderer", "found an abandoned context, expected a live one");
+        throw Error(ErrorKind::gl, "renderer",
+                    Found("an abandoned context").expected("a live one"));
 }
 
 void Renderer::State::checkOwner(const Device* owner) const
 {
     if (owner != device.get())
-        throw Error(ErrorKind::usage, "item",
-                    "found a material, mesh or hooks of another renderer, expected those of this");
+        throw Error(
+            ErrorKind::usage, "item",
+            Found("a material, mesh or hooks of another renderer").expected("those of this"));
 }
 
 Drawable Renderer::State::drawableOf(const Item& item) const
 {
     if (!item.material || !item.mesh)
-        throw Error(ErrorKind::usage, "item", "found none, expected a material and a mesh");
+        throw Error(ErrorKind::usage, "item", Found("none").expected("a material and a mesh"));
     const MaterialResources& material = item.material->resources();
     const MeshResources& mesh = item.mesh->resources();
     const CompiledHooks* const hooks = item.hooks ? &item.hooks->compiled() : nullptr;
@@ -73,7 +79,7 @@ void checkModel(const glm::mat4& model)
 {
     if (!isInvertible(model))
         throw Error(ErrorKind::usage, "item",
-                    "found a singular model matrix, expected an invertible one");
+                    Found("a singular model matrix").expected("an invertible one"));
 }
 
 PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
@@ -211,7 +217,7 @@ bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
     if (!options.clustered || lights == 0) return false;
     const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
                           device->capabilities.bufferTextures;
-    if (!possible) device->logOnce(Severity::warning, std::string(kNoLists) + ": drawing without");
+    if (!possible) device->logOnce(Severity::warning, noLists() + ": drawing without");
     return possible;
 }
 
@@ -220,7 +226,7 @@ void Renderer::State::cluster(DrawRequest& request, LightClusters& clusters, Fra
 {
     request.clustered = isClustered(request.options, request.lights.size());
     if (request.options.clustered && !request.clustered && !request.lights.empty())
-        stats.whyReplaced = kNoLists;
+        stats.whyReplaced = noLists();
     if (!request.clustered) return;
     clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection), {},
                              request.options.maxLights);
@@ -256,8 +262,8 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     validate(this->request(options, stats.lightsUsed, request.info));
     if (options.maxLights < 0)
         throw Error(ErrorKind::usage, "draw",
-                    "found a limit of " + std::to_string(options.maxLights) +
-                        " lights, expected 0 (none) or more");
+                    Found("a limit of " + std::to_string(options.maxLights) + " lights")
+                        .expected("0 (none) or more"));
     Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
     LightClusters clusters;
     cluster(request, clusters, frame, stats);

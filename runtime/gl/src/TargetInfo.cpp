@@ -1,6 +1,7 @@
 #include "TargetInfo.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 namespace fbrdf::gl {
 namespace {
@@ -54,18 +55,19 @@ bool isFloat(const Functions& gl, GLenum attachment)
 ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
 {
     const auto buffer = queriedName(gl, static_cast<GLenum>(integer(gl, GL_DRAW_BUFFER0)));
-    if (buffer == GL_NONE) fail(framebuffer, "found no draw buffer, expected a colour buffer");
+    if (buffer == GL_NONE) fail(framebuffer, Found("no draw buffer").expected("a colour buffer"));
     if (parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
-        fail(framebuffer, "found nothing attached to its draw buffer, expected a colour buffer");
+        fail(framebuffer, Found("nothing attached to its draw buffer").expected("a colour buffer"));
     if (parameter(gl, depthAttachment(framebuffer), GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) ==
         GL_NONE)
-        fail(framebuffer, "found no depth buffer, expected one");
+        fail(framebuffer, Found("no depth buffer").expected("one"));
     return formatOf(isFloat(gl, buffer), parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE));
 }
 
 ColourFormat formatBefore30(const Functions& gl, GLuint framebuffer)
 {
-    if (integer(gl, GL_DEPTH_BITS) == 0) fail(framebuffer, "found no depth buffer, expected one");
+    if (integer(gl, GL_DEPTH_BITS) == 0)
+        fail(framebuffer, Found("no depth buffer").expected("one"));
     // Attachments cannot be queried before 3.0. Bits are those of the framebuffer that is bound.
     const bool isFloat = gl.ARB_color_buffer_float && integer(gl, GL_RGBA_FLOAT_MODE_ARB) != 0;
     return formatOf(isFloat, integer(gl, GL_RED_BITS));
@@ -82,7 +84,7 @@ TargetInfo targetInfo(const Device& device, const Target& target)
         const GLenum status = gl.CheckFramebufferStatus(gl.drawFramebuffer());
         if (status != GL_FRAMEBUFFER_COMPLETE)
             fail(framebuffer,
-                 "found status " + std::to_string(status) + ", expected a complete framebuffer");
+                 Found("status " + std::to_string(status)).expected("a complete framebuffer"));
     }
     TargetInfo info;
     info.format = gl.has(30, 30) ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <png.h>
 #include <algorithm>
@@ -133,12 +134,12 @@ PngImage describe(const Reader& reader, const std::string& where)
                       height = png_get_image_height(reader.png, reader.info);
     if (width > kMaxPixels / height)
         throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(width) + " x " + std::to_string(height) +
-                        " pixels, expected at most 2^24");
+                    Found(std::to_string(width) + " x " + std::to_string(height) + " pixels")
+                        .expected("at most 2^24"));
     const int channels = png_get_channels(reader.png, reader.info);
     if (channels != 1 && channels != 3)
         throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(channels) + " channels, expected 1 or 3");
+                    Found(std::to_string(channels) + " channels").expected("1 or 3"));
     return {static_cast<int>(width),
             static_cast<int>(height),
             channels,
@@ -172,7 +173,7 @@ PngImage decodePng(const std::string& bytes, const std::string& where)
 {
     if (bytes.size() < kMagicBytes ||
         png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kMagicBytes) != 0)
-        throw Error(ErrorKind::input, where, "found other first bytes, expected a PNG file");
+        throw Error(ErrorKind::input, where, Found("other first bytes").expected("a PNG file"));
     Stream stream;
     stream.input = &bytes;
     const Reader reader(stream);

@@ -6,6 +6,7 @@
 #include "ScaledPlan.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/plan/LightVectors.h>
 
@@ -123,8 +124,8 @@ void checkPeaks(const Form& form, const PlanRequest& request)
     if (!isKnown(peaks.tables, form.tables.size()) || !isKnown(peaks.scales, form.terms.size()) ||
         !isKnown(peaks.lights, static_cast<size_t>(request.lights)))
         throw Error(ErrorKind::usage, "plan",
-                    "found peaks of another form or number of lights, or below 0, expected one of "
-                    "each table, term and light");
+                    Found("peaks of another form or number of lights, or below 0")
+                        .expected("one of each table, term and light"));
 }
 
 /// Plans as if RGBA32F could be drawn to, then scales the sums for RGBA8.
@@ -141,10 +142,10 @@ Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capab
     const ErrorBound error = errorBound(plan, request.target);
     if (!isCoarse(error)) return plan;
     Plan none;
-    none.reason = "a sum of " + std::to_string(request.lights) +
-                  " lights in RGBA8 surfaces is off by up to " +
-                  numberText(double(error.absolute)) + ", expected at most " +
-                  numberText(double(kCoarsestSum));
+    none.reason = Found("a sum of " + std::to_string(request.lights) +
+                        " lights in RGBA8 surfaces that is off by up to " +
+                        numberText(double(error.absolute)))
+                      .expected("at most " + numberText(double(kCoarsestSum)));
     return none;
 }
 

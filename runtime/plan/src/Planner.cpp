@@ -11,6 +11,7 @@
 #include "PassList.h"
 
 #include <fbrdf/base/Assert.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 
@@ -221,10 +222,11 @@ private:
     void chain(const Part& whole, Surface surface)
     {
         if (!limits_.offscreen)
-            return refuse("term " + std::to_string(whole.term) + " has " +
-                          std::to_string(lookupsOf(form_, whole.term, whole.factors)) +
-                          " look-ups a light, expected at most " + std::to_string(limits_.lookups) +
-                          " without an offscreen surface");
+            return refuse("term " + std::to_string(whole.term) + ": " +
+                          Found(std::to_string(lookupsOf(form_, whole.term, whole.factors)) +
+                                " look-ups a light")
+                              .expected("at most " + std::to_string(limits_.lookups) +
+                                        " without an offscreen surface"));
         auto parts = chunks(whole.term, whole.factors, limits_.lookups - 1);
         for (Part& part : parts) part.scaled = false;
         parts.back().scaled = whole.scaled;

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/plan/Plan.h>
 
@@ -20,7 +21,7 @@ Technique techniqueFromName(const std::string& name)
     for (const TechniqueInfo& row : kTechniques)
         if (name == row.name) return row.technique;
     throw Error(ErrorKind::usage, "technique",
-                "found '" + name + "', expected one of " + techniqueNames());
+                Found("'" + name + "'").expected("one of " + techniqueNames()));
 }
 
 std::string techniqueNames()
@@ -49,16 +50,16 @@ void validate(const PlanRequest& request)
         throw Error(ErrorKind::usage, "plan", what);
     };
     if (request.lights < 0)
-        refuse("found " + std::to_string(request.lights) + " lights, expected 0 or more");
+        refuse(Found(std::to_string(request.lights) + " lights").expected("0 or more"));
     if (request.lightsPerPass < 1)
-        refuse("found " + std::to_string(request.lightsPerPass) +
-               " lights a pass, expected 1 or more");
+        refuse(
+            Found(std::to_string(request.lightsPerPass) + " lights a pass").expected("1 or more"));
     if (request.maxLookups < 0)
-        refuse("found a limit of " + std::to_string(request.maxLookups) +
-               " look-ups, expected 0 (none) or more");
+        refuse(Found("a limit of " + std::to_string(request.maxLookups) + " look-ups")
+                   .expected("0 (none) or more"));
     if (!(request.recombination >= 0.0))
-        refuse("found a recombination error of " + numberText(request.recombination) +
-               ", expected 0 or more");
+        refuse(Found("a recombination error of " + numberText(request.recombination))
+                   .expected("0 or more"));
 }
 
 }  // namespace fbrdf

@@ -6,6 +6,7 @@
 #include "FactorWriter.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <set>
@@ -197,13 +198,11 @@ std::string unlitBody(const FragmentContext& c)
 void check(const FragmentContext& c)
 {
     if (c.encodings.size() != c.form.tables.size())
-        fail("found " + std::to_string(c.encodings.size()) +
-             " encodings, expected one for each of " + std::to_string(c.form.tables.size()) +
-             " tables");
+        fail(Found(std::to_string(c.encodings.size()) + " encodings")
+                 .expected("one for each of " + std::to_string(c.form.tables.size()) + " tables"));
     if (dependsOnLight(c) && c.spec.lightSlots < 1)
-        fail(
-            "found factors that depend on the light in a program without lights, expected light "
-            "slots");
+        fail(Found("factors that depend on the light in a program without lights")
+                 .expected("light slots"));
 }
 
 void checkEs100(const FragmentContext& c)
@@ -211,12 +210,12 @@ void checkEs100(const FragmentContext& c)
     forEachFactor(c, [&](const Factor& factor) {
         const TableSpec& table = tableOf(c, factor);
         if (table.uniform && texelCount(table.domain) > 1)
-            fail("table '" + table.name +
-                 "': found knots in uniforms, expected a texture: GLSL ES 1.00 has no index that "
-                 "varies");
+            fail("table '" + table.name + "': " +
+                 Found("knots in uniforms")
+                     .expected("a texture: GLSL ES 1.00 has no index that varies"));
         if (dimensionCount(table.domain) == 3)
             fail("table '" + table.name +
-                 "': found three dimensions, expected two: GLSL ES 1.00 has no volumes");
+                 "': " + Found("three dimensions").expected("two: GLSL ES 1.00 has no volumes"));
     });
 }
 

@@ -1,3 +1,4 @@
+#include <fbrdf/base/Found.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
@@ -49,12 +50,12 @@ bool sameLayout(const Material& a, const Material& b)
 std::string whyNotPacked(const Form& form, const Capabilities& capabilities)
 {
     if (!capabilities.bufferTextures || capabilities.glsl < 140)
-        return "found no buffer textures and instances, expected OpenGL 3.1";
-    if (capabilities.maxArrayLayers < 1) return "found no texture arrays, expected OpenGL 3.0";
+        return Found("no buffer textures and instances").expected("OpenGL 3.1");
+    if (capabilities.maxArrayLayers < 1) return Found("no texture arrays").expected("OpenGL 3.0");
     for (const TableSpec& table : form.tables)
         if (!table.uniform && dimensionCount(table.domain) == 3)
-            return "found table '" + table.name +
-                   "' of three dimensions, expected at most two: there are no arrays of volumes";
+            return Found("table '" + table.name + "' of three dimensions")
+                .expected("at most two: there are no arrays of volumes");
     return "";
 }
 

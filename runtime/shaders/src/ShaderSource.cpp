@@ -3,6 +3,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <glm/matrix.hpp>
 
@@ -16,8 +17,8 @@ void checkVersion(int glsl)
     for (const int known : kGlslVersions)
         if (glsl == known) return;
     throw Error(ErrorKind::gl, "shader",
-                "found GLSL " + std::to_string(glsl) +
-                    ", expected 120, 140, 150, 330 or 450, or of ES 100 or 300");
+                Found("GLSL " + std::to_string(glsl))
+                    .expected("120, 140, 150, 330 or 450, or of ES 100 or 300"));
 }
 
 /// Throws where there are no buffer textures: before GLSL 1.40 and in ES.
@@ -25,7 +26,7 @@ void checkBuffers(int glsl, const std::string& what)
 {
     if (glsl == 120 || glsl == kGlslEs100 || glsl == kGlslEs300)
         throw Error(ErrorKind::gl, "shader",
-                    "found GLSL " + std::to_string(glsl) + ", expected 140 or newer for " + what);
+                    Found("GLSL " + std::to_string(glsl)).expected("140 or newer for " + what));
 }
 
 std::string joined(std::initializer_list<const char*> files)
@@ -41,7 +42,7 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     checkVersion(glsl);
     if (glsl != 120 && inputs.builtIns)
         throw Error(ErrorKind::gl, "shader",
-                    "found GLSL " + std::to_string(glsl) + ", expected 120 for built-in inputs");
+                    Found("GLSL " + std::to_string(glsl)).expected("120 for built-in inputs"));
     if (inputs.instanced) checkBuffers(glsl, "instances");
     std::string text = "#version " + std::to_string(glsl) + (glsl == kGlslEs300 ? " es\n" : "\n");
     // This line is not in a file under #ifdef, because OpenSceneGraph puts declarations after the

@@ -1,6 +1,7 @@
 #include "Native.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 namespace fbrdf {
 
@@ -13,7 +14,7 @@ Backend backendFromName(const std::string& name)
 {
     for (const Backend backend : {Backend::egl, Backend::osmesa})
         if (name == backendName(backend)) return backend;
-    throw Error(ErrorKind::usage, "backend", "found '" + name + "', expected egl or osmesa");
+    throw Error(ErrorKind::usage, "backend", Found("'" + name + "'").expected("egl or osmesa"));
 }
 
 struct HeadlessContext::State {
@@ -27,8 +28,8 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options)
     const HeadlessContext* other = options.sharedWith;
     if (other && other->options().backend != options.backend)
         throw Error(ErrorKind::gl, "context",
-                    "found a context to share with of another backend, expected " +
-                        std::string(backendName(options.backend)));
+                    Found("a context to share with of another backend")
+                        .expected(std::string(backendName(options.backend))));
     const NativeContext* sharedWith = other ? other->state_->native.get() : nullptr;
     state_->options.sharedWith = nullptr;  // the other context may be destroyed first
     state_->native = options.backend == Backend::egl ? createEglContext(options, sharedWith)

@@ -4,6 +4,7 @@
 #include "Native.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -23,17 +24,18 @@ std::string failureOf(const char* call)
 
 [[noreturn]] void failEgl(const char* call)
 {
-    throw Error(ErrorKind::gl, "EGL",
-                "found that " + failureOf(call) +
-                    ", expected OpenGL on Mesa's surfaceless platform (Debian: libegl1, "
-                    "libgl1-mesa-dri)");
+    throw Error(
+        ErrorKind::gl, "EGL",
+        Found("that " + failureOf(call))
+            .expected("OpenGL on Mesa's surfaceless platform (Debian: libegl1, libgl1-mesa-dri)"));
 }
 
 [[noreturn]] void failForVersion(const HeadlessOptions& options)
 {
-    throw Error(ErrorKind::gl, "EGL",
-                "found no OpenGL " + versionName(options) + " (" + failureOf("eglCreateContext") +
-                    "), expected a driver that has it");
+    throw Error(
+        ErrorKind::gl, "EGL",
+        Found("no OpenGL " + versionName(options) + " (" + failureOf("eglCreateContext") + ")")
+            .expected("a driver that has it"));
 }
 
 // The display stays initialised: it is one for the process, and eglTerminate would end the contexts

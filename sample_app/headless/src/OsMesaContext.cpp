@@ -4,6 +4,7 @@
 #include "Native.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <dlfcn.h>
 #include <GL/osmesa.h>
@@ -80,12 +81,13 @@ public:
     OsMesaContext(const HeadlessOptions& options, const OsMesaContext* sharedWith)
     {
         if (options.profile == HeadlessOptions::Profile::es)
-            failOsMesa("found a request for OpenGL ES, expected OpenGL");
+            failOsMesa(Found("a request for OpenGL ES").expected("OpenGL"));
         context_ = library().createContext(osMesaAttributes(options).data(),
                                            sharedWith ? sharedWith->context_ : nullptr);
         if (!context_)
-            failOsMesa("found no OpenGL " + versionName(options) +
-                       " (OSMesaCreateContextAttribs failed), expected a driver that has it");
+            failOsMesa(
+                Found("no OpenGL " + versionName(options) + " (OSMesaCreateContextAttribs failed)")
+                    .expected("a driver that has it"));
     }
 
     ~OsMesaContext() override

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Controls.h>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ ViewTechnique viewTechniqueFromName(const std::string& name)
         if (name == viewTechniqueName(technique)) return technique;
         all += (i == 0 ? "" : ", ") + std::string(viewTechniqueName(technique));
     }
-    throw Error(ErrorKind::usage, "--technique", "found '" + name + "', expected one of " + all);
+    throw Error(ErrorKind::usage, "--technique", Found("'" + name + "'").expected("one of " + all));
 }
 
 std::string viewTechniqueHelp()

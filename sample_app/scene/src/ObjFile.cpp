@@ -231,9 +231,9 @@ void checkTangentCount(const ObjData& data, const std::string& where)
     const size_t expected = data.normals.empty() ? data.positions.size() : data.normals.size();
     if (data.tangents.empty() || data.tangents.size() == expected) return;
     throw Error(ErrorKind::input, where,
-                "found " + std::to_string(data.tangents.size()) + " tangents (r lines), expected " +
-                    std::to_string(expected) + ", one for each " +
-                    (data.normals.empty() ? "v" : "vn"));
+                Found(std::to_string(data.tangents.size()) + " tangents (r lines)")
+                    .expected(std::to_string(expected) + ", one for each " +
+                              (data.normals.empty() ? "v" : "vn")));
 }
 
 }  // namespace
@@ -243,7 +243,7 @@ Mesh parseObj(std::string_view text, const std::string& where)
     ObjData data;
     readLines(text, where, data);
     if (data.triangles.empty())
-        throw Error(ErrorKind::input, where, "found no face, expected a Wavefront OBJ mesh");
+        throw Error(ErrorKind::input, where, Found("no face").expected("a Wavefront OBJ mesh"));
     checkTangentCount(data, where);
     Vertices vertices = weld(data);
     fillNormals(data, vertices);

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/fit/NoiseFloor.h>
 
@@ -134,10 +135,9 @@ DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
     }
     if (statistics.usable < kFewestSamples)
         throw Error(ErrorKind::fit, source,
-                    "found " + std::to_string(samples.size()) + ", of which " +
-                        std::to_string(statistics.usable) +
-                        " have a value above the noise floor; expected at least " +
-                        std::to_string(kFewestSamples) + " samples that have");
+                    Found(std::to_string(samples.size()) + " samples, of which " +
+                          std::to_string(statistics.usable) + " have a value above the noise floor")
+                        .expected("at least " + std::to_string(kFewestSamples) + " that have"));
     return statistics;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/metrics/SampleSets.h>
 
@@ -128,7 +129,7 @@ Dataset makeDataset(const Source& source, size_t count, uint64_t seed, int threa
     }
     if (!source.evaluate)
         throw Error(ErrorKind::fit, source.name.empty() ? "source" : source.name,
-                    "found neither samples nor a function, expected one of them");
+                    Found("neither samples nor a function").expected("one of them"));
     Dataset dataset = datasetInMemory(samplesAt(source, uniformPairs(count, seed + 1), threads));
     dataset.exact = true;
     return dataset;

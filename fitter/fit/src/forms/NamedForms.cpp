@@ -3,6 +3,7 @@
 #include "forms/BaseForms.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/Svd.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ const BaseForm& baseForm(const std::string& name)
     for (const BaseForm& base : baseForms()) known += ", " + base.named.name;
     for (const NamedForm& direct : directForms()) known += ", " + direct.name;
     throw Error(ErrorKind::usage, "form",
-                "found '" + name + "', expected auto" + known + ", or a sum such as io+hdio");
+                Found("'" + name + "'").expected("auto" + known + ", or a sum such as io+hdio"));
 }
 
 std::vector<std::string> partsOf(const std::string& name)
@@ -123,8 +124,9 @@ Form makeForm(const std::string& name, int resolution)
     if (resolution == 0) return ladderStep(name, ladderSteps(name));
     if (resolution < kMinResolution || resolution > kMaxResolution)
         throw Error(ErrorKind::usage, "resolution",
-                    "found " + std::to_string(resolution) + ", expected " +
-                        std::to_string(kMinResolution) + " to " + std::to_string(kMaxResolution));
+                    Found(std::to_string(resolution))
+                        .expected(std::to_string(kMinResolution) + " to " +
+                                  std::to_string(kMaxResolution)));
     std::vector<Form> parts;
     for (const std::string& part : partsOf(name)) parts.push_back(baseForm(part).make(resolution));
     return sumOf(name, parts);
@@ -159,9 +161,11 @@ std::optional<Form> largestFormFor(const std::string& name, size_t samples, size
 Form makeFormFor(const std::string& name, size_t samples, size_t maxBytes, Storage storage)
 {
     if (const auto form = largestFormFor(name, samples, maxBytes, storage)) return *form;
-    throw Error(ErrorKind::usage, "max-bytes",
-                "found " + std::to_string(maxBytes) + ", expected at least " +
-                    std::to_string(formBytes(ladderStep(name, 0), storage)) + " for " + name);
+    throw Error(
+        ErrorKind::usage, "max-bytes",
+        Found(std::to_string(maxBytes))
+            .expected("at least " + std::to_string(formBytes(ladderStep(name, 0), storage)) +
+                      " for " + name));
 }
 
 }  // namespace fbrdf

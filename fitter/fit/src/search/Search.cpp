@@ -5,6 +5,7 @@
 #include "search/Neighbours.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 namespace fbrdf {
 namespace {
@@ -44,8 +45,9 @@ std::string untried(const std::vector<Trial>& trials)
 [[noreturn]] void refuseBudget(const FitOptions& options, size_t budget)
 {
     throw Error(ErrorKind::usage, options.maxBytes > 0 ? "max-bytes" : "resolution",
-                "found no form of at most " + std::to_string(budget) + " bytes and " +
-                    std::to_string(options.lookups) + " look-ups a pass, expected room for one");
+                Found("no form of at most " + std::to_string(budget) + " bytes and " +
+                      std::to_string(options.lookups) + " look-ups a pass")
+                    .expected("room for one"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 #include <numeric>
@@ -100,8 +101,9 @@ std::vector<double> SmoothSystem::step(std::vector<double> right, const double* 
         }
     const auto solve = [&](const Cholesky& cholesky) {
         if (!cholesky.ok())
-            throw Error(ErrorKind::fit, form,
-                        "the samples leave the system singular; expected directions that vary");
+            throw Error(
+                ErrorKind::fit, form,
+                Found("samples that leave the system singular").expected("directions that vary"));
         cholesky.solve(right.data(), columns);
     };
     if (keeps_ && damping == 0.0) {

@@ -13,6 +13,8 @@
 #include "NumberRows.h"
 #include "Tristimulus.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -81,7 +83,7 @@ std::string requireFirst(const InputFile& file, const AltaHeader& header, const 
 {
     const std::string word = header.first(key);
     if (word.empty())
-        throw inputError(file, "found no #" + key + ", expected it: nothing is guessed");
+        throw inputError(file, Found("no #" + key).expected("it: nothing is guessed"));
     return word;
 }
 
@@ -89,16 +91,17 @@ const AltaInput& inputNamed(const InputFile& file, const std::string& name)
 {
     std::string known;
     if (const AltaInput* input = altaInputNamed(name, known)) return *input;
-    throw inputError(file, "found #PARAM_IN " + inQuotes(name) + ", expected one of " + known);
+    throw inputError(file, Found("#PARAM_IN " + inQuotes(name)).expected("one of " + known));
 }
 
 Output outputNamed(const InputFile& file, const std::string& name)
 {
     const auto found = kOutputs.find(name);
     if (found == kOutputs.end())
-        throw inputError(file, "found #PARAM_OUT " + inQuotes(name) +
-                                   ", expected INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR, "
-                                   "RGB_COLOR or XYZ_COLOR");
+        throw inputError(
+            file,
+            Found("#PARAM_OUT " + inQuotes(name))
+                .expected("INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR, RGB_COLOR or XYZ_COLOR"));
     return found->second;
 }
 
@@ -116,9 +119,9 @@ AltaLayout layoutOf(const InputFile& file, const AltaHeader& header)
     if (!read || x != static_cast<long long>(layout.input->dimension) ||
         !(y == 3 || (y == 1 && !colour)))
         throw inputError(
-            file, "found #DIM " + inQuotes(dimensions.front()) +
-                      " .., expected two counts: " + std::to_string(layout.input->dimension) +
-                      " for " + layout.input->name + (colour ? " and 3" : " and 1 or 3"));
+            file, Found("#DIM " + inQuotes(dimensions.front()) + " ..")
+                      .expected("two counts: " + std::to_string(layout.input->dimension) + " for " +
+                                layout.input->name + (colour ? " and 3" : " and 1 or 3")));
     layout.values = static_cast<size_t>(y);
     return layout;
 }
@@ -145,8 +148,8 @@ void readText(const InputFile& file, const AltaLayout& layout, Source& source)
         splitNumbers(line, words);
         if (words.size() < layout.columns())
             throw lineError(file, lines.number(),
-                            "found " + std::to_string(words.size()) +
-                                " numbers, expected at least " + std::to_string(layout.columns()));
+                            Found(std::to_string(words.size()) + " numbers")
+                                .expected("at least " + std::to_string(layout.columns())));
         parseNumbers(file, lines.number(), words, numbers);
         addRow(rowOf(layout, numbers), source.samples, source.report);
     }
@@ -166,10 +169,10 @@ NumberFormat numberFormat(const InputFile& file, const AltaHeader& header)
     if (precision == "ieee754-single" || precision == "ieee754-float")
         format.bytes = 4;
     else if (precision != "ieee754-double")
-        throw inputError(file, "found #PRECISION " + inQuotes(precision) +
-                                   ", expected ieee754-double or ieee754-single");
+        throw inputError(file, Found("#PRECISION " + inQuotes(precision))
+                                   .expected("ieee754-double or ieee754-single"));
     if (endian != "little" && endian != "big")
-        throw inputError(file, "found #ENDIAN " + inQuotes(endian) + ", expected little or big");
+        throw inputError(file, Found("#ENDIAN " + inQuotes(endian)).expected("little or big"));
     format.big = endian == "big";
     return format;
 }
@@ -196,16 +199,16 @@ size_t columnsOf(const InputFile& file, const AltaHeader& header, const AltaLayo
     const std::string text = requireFirst(file, header, "SAMPLE_COUNT");
     long long rows = 0;
     if (!parseInteger(text, rows) || rows < 1)
-        throw inputError(file, "found #SAMPLE_COUNT " + inQuotes(text) + ", expected at least 1");
+        throw inputError(file, Found("#SAMPLE_COUNT " + inQuotes(text)).expected("at least 1"));
     const size_t numbers = (file.size() - header.end) / format.bytes;
     const size_t columns = numbers / static_cast<size_t>(rows);
     const bool whole =
         columns * static_cast<size_t>(rows) * format.bytes == file.size() - header.end;
     if (!whole || columns < layout.columns())
         throw inputError(file, header.end,
-                         "found " + std::to_string(file.size() - header.end) +
-                             " bytes of data, expected " + text + " rows of at least " +
-                             std::to_string(layout.columns() * format.bytes) + " bytes");
+                         Found(std::to_string(file.size() - header.end) + " bytes of data")
+                             .expected(text + " rows of at least " +
+                                       std::to_string(layout.columns() * format.bytes) + " bytes"));
     return columns;
 }
 
@@ -213,7 +216,7 @@ void readBinary(const InputFile& file, const AltaHeader& header, const AltaLayou
                 Source& source)
 {
     if (header.end == 0)
-        throw inputError(file, "found no line #ALTA_END_HEADER, expected it before binary data");
+        throw inputError(file, Found("no line #ALTA_END_HEADER").expected("it before binary data"));
     const NumberFormat format = numberFormat(file, header);
     const size_t columns = columnsOf(file, header, layout, format);
     std::vector<double> numbers(layout.columns());

@@ -13,6 +13,7 @@
 #include "NumberRows.h"
 #include "Wavelengths.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/sources/Spectrum.h>
 
 #include <algorithm>
@@ -96,8 +97,8 @@ std::vector<std::string> placeColumns(const InputFile& file, const AstmHeader& h
         const std::optional<double> degrees = degreesIn(name.unit);
         if (!degrees || (layout.degrees && *layout.degrees != *degrees))
             throw lineError(file, header.line,
-                            "found " + inQuotes(header.names[i]) +
-                                ", expected all angles in degrees or all in radians");
+                            Found(inQuotes(header.names[i]))
+                                .expected("all angles in degrees or all in radians"));
         if (!name.unit.empty()) layout.degrees = degrees;
     }
     return names;
@@ -135,17 +136,17 @@ AstmLayout layoutOf(const FileRequest& request, const AstmHeader& header)
         layout.value = Value::spectrum;
     else if (names.size() != 1)
         throw lineError(file, header.line,
-                        "found " + std::to_string(names.size()) +
-                            " value columns, expected R,G,B or X,Y,Z or "
-                            "wavelengths NNNnm or one value");
+                        Found(std::to_string(names.size()) + " value columns")
+                            .expected("R,G,B or X,Y,Z or wavelengths NNNnm or one value"));
     for (const size_t angle : {layout.theta_i, layout.theta_s, layout.phi_s})
         if (angle == kAbsent)
-            throw lineError(file, header.line, "found no theta_i, theta_s or phi_s, expected them");
+            throw lineError(file, header.line,
+                            Found("no theta_i, theta_s or phi_s").expected("them"));
     if (spectral) layout.colour.emplace(request, wavelengths);
     if (!spectral && !request.choice.empty())
         throw Error(ErrorKind::usage, file.path(),
-                    "found the choice " + inQuotes(request.choice) +
-                        ", expected none: the file has no wavelengths");
+                    Found("the choice " + inQuotes(request.choice))
+                        .expected("none: the file has no wavelengths"));
     return layout;
 }
 
@@ -179,8 +180,8 @@ long long readRows(const InputFile& file, LineReader& lines, AstmLayout& layout,
         splitNumbers(line, fields);
         if (fields.size() != layout.columns)
             throw lineError(file, lines.number(),
-                            "found " + std::to_string(fields.size()) + " fields, expected " +
-                                std::to_string(layout.columns) + " as in VARS");
+                            Found(std::to_string(fields.size()) + " fields")
+                                .expected(std::to_string(layout.columns) + " as in VARS"));
         parseNumbers(file, lines.number(), fields, numbers);
         rows.add(numbers[layout.theta_i], layout.phi_i == kAbsent ? 0.0 : numbers[layout.phi_i],
                  numbers[layout.theta_s], numbers[layout.phi_s], valueOf(layout, numbers));
@@ -216,14 +217,14 @@ Source readAstm(const FileRequest& request)
     const InputFile& file = *request.file;
     LineReader lines(file.bytes());
     const AstmHeader header = readHeader(lines);
-    if (header.names.empty()) throw inputError(file, "found no VARS line, expected one");
+    if (header.names.empty()) throw inputError(file, Found("no VARS line").expected("one"));
     AstmLayout layout = layoutOf(request, header);
     AngleRows rows(layout.degrees);
     rows.reserve(mostRows(file, layout.columns));
     const long long count = readRows(file, lines, layout, rows);
     if (header.points >= 0 && header.points != count)
-        throw inputError(file, "found " + std::to_string(count) + " rows, expected NUM_POINTS " +
-                                   std::to_string(header.points));
+        throw inputError(file, Found(std::to_string(count) + " rows")
+                                   .expected("NUM_POINTS " + std::to_string(header.points)));
     Source source;
     rows.addTo(source);
     countOutOfGamut(layout, source);

@@ -9,6 +9,7 @@
 // then rows.astype("<f4").tofile(file). Usual extension: .f32c.
 //
 // The file is mapped and read block by block, in memory that does not depend on the number of rows.
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include "Columns.h"
 #include "Formats.h"
@@ -39,7 +40,8 @@ size_t headSize(const InputFile& file)
     for (int line = 1; line <= 3; ++line) {
         const size_t newline = file.bytes().substr(0, kLongestHead).find('\n', end);
         if (newline == std::string_view::npos)
-            throw lineError(file, size_t(line), "found no end of the line, expected three lines");
+            throw lineError(file, size_t(line),
+                            Found("no end of the line").expected("three lines"));
         end = newline + 1;
     }
     return end;
@@ -48,7 +50,8 @@ size_t headSize(const InputFile& file)
 void readHead(BinaryTable& table)
 {
     const InputFile& file = *table.file;
-    if (!isBinaryColumns(file)) throw lineError(file, 1, "found no 'fbrdf-columns 1', expected it");
+    if (!isBinaryColumns(file))
+        throw lineError(file, 1, Found("no 'fbrdf-columns 1'").expected("it"));
     table.start = headSize(file);
     LineReader lines(file.bytes().substr(0, table.start));
     std::string_view line;
@@ -60,7 +63,7 @@ void readHead(BinaryTable& table)
     lines.next(line);
     long long rows = 0;
     if (!parseInteger(trimmed(line), rows) || rows < 1)
-        throw lineError(file, 3, "found " + inQuotes(line) + ", expected a number of rows");
+        throw lineError(file, 3, Found(inQuotes(line)).expected("a number of rows"));
     table.rows = static_cast<uint64_t>(rows);
 }
 
@@ -69,9 +72,9 @@ void requireSize(const BinaryTable& table)
     const uint64_t held = table.file->size() - table.start;
     if (held % table.rowBytes() == 0 && held / table.rowBytes() == table.rows) return;
     throw inputError(*table.file, table.start,
-                     "found " + std::to_string(held) + " bytes of data, expected " +
-                         std::to_string(table.rows) + " rows of " +
-                         std::to_string(table.rowBytes()) + " bytes");
+                     Found(std::to_string(held) + " bytes of data")
+                         .expected(std::to_string(table.rows) + " rows of " +
+                                   std::to_string(table.rowBytes()) + " bytes"));
 }
 
 void readRows(const BinaryTable& table, uint64_t first, size_t count, std::vector<Sample>& samples,

@@ -10,6 +10,7 @@
 #include "NumberRows.h"
 #include "Wavelengths.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ bool nextNumber(const InputFile& file, WordReader& words, double& value)
     std::string_view word;
     if (!words.next(word)) return false;
     if (!parseField(word, value))
-        throw lineError(file, words.line(), "found " + inQuotes(word) + ", expected a number");
+        throw lineError(file, words.line(), Found(inQuotes(word)).expected("a number"));
     return true;
 }
 
@@ -43,17 +44,18 @@ std::vector<double> readWavelengths(const InputFile& file, WordReader& words)
 {
     const long long count = wavelengthCount(words);
     if (count == 0)
-        throw lineError(file, words.line(),
-                        "found no number of wavelengths, expected a whole number from 1 to " +
-                            std::to_string(kMostWavelengths));
+        throw lineError(
+            file, words.line(),
+            Found("no number of wavelengths")
+                .expected("a whole number from 1 to " + std::to_string(kMostWavelengths)));
     std::vector<double> wavelengths;
     double wavelength = 0.0;
     while (wavelengths.size() < size_t(count) && nextNumber(file, words, wavelength))
         wavelengths.push_back(wavelength);
     if (wavelengths.size() < size_t(count))
         throw lineError(file, words.line(),
-                        "found " + std::to_string(wavelengths.size()) + " wavelengths, expected " +
-                            std::to_string(count));
+                        Found(std::to_string(wavelengths.size()) + " wavelengths")
+                            .expected(std::to_string(count)));
     return wavelengths;
 }
 
@@ -64,8 +66,8 @@ bool readRecord(const InputFile& file, WordReader& words, std::vector<double>& r
     while (got < record.size() && nextNumber(file, words, record[got])) ++got;
     if (got != 0 && got != record.size())
         throw lineError(file, words.line(),
-                        "found a last record of " + std::to_string(got) + " numbers, expected " +
-                            std::to_string(record.size()));
+                        Found("a last record of " + std::to_string(got) + " numbers")
+                            .expected(std::to_string(record.size())));
     return got != 0;
 }
 

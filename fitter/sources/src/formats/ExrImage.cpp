@@ -4,6 +4,7 @@
 
 #include "Tristimulus.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -66,7 +67,7 @@ size_t afterName(const InputFile& file, size_t position)
 {
     const size_t end = file.bytes().find('\0', position);
     if (end == std::string_view::npos)
-        throw inputError(file, position, "found the end of the file, expected a name");
+        throw inputError(file, position, Found("the end of the file").expected("a name"));
     return end + 1;
 }
 
@@ -79,13 +80,14 @@ void requireAttributesWithin(const InputFile& file)
         at = afterName(file, afterName(file, at));
         uint32_t size = 0;
         if (bytes.size() - at < sizeof size)
-            throw inputError(file, at, "found the end of the file, expected the size of a value");
+            throw inputError(file, at,
+                             Found("the end of the file").expected("the size of a value"));
         std::memcpy(&size, bytes.data() + at, sizeof size);
         at += sizeof size;
         if (size > bytes.size() - at)
             throw inputError(file, at,
-                             "found a value of " + std::to_string(size) +
-                                 " bytes, expected one within the file");
+                             Found("a value of " + std::to_string(size) + " bytes")
+                                 .expected("one within the file"));
         at += size;
     }
 }
@@ -93,8 +95,8 @@ void requireAttributesWithin(const InputFile& file)
 void requireFlat(const InputFile& file, const Imf::Header& header)
 {
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
-        throw inputError(file, "found a part of type " + inQuotes(header.type()) +
-                                   ", expected an image of scan lines or tiles");
+        throw inputError(file, Found("a part of type " + inQuotes(header.type()))
+                                   .expected("an image of scan lines or tiles"));
 }
 
 std::string textOf(const Imf::Header& header, const char* name)
@@ -176,8 +178,9 @@ Channels channelsOf(const InputFile& file, const Imf::Header& header)
         if (const auto found = channelsOf(layer);
             found && (found->kind != Channels::Kind::grey || layers.size() == 1))
             return *found;
-    throw inputError(file, "found the channels " + all +
-                               ", expected R, G, B or X, Y, Z of one layer, or a single one");
+    throw inputError(
+        file,
+        Found("the channels " + all).expected("R, G, B or X, Y, Z of one layer, or a single one"));
 }
 
 /// True for primaries and a white that are those of Rec. 709, within rounding.
@@ -228,10 +231,9 @@ TableImage emptyImage(const InputFile& file, const Imath::Box2i& window)
         height <= int64_t(kMostPixels) && size_t(width) * size_t(height) <= kMostPixels &&
         size_t(width) * size_t(height) * sizeof(Vec3f) <= kMostRatio * file.size() + kAlwaysAllowed;
     if (!sensible)
-        throw inputError(file,
-                         "found " + std::to_string(width) + " x " + std::to_string(height) +
-                             " pixels in " + std::to_string(file.size()) +
-                             " bytes, expected up to 2^24 pixels and far fewer in a small file");
+        throw inputError(file, Found(std::to_string(width) + " x " + std::to_string(height) +
+                                     " pixels in " + std::to_string(file.size()) + " bytes")
+                                   .expected("up to 2^24 pixels and far fewer in a small file"));
     TableImage image;
     image.width = size_t(width);
     image.height = size_t(height);

@@ -3,6 +3,8 @@
 // ExrImage.h has them. The string attributes "fbrdf:layout" and "fbrdf:theta_i" give layout and
 // angles (ImageTable.h).
 #include "Formats.h"
+
+#include <fbrdf/base/Found.h>
 #include "formats/ExrImage.h"
 
 namespace fbrdf {
@@ -15,7 +17,8 @@ bool isExrTable(const InputFile& file)
 Source readExrTable(const FileRequest& request)
 {
     const InputFile& file = *request.file;
-    if (!isExrTable(file)) throw inputError(file, 0, "found no OpenEXR magic number, expected it");
+    if (!isExrTable(file))
+        throw inputError(file, 0, Found("no OpenEXR magic number").expected("it"));
     return sourceOfImage(file, readExrImage(file), "OpenEXR");
 }
 

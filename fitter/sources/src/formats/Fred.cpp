@@ -6,6 +6,8 @@
 // tabulated data scatter model and the files of the University of Arizona LOFT group, whose
 // highlights confirm the azimuths.
 #include "Formats.h"
+
+#include <fbrdf/base/Found.h>
 #include "NumberRows.h"
 
 namespace fbrdf {
@@ -23,9 +25,9 @@ double scaleOf(const InputFile& file, size_t line, const std::vector<std::string
         const bool scales =
             word.substr(0, 6) == "scale=" && parseNumber(std::string_view(word).substr(6), scale);
         if (!known && !scales)
-            throw lineError(file, line,
-                            "found " + inQuotes(words[i]) +
-                                ", expected angles=deg, bsdf=value or scale=NUMBER");
+            throw lineError(
+                file, line,
+                Found(inQuotes(words[i])).expected("angles=deg, bsdf=value or scale=NUMBER"));
     }
     return scale;
 }
@@ -44,8 +46,8 @@ public:
         }
         if (words.size() != 2 && words.size() != 3)
             throw lineError(file_, line,
-                            "found " + std::to_string(words.size()) +
-                                " numbers, expected 2 (incident) or 3 (scattered)");
+                            Found(std::to_string(words.size()) + " numbers")
+                                .expected("2 (incident) or 3 (scattered)"));
         parseNumbers(file_, line, words, numbers_);
         if (words.size() == 2)
             setIncident(numbers_[0], numbers_[1]);
@@ -62,7 +64,8 @@ private:
     void addScattered(size_t line, const double* v, Source& source)
     {
         if (!hasIncident_)
-            throw lineError(file_, line, "found a scattered direction, expected an incident first");
+            throw lineError(file_, line,
+                            Found("a scattered direction").expected("an incident first"));
         addRow({directionFromDegrees(v[0], v[1]), wi_, Vec3d(v[2] * scale_)}, source.samples,
                source.report);
     }

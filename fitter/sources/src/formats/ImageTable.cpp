@@ -3,6 +3,7 @@
 #include "formats/UtiaTable.h"
 #include "SampleRow.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
@@ -49,11 +50,12 @@ std::vector<double> tileAngles(const InputFile& file, const TableImage& image)
     std::vector<double> angles(fields.size());
     for (size_t i = 0; i < fields.size(); ++i)
         if (!parseNumber(fields[i], angles[i]))
-            throw inputError(file, "found fbrdf:theta_i " + inQuotes(image.angles) +
-                                       ", expected zenith angles in degrees");
+            throw inputError(file, Found("fbrdf:theta_i " + inQuotes(image.angles))
+                                       .expected("zenith angles in degrees"));
     if (image.height % angles.size() != 0)
-        throw inputError(file, "found " + std::to_string(image.height) + " lines, expected " +
-                                   std::to_string(angles.size()) + " tiles of equal height");
+        throw inputError(file,
+                         Found(std::to_string(image.height) + " lines")
+                             .expected(std::to_string(angles.size()) + " tiles of equal height"));
     return angles;
 }
 
@@ -78,8 +80,9 @@ Source sourceOfLatLong(const InputFile& file, const SharedImage& image)
 Source sourceOfUtia(const InputFile& file, TableImage image)
 {
     if (image.width != kUtiaSide || image.height != kUtiaSide)
-        throw inputError(file, "found layout utia on " + std::to_string(image.width) + " x " +
-                                   std::to_string(image.height) + " pixels, expected 288 x 288");
+        throw inputError(file, Found("layout utia on " + std::to_string(image.width) + " x " +
+                                     std::to_string(image.height) + " pixels")
+                                   .expected("288 x 288"));
     return makeUtiaSource(std::move(image.pixels));
 }
 
@@ -103,7 +106,7 @@ Source sourceOfImage(const InputFile& file, TableImage image, const std::string&
     }
     if (layout != "slice" && layout != "latlong")
         throw inputError(
-            file, "found fbrdf:layout " + inQuotes(layout) + ", expected utia, slice or latlong");
+            file, Found("fbrdf:layout " + inQuotes(layout)).expected("utia, slice or latlong"));
     const auto shared = std::make_shared<const TableImage>(std::move(image));
     Source source = layout == "slice" ? sourceOfSlice(shared) : sourceOfLatLong(file, shared);
     source.description = format + " " + source.description;

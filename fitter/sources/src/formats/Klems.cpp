@@ -20,6 +20,7 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Fields.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 
 #include <algorithm>
@@ -60,8 +61,8 @@ Structure structureOf(const InputFile& file, const pugi::xml_node& root,
     if (word == "rows") return Structure::rows;
     if (word == "tensortree3") return Structure::tree3;
     if (word == "tensortree4") return Structure::tree4;
-    throw inputError(file, "found the IncidentDataStructure " + inQuotes(trimmed(flat)) +
-                               ", expected Columns, Rows, TensorTree3 or TensorTree4");
+    throw inputError(file, Found("the IncidentDataStructure " + inQuotes(trimmed(flat)))
+                               .expected("Columns, Rows, TensorTree3 or TensorTree4"));
 }
 
 const KlemsBasis& basisNamed(const InputFile& file, const std::map<std::string, KlemsBasis>& bases,
@@ -70,9 +71,9 @@ const KlemsBasis& basisNamed(const InputFile& file, const std::map<std::string, 
     const std::string name = childText(block, element);
     const auto found = bases.find(lowerCase(name));
     if (found != bases.end()) return found->second;
-    throw inputError(file, "found the " + std::string(element) + " " + inQuotes(name) +
-                               ", expected an AngleBasis of the file or LBNL/Klems Full, Half or "
-                               "Quarter");
+    throw inputError(
+        file, Found("the " + std::string(element) + " " + inQuotes(name))
+                  .expected("an AngleBasis of the file or LBNL/Klems Full, Half or Quarter"));
 }
 
 /// The numbers of a block's ScatteringData, in their order.
@@ -91,12 +92,12 @@ std::vector<double> readNumbers(const InputFile& file, const pugi::xml_node& blo
         values.push_back(0.0);
         if (!parseField(word, values.back()))
             throw inputError(file,
-                             "found " + inQuotes(word) + " in ScatteringData, expected numbers");
+                             Found(inQuotes(word) + " in ScatteringData").expected("numbers"));
     }
     if (count != rows * columns)
-        throw inputError(file, "found " + std::to_string(count) +
-                                   " numbers of ScatteringData, expected " + std::to_string(rows) +
-                                   " x " + std::to_string(columns));
+        throw inputError(file,
+                         Found(std::to_string(count) + " numbers of ScatteringData")
+                             .expected(std::to_string(rows) + " x " + std::to_string(columns)));
     return values;
 }
 

@@ -2,6 +2,7 @@
 
 #include "SampleRow.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
 
@@ -49,9 +50,10 @@ void addBlock(const InputFile& file, const pugi::xml_node& block, KlemsBasis& ba
         !(upper > lower && upper <= 90.0))
         throw inputError(file, "found a ring of " + numberText(phis, 12) + " patches from " +
                                    numberText(lower) + " to " + numberText(upper) + " degrees");
-    if (lower < end) throw inputError(file, "found rings that overlap, expected ascending angles");
+    if (lower < end)
+        throw inputError(file, Found("rings that overlap").expected("ascending angles"));
     if (basis.patches() + size_t(phis) > KlemsBasis::kMostPatches)
-        throw inputError(file, "found over 4096 patches");
+        throw inputError(file, Found("over 4096 patches").expected("at most 4096"));
     const bool cap = lower == 0.0 && phis == 1.0;
     const double middle = cap ? 0.0 : 0.5 * (lower + upper);
     const bool given = !childText(block, "Theta").empty();

@@ -1,6 +1,7 @@
 #include "formats/KlemsXml.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 
 #include <algorithm>
@@ -76,12 +77,12 @@ std::string listOf(const std::vector<KlemsBlock>& blocks)
                                const std::vector<KlemsBlock>& blocks)
 {
     const bool chosen = !choice.band.empty() || !choice.side.empty();
-    const std::string what =
-        chosen ? "found no " + (choice.band.empty() ? "visible" : choice.band) + " reflection" +
-                     (choice.side.empty() ? "" : " of the " + choice.side)
-               : std::string("found no visible reflection");
+    const std::string what = chosen ? "no " + (choice.band.empty() ? "visible" : choice.band) +
+                                          " reflection" +
+                                          (choice.side.empty() ? "" : " of the " + choice.side)
+                                    : std::string("no visible reflection");
     throw Error(chosen ? ErrorKind::usage : ErrorKind::input, request.file->path(),
-                what + ", expected a choice of what the file has: " + listOf(blocks));
+                Found(what).expected("a choice of what the file has: " + listOf(blocks)));
 }
 
 std::string chooseSide(const KlemsChoice& choice, const std::vector<KlemsBlock>& blocks,
@@ -105,13 +106,13 @@ void parseKlemsXml(const InputFile& file, pugi::xml_document& document)
     const std::string_view bytes = file.bytes();
     const auto tags = size_t(std::count(bytes.begin(), bytes.end(), '<'));
     if (tags > bytes.size() / kBytesPerTag + kTagsAllowed)
-        throw inputError(file, "found " + std::to_string(tags) + " elements in " +
-                                   std::to_string(bytes.size()) +
-                                   " bytes, expected mostly numbers");
+        throw inputError(file, Found(std::to_string(tags) + " elements in " +
+                                     std::to_string(bytes.size()) + " bytes")
+                                   .expected("mostly numbers"));
     const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
     if (!parsed)
         throw inputError(file, uint64_t(parsed.offset),
-                         std::string("found ") + parsed.description() + ", expected XML");
+                         Found(parsed.description()).expected("XML"));
 }
 
 std::string textWithin(const pugi::xml_node& node)
@@ -162,8 +163,8 @@ double numberIn(const InputFile& file, const pugi::xml_node& parent, std::string
     double value = 0.0;
     const std::string text = childText(parent, name);
     if (!parseLocalNumber(text, value) || !std::isfinite(value))
-        throw inputError(
-            file, "found " + inQuotes(text) + " as " + std::string(name) + ", expected a number");
+        throw inputError(file,
+                         Found(inQuotes(text) + " as " + std::string(name)).expected("a number"));
     return value;
 }
 
@@ -179,8 +180,8 @@ KlemsChoice klemsChoice(const FileRequest& request)
                                                               : choice.band;
         if (!part.empty())
             throw Error(ErrorKind::usage, request.file->path(),
-                        "found the choice " + inQuotes(request.choice) +
-                            ", expected a band, front or back, and d65 or e, each once");
+                        Found("the choice " + inQuotes(request.choice))
+                            .expected("a band, front or back, and d65 or e, each once"));
         part = name;
     }
     return choice;

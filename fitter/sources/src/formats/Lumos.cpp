@@ -5,6 +5,8 @@
 // the surface; zenith angles may be signed (negative: azimuth + 180). Values in 1/sr without the
 // cosine. From the comments of the files and lumos' documentation.
 #include "Formats.h"
+
+#include <fbrdf/base/Found.h>
 #include "NumberRows.h"
 
 namespace fbrdf {
@@ -40,7 +42,7 @@ Source readLumos(const FileRequest& request)
         splitNumbers(line, words);
         if (words.size() != kNames.size())
             throw lineError(file, lines.number(),
-                            "found " + std::to_string(words.size()) + " numbers, expected 5");
+                            Found(std::to_string(words.size()) + " numbers").expected("5"));
         parseNumbers(file, lines.number(), words, v);
         addRow({directionFromDegrees(v[2], v[3]), directionFromDegrees(v[0], v[1]), Vec3d(v[4])},
                source.samples, source.report);

@@ -10,6 +10,7 @@
 #include "Formats.h"
 #include "SampleRow.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <array>
@@ -52,8 +53,7 @@ size_t dimension(const InputFile& file, size_t at, uint32_t value)
 {
     constexpr uint32_t kMost = 100000;
     if (value < 1 || value > kMost)
-        throw inputError(file, at,
-                         "found " + std::to_string(value) + " bins, expected 1 to 100000");
+        throw inputError(file, at, Found(std::to_string(value) + " bins").expected("1 to 100000"));
     return value;
 }
 
@@ -63,24 +63,26 @@ MbsdfTable readMbsdfTable(const FileRequest& request)
     MbsdfTable table;
     table.file = request.file;
     const size_t block = blockOf(file.bytes());
-    if (block == 0) throw inputError(file, "found no reflection, expected MBSDF_DATA_REFLECTION=");
+    if (block == 0)
+        throw inputError(file, Found("no reflection").expected("MBSDF_DATA_REFLECTION="));
     std::array<uint32_t, kHeadNumbers> head{};
     if (file.size() - block < kHeadBytesOfBlock)
-        throw inputError(file, block, "found the end of the file, expected type and sizes");
+        throw inputError(file, block, Found("the end of the file").expected("type and sizes"));
     std::memcpy(head.data(), file.bytes().data() + block, kHeadBytesOfBlock);
     if (head[0] > 1)
         throw inputError(
             file, block,
-            "found type " + std::to_string(head[0]) + ", expected 0 (scalar) or 1 (RGB)");
+            Found("type " + std::to_string(head[0])).expected("0 (scalar) or 1 (RGB)"));
     table.channels = head[0] == 1 ? 3 : 1;
     table.thetas = dimension(file, block + 4, head[1]);
     table.phis = dimension(file, block + 8, head[2]);
     table.start = block + kHeadBytesOfBlock;
     const size_t available = (file.size() - table.start) / sizeof(float) / table.channels;
     if (available / table.thetas / table.thetas < table.phis)
-        throw inputError(file, table.start,
-                         "found " + std::to_string(available) + " values, expected " +
-                             std::to_string(table.thetas) + "^2 x " + std::to_string(table.phis));
+        throw inputError(
+            file, table.start,
+            Found(std::to_string(available) + " values")
+                .expected(std::to_string(table.thetas) + "^2 x " + std::to_string(table.phis)));
     return table;
 }
 
@@ -121,9 +123,10 @@ bool isMbsdf(const InputFile& file)
 Source readMbsdf(const FileRequest& request)
 {
     if (!isMbsdf(*request.file))
-        throw inputError(*request.file, 0, "found no 'NVIDIA ARC MBSDF V1', expected it");
+        throw inputError(*request.file, 0, Found("no 'NVIDIA ARC MBSDF V1'").expected("it"));
     const auto table = std::make_shared<const MbsdfTable>(readMbsdfTable(request));
-    if (!hasUsableBin(*table)) throw inputError(*request.file, "found no finite value");
+    if (!hasUsableBin(*table))
+        throw inputError(*request.file, Found("no finite value").expected("at least one"));
     Source source;
     source.isotropic = true;
     source.description = std::string("MDL measured BSDF, reflection, ") +

@@ -14,6 +14,8 @@
 #include "MerlGrid.h"
 #include "SampleRow.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <cmath>
 #include <cstring>
 
@@ -56,12 +58,13 @@ std::array<int32_t, 3> checkedCounts(const InputFile& file)
 {
     const std::array<int32_t, 3> counts = countsOf(file);
     if (!arePlausible(counts))
-        throw inputError(file, 0, "found no table size, expected 90, 90, 180 as int32");
+        throw inputError(file, 0, Found("no table size").expected("90, 90, 180 as int32"));
     if (file.size() != fileSize(counts))
-        throw inputError(file, "found " + std::to_string(file.size()) + " bytes, expected " +
-                                   std::to_string(fileSize(counts)) + " for a table of " +
-                                   std::to_string(counts[0]) + " x " + std::to_string(counts[1]) +
-                                   " x " + std::to_string(counts[2]));
+        throw inputError(
+            file, Found(std::to_string(file.size()) + " bytes")
+                      .expected(std::to_string(fileSize(counts)) + " for a table of " +
+                                std::to_string(counts[0]) + " x " + std::to_string(counts[1]) +
+                                " x " + std::to_string(counts[2])));
     return counts;
 }
 
@@ -117,7 +120,7 @@ void requireValidCell(const InputFile& file, const MerlTable& table)
 {
     for (size_t cell = 0; cell < table.f.size(); ++cell)
         if (!table.marked[cell] && isUsable(table.f[cell])) return;
-    throw inputError(file, "found no valid cell, expected values of 0 or above");
+    throw inputError(file, Found("no valid cell").expected("values of 0 or above"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "Formats.h"
 #include "SampleRow.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <array>
@@ -107,20 +108,20 @@ Source readMitAniso(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     const Head head = headOf(file);
-    if (!isMitAniso(file)) throw inputError(file, 0, "found no head of 16 numbers, expected it");
+    if (!isMitAniso(file)) throw inputError(file, 0, Found("no head of 16 numbers").expected("it"));
     if (head[binning] != 0)
-        throw inputError(
-            file, binning * sizeof(int32_t),
-            "found binning " + std::to_string(head[binning]) + ", expected 0 (uniform)");
+        throw inputError(file, binning * sizeof(int32_t),
+                         Found("binning " + std::to_string(head[binning])).expected("0 (uniform)"));
     if (head[halfData] != 0 && head[halfData] != 1)
         throw inputError(
             file, halfData * sizeof(int32_t),
-            "found " + std::to_string(head[halfData]) + " for half data, expected 0 or 1");
+            Found(std::to_string(head[halfData]) + " for half data").expected("0 or 1"));
     auto grid = std::make_shared<AnisoGrid>();
     grid->file = request.file;
     for (size_t i = 0; i < 4; ++i) grid->bins[i] = static_cast<size_t>(head[i]);
     if (head[halfData] == 1) grid->phiRange = kPi;
-    if (!hasMeasuredCell(*grid)) throw inputError(file, "found no bin that was measured");
+    if (!hasMeasuredCell(*grid))
+        throw inputError(file, Found("no bin that was measured").expected("at least one"));
     Source source;
     source.description = "MIT anisotropic measurements, linear RGB, 1/sr";
     source.assumptions = {"values belong to the centres of bins", "azimuths as in the file",

@@ -9,6 +9,7 @@
 // all the way round phi_d: nothing makes a network reciprocal.
 #include "Collection.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include "MerlGrid.h"
 
@@ -80,7 +81,7 @@ Weights readWeights(const InputFile& file, size_t row)
         if (!(std::abs(stored[i]) < kLargest))
             throw inputError(
                 file, row * kNetworkBytes + i * sizeof(float),
-                "found " + numberText(double(stored[i])) + ", expected a weight of a network");
+                Found(numberText(double(stored[i]))).expected("a weight of a network"));
         weights[i] = double(stored[i]);
     }
     return weights;
@@ -102,8 +103,9 @@ Source readNbrdf(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     if (file.size() % kNetworkBytes != 0)
-        throw inputError(file, "found " + std::to_string(file.size()) +
-                                   " bytes, expected rows of 675 float32 weights");
+        throw inputError(
+            file,
+            Found(std::to_string(file.size()) + " bytes").expected("rows of 675 float32 weights"));
     const Chosen chosen = chosenMaterial(request, nbrdfRows(file));
     const auto weights = std::make_shared<const Weights>(readWeights(file, chosen.row));
     Source source;

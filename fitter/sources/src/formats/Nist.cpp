@@ -13,6 +13,7 @@
 #include "Wavelengths.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 
 #include <cmath>
@@ -33,7 +34,7 @@ double chosenWavelength(const FileRequest& request)
     const std::optional<double> unit = nanometresInUnitOf({wavelength});
     if (!read || !unit)
         throw Error(ErrorKind::usage, request.file->path(),
-                    "found " + inQuotes(request.choice) + ", expected a wavelength in um or nm");
+                    Found(inQuotes(request.choice)).expected("a wavelength in um or nm"));
     return wavelength * *unit / 1000.0;
 }
 
@@ -64,7 +65,7 @@ Source readNist(const FileRequest& request)
     NamedTable table(file);
     if (table.names().size() < 6)
         throw lineError(file, table.line(),
-                        "found " + std::to_string(table.names().size()) + " columns, expected 6");
+                        Found(std::to_string(table.names().size()) + " columns").expected("6"));
     Source source;
     std::set<double> wavelengths;
     source.samples.reserve(mostRows(file, 6));
@@ -77,9 +78,9 @@ Source readNist(const FileRequest& request)
                source.samples, source.report);
     }
     if (chosen > 0.0 && source.report.given == 0)
-        throw Error(
-            ErrorKind::usage, file.path(),
-            "found no rows at " + request.choice + " um, expected one of " + listOf(wavelengths));
+        throw Error(ErrorKind::usage, file.path(),
+                    Found("no rows at " + request.choice + " um")
+                        .expected("one of " + listOf(wavelengths)));
     source.description = "NIST BRDF, one channel, " +
                          (chosen > 0.0 ? request.choice : listOf(wavelengths)) + " um, 1/sr";
     if (chosen == 0.0 && wavelengths.size() > 1)

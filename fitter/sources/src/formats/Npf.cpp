@@ -12,6 +12,8 @@
 #include "Collection.h"
 #include "MerlGrid.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -59,11 +61,11 @@ NpfRow readNpfRow(const InputFile& file, size_t row)
         constexpr float kLargest = 1e9f;
         if (!(stored[i] >= 0.0f && stored[i] < kLargest))
             throw inputError(file, row * kNpfRowBytes + i * sizeof(float),
-                             "found " + numberText(double(stored[i])) + ", expected a factor >= 0");
+                             Found(numberText(double(stored[i]))).expected("a factor >= 0"));
         table[i / 3][int(i % 3)] = double(stored[i]);
     }
     if (std::all_of(stored.begin(), stored.end(), [](float value) { return value == 0.0f; }))
-        throw inputError(file, row * kNpfRowBytes, "found an empty row, expected a material");
+        throw inputError(file, row * kNpfRowBytes, Found("an empty row").expected("a material"));
     return table;
 }
 

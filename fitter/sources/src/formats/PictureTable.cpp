@@ -5,6 +5,7 @@
 #include "Formats.h"
 #include "formats/ImageTable.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/codecs/PictureFile.h>
 
 #include <algorithm>
@@ -30,11 +31,11 @@ void requireLinear(const InputFile& file, const DecodedPicture& picture)
 {
     if (picture.sampleType != "float" && picture.sampleType != "half" &&
         picture.sampleType != "double")
-        throw inputError(file, "found samples of type " + picture.sampleType +
-                                   ", expected floating point, linear values in 1/sr");
+        throw inputError(file, Found("samples of type " + picture.sampleType)
+                                   .expected("floating point, linear values in 1/sr"));
     if (picture.colourSpace == "sRGB")
         throw inputError(file,
-                         "found colours encoded for a display (sRGB), expected linear values");
+                         Found("colours encoded for a display (sRGB)").expected("linear values"));
 }
 
 /// Where red, green and blue are among the channels; thrice 0 for a single one.
@@ -47,8 +48,9 @@ std::array<size_t, 3> coloursOf(const InputFile& file, const DecodedPicture& pic
         const auto& all = picture.channels;
         const auto found = std::find(all.begin(), all.end(), names[c]);
         if (found == all.end())
-            throw inputError(file, "found " + std::to_string(all.size()) + " channels without " +
-                                       names[c] + ", expected R, G, B or a single one");
+            throw inputError(file,
+                             Found(std::to_string(all.size()) + " channels without " + names[c])
+                                 .expected("R, G, B or a single one"));
         places[c] = static_cast<size_t>(found - all.begin());
     }
     return places;
@@ -78,7 +80,7 @@ Source readPictureTable(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     if (!isPictureTable(file))
-        throw inputError(file, 0, "found neither TIFF nor Radiance HDR, expected one of them");
+        throw inputError(file, 0, Found("neither TIFF nor Radiance HDR").expected("one of them"));
     const std::string codec = codecOf(file);
     const DecodedPicture picture =
         decodePicture(file.bytes(), codec.c_str(), file.path(),

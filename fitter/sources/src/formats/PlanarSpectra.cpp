@@ -11,6 +11,7 @@
 #include "SampleRow.h"
 #include "Wavelengths.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/Conventions.h>
 
 #include <algorithm>
@@ -97,7 +98,7 @@ Source readPlanarSpectra(const FileRequest& request)
     if (!columns)
         throw lineError(
             *request.file, table.line(),
-            "found other columns, expected Incident_angle, Measure_angle and wavelengths");
+            Found("other columns").expected("Incident_angle, Measure_angle and wavelengths"));
     const BandColour colour(request, columns->wavelengths);
     Source source;
     source.samples.reserve(mostRows(*request.file, 2 + columns->bands.size()));

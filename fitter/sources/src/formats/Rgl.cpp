@@ -12,6 +12,7 @@
 //
 // The samples are the nodes of the file: for each (phi_i, theta_i) the h x w nodes of s, where the
 // values are as measured, negatives included.
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "formats/RglWarp.h"
@@ -165,7 +166,9 @@ void requireAscending(const InputFile& file, const std::vector<float>& nodes, co
 {
     for (size_t i = 1; i < nodes.size(); ++i)
         if (!(nodes[i] > nodes[i - 1]))
-            throw inputError(file, std::string("found ") + name + " that does not ascend");
+            throw inputError(
+                file,
+                Found(std::string(name) + " that does not ascend").expected("ascending angles"));
 }
 
 Image readImage(const InputFile& file, const TensorFields& fields, const char* name)
@@ -176,7 +179,7 @@ Image readImage(const InputFile& file, const TensorFields& fields, const char* n
     image.height = shape[0];
     image.width = shape[1];
     if (image.width < 2 || image.height < 2)
-        throw inputError(file, std::string("found ") + name + " of one node, expected 2 or more");
+        throw inputError(file, Found(std::string(name) + " of one node").expected("2 or more"));
     return image;
 }
 
@@ -196,7 +199,7 @@ void readColours(const InputFile& file, const TensorFields& fields, RglData& dat
     data.height = fields.at(name).shape[3];
     data.width = fields.at(name).shape[4];
     if (data.width < 2 || data.height < 2)
-        throw inputError(file, "found " + name + " of one node, expected 2 or more");
+        throw inputError(file, Found(std::string(name) + " of one node").expected("2 or more"));
     const size_t plane = data.width * data.height;
     const SpectrumToRgb toRgb(spectral ? wavelengths : std::vector<double>{500.0});
     std::vector<double> spectrum(bands);
@@ -215,7 +218,7 @@ void readWarp(const InputFile& file, const TensorFields& fields, RglData& data)
         readTensor(file, fields, "vndf", {data.phi.size(), data.theta.size(), 0, 0});
     const std::vector<size_t>& shape = fields.at("vndf").shape;
     if (shape[2] < 2 || shape[3] < 2)
-        throw inputError(file, "found vndf of one node, expected 2 or more");
+        throw inputError(file, Found("vndf of one node").expected("2 or more"));
     data.vndf = RglWarp(std::move(density), shape[3], shape[2]);
     for (size_t slice = 0; slice < data.vndf.slices(); ++slice)
         if (!data.vndf.isValid(slice))
@@ -228,8 +231,8 @@ int reductionOf(const InputFile& file, const std::vector<float>& phi)
     const double range = double(phi.back()) - double(phi.front());
     const double reduction = std::rint(2.0 * kPi / range);
     if (reduction != 1.0 && reduction != 2.0 && reduction != 4.0)
-        throw inputError(file, "found phi_i over " + numberText(range) +
-                                   " radians, expected the circle, a half or a quarter of it");
+        throw inputError(file, Found("phi_i over " + numberText(range) + " radians")
+                                   .expected("the circle, a half or a quarter of it"));
     return static_cast<int>(reduction);
 }
 

@@ -7,6 +7,8 @@
 // in 1/sr without the cosine. Such files say nothing of themselves: order and units are assumed,
 // and the angles are radians unless a zenith angle is above pi (NumberRows.h).
 #include "Formats.h"
+
+#include <fbrdf/base/Found.h>
 #include "NumberRows.h"
 
 namespace fbrdf {
@@ -57,7 +59,7 @@ Source readScattered(const FileRequest& request)
         if (!isColumnCount(columns) || words.size() != columns)
             throw lineError(
                 file, lines.number(),
-                "found " + std::to_string(words.size()) + " numbers, expected 7 or 9 in every row");
+                Found(std::to_string(words.size()) + " numbers").expected("7 or 9 in every row"));
         parseNumbers(file, lines.number(), words, v);
         if (columns == kAngleColumns)
             angles.add(v[0], v[1], v[2], v[3], {v[4], v[5], v[6]});

@@ -23,6 +23,7 @@
 #include "SampleRow.h"
 #include "Wavelengths.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
@@ -81,7 +82,7 @@ void readFirstTable(SpeosText& text, SpeosSurface& surface, SpeosIncidence& inci
 void readNextTable(SpeosText& text, SpeosSurface& surface, const SpeosIncidence& incidence)
 {
     if (!(readSpeosTable(text, surface.values) == surface.gridOf(incidence)))
-        throw text.fail("found other angles, expected those of the first wavelength");
+        throw text.fail(Found("other angles").expected("those of the first wavelength"));
 }
 
 void readSpectralTables(SpeosText& text, SpeosSurface& surface)

@@ -2,6 +2,7 @@
 
 #include "SampleRow.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
 
@@ -20,8 +21,8 @@ void requireAscendingAngles(const SpeosText& text, const std::vector<double>& an
     double last = -1.0;
     for (const double angle : angles) {
         if (!(angle > last && angle >= 0.0 && angle <= most + 1e-6))
-            throw text.fail("found the angle " + numberText(angle) +
-                            ", expected ascending ones from 0 to " + numberText(most));
+            throw text.fail(Found("the angle " + numberText(angle))
+                                .expected("ascending ones from 0 to " + numberText(most)));
         last = angle;
     }
 }
@@ -55,9 +56,8 @@ double SpeosText::number(const char* what)
     rest_.remove_prefix(std::min(rest_.find_first_not_of(kWhiteSpace), rest_.size()));
     const std::string_view word = rest_.substr(0, rest_.find_first_of(kWhiteSpace));
     double value = 0.0;
-    if (word.empty()) throw fail(std::string("found the end of the file, expected ") + what);
-    if (!parseLocalNumber(word, value))
-        throw fail("found " + inQuotes(word) + ", expected " + what);
+    if (word.empty()) throw fail(Found("the end of the file").expected(what));
+    if (!parseLocalNumber(word, value)) throw fail(Found(inQuotes(word)).expected(what));
     rest_.remove_prefix(word.size());
     return value;
 }
@@ -66,17 +66,17 @@ size_t SpeosText::count(const char* what, size_t least, size_t most)
 {
     const double value = number(what);
     if (!(value >= double(least) && value <= double(most)) || value != std::floor(value))
-        throw fail("found " + numberText(value) + " as " + what +
-                   ", expected a whole number from " + std::to_string(least) + " to " +
-                   std::to_string(most));
+        throw fail(Found(numberText(value) + " as " + what)
+                       .expected("a whole number from " + std::to_string(least) + " to " +
+                                 std::to_string(most)));
     return static_cast<size_t>(value);
 }
 
 std::vector<double> SpeosText::numbers(size_t n, const char* what)
 {
     if (n > rest_.size())
-        throw fail("found fewer than " + std::to_string(n) + " numbers, expected as many of " +
-                   what);
+        throw fail(Found("fewer than " + std::to_string(n) + " numbers")
+                       .expected(std::string("as many of ") + what));
     std::vector<double> values(n);
     for (double& value : values) value = number(what);
     return values;
@@ -113,7 +113,8 @@ void readSpeosTitle(SpeosText& text)
 {
     text.line();
     const size_t mode = text.count("the mode, 0 for text", 0, 1);
-    if (mode != 0) throw text.fail("found mode 1 (binary), expected 0 (text): export it as text");
+    if (mode != 0)
+        throw text.fail(Found("mode 1 (binary)").expected("0 (text): export it as text"));
     text.line();
     text.line();  // the comment
     const size_t characters = text.count("the length of the description", 0, 1000000);
@@ -127,7 +128,7 @@ SpeosHead readSpeosFlags(SpeosText& text)
     head.reflection = text.count("0 or 1 for reflection", 0, 1) == 1;
     text.count("0 or 1 for transmission", 0, 1);
     head.times_cosine = text.count("0 or 1 for the type of values", 0, 1) == 0;
-    if (!head.reflection) throw text.fail("found transmission alone, expected reflection");
+    if (!head.reflection) throw text.fail(Found("transmission alone").expected("reflection"));
     return head;
 }
 

@@ -1,5 +1,6 @@
 #include "formats/TensorTree.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ public:
     {
         readNode(0);
         skip();
-        if (!rest_.empty()) fail("found more after the tree, expected its end");
+        if (!rest_.empty()) fail(Found("more after the tree").expected("its end"));
     }
 
 private:
@@ -67,16 +68,15 @@ private:
     void take(char c)
     {
         if (peek() != c)
-            fail("found " +
-                 (rest_.empty() ? std::string("the end") : inQuotes(rest_.substr(0, 1))) +
-                 ", expected '" + c + "'");
+            fail(Found(rest_.empty() ? "the end" : inQuotes(rest_.substr(0, 1)))
+                     .expected(inQuotes(std::string(1, c))));
         rest_.remove_prefix(1);
     }
 
     /// Index of the node.
     uint32_t readNode(int depth)
     {
-        if (depth > kDeepestTree) fail("found a tree of more than 24 levels, expected fewer");
+        if (depth > kDeepestTree) fail(Found("a tree of more than 24 levels").expected("fewer"));
         const auto index = static_cast<uint32_t>(tree_.nodes_.size());
         tree_.nodes_.emplace_back();
         take('{');
@@ -102,8 +102,8 @@ private:
         int log2 = 0;
         while (log2 < 20 && size_t(1) << (tree_.rank_ * log2) < count) ++log2;
         if (count != size_t(1) << (tree_.rank_ * log2))
-            fail("found " + std::to_string(count) + " values in a leaf, expected a power of " +
-                 std::to_string(1 << tree_.rank_));
+            fail(Found(std::to_string(count) + " values in a leaf")
+                     .expected("a power of " + std::to_string(1 << tree_.rank_)));
         tree_.nodes_[index] = {log2, static_cast<uint32_t>(first)};
     }
     float number()
@@ -114,8 +114,8 @@ private:
             ++end;
         double value = 0.0;
         if (!parseNumber(rest_.substr(0, end), value) || !(std::abs(value) < 3e38))
-            fail("found " + inQuotes(rest_.substr(0, std::max<size_t>(end, 1))) +
-                 ", expected a finite number");
+            fail(Found(inQuotes(rest_.substr(0, std::max<size_t>(end, 1))))
+                     .expected("a finite number"));
         rest_.remove_prefix(end);
         return static_cast<float>(value);
     }

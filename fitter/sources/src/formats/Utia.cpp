@@ -7,6 +7,8 @@
 #include "Formats.h"
 #include "formats/UtiaTable.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <cmath>
 #include <cstring>
 
@@ -37,9 +39,9 @@ void requirePlausible(const InputFile& file, const std::vector<Vec3f>& cells)
         plausible += sum > 0.0f && sum < kLargest;
     }
     if (plausible < cells.size() / 2)
-        throw inputError(file, "found " + std::to_string(plausible) + " of " +
-                                   std::to_string(cells.size()) +
-                                   " cells between 0 and 1e6, expected most");
+        throw inputError(file, Found(std::to_string(plausible) + " of " +
+                                     std::to_string(cells.size()) + " cells between 0 and 1e6")
+                                   .expected("most"));
 }
 
 }  // namespace
@@ -53,10 +55,10 @@ Source readUtia(const FileRequest& request)
 {
     const InputFile& file = *request.file;
     if (!isUtia(file))
-        throw inputError(file, "found " + std::to_string(file.size()) + " bytes, expected " +
-                                   std::to_string(kValues * sizeof(double)) + " or " +
-                                   std::to_string(kValues * sizeof(float)) +
-                                   " (3 x 288 x 288 numbers)");
+        throw inputError(file, Found(std::to_string(file.size()) + " bytes")
+                                   .expected(std::to_string(kValues * sizeof(double)) + " or " +
+                                             std::to_string(kValues * sizeof(float)) +
+                                             " (3 x 288 x 288 numbers)"));
     std::vector<Vec3f> cells = file.size() == kValues * sizeof(double)
                                    ? readPlanes<double>(file.bytes())
                                    : readPlanes<float>(file.bytes());

@@ -10,6 +10,7 @@
 #include "SampleRow.h"
 #include "Wavelengths.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <nlohmann/json.hpp>
@@ -57,7 +58,7 @@ public:
     bool end_array() override
     {
         if (arrays_ == 2 && count_ != row_.size())
-            return fail("found a row of " + std::to_string(count_) + " numbers, expected 5");
+            return fail(Found("a row of " + std::to_string(count_) + " numbers").expected("5"));
         if (arrays_ == 2) rows.push_back(row_);
         if (arrays_ > 0) --arrays_;
         count_ = 0;
@@ -66,7 +67,7 @@ public:
     bool parse_error(size_t position, const std::string&,
                      const nlohmann::detail::exception&) override
     {
-        return fail("found no JSON at byte " + std::to_string(position) + ", expected it");
+        return fail(Found("no JSON at byte " + std::to_string(position)).expected("it"));
     }
 
 private:
@@ -82,7 +83,7 @@ private:
     {
         constexpr size_t kDeepestJson = 64;
         return ++depth_ <= kDeepestJson ||
-               fail("found more than 64 levels of JSON, expected fewer");
+               fail(Found("more than 64 levels of JSON").expected("fewer"));
     }
     bool shallower()
     {
@@ -106,7 +107,8 @@ std::vector<XomptRow> readRows(const InputFile& file)
     const std::string_view bytes = file.bytes();
     nlohmann::json::sax_parse(bytes.begin(), bytes.end(), &collector);
     if (!collector.problem.empty()) throw inputError(file, collector.problem);
-    if (collector.rows.empty()) throw inputError(file, "found no row in lookupTable, expected one");
+    if (collector.rows.empty())
+        throw inputError(file, Found("no row in lookupTable").expected("one"));
     return std::move(collector.rows);
 }
 
@@ -115,7 +117,7 @@ std::vector<double> wavelengthsOf(const InputFile& file, const std::vector<Xompt
     std::vector<double> wavelengths;
     for (const XomptRow& row : rows) {
         if (!std::isfinite(row[wavelength]))
-            throw inputError(file, "found a row without its wavelength, expected a number");
+            throw inputError(file, Found("a row without its wavelength").expected("a number"));
         if (wavelengths.empty() || wavelengths.back() != row[wavelength])
             wavelengths.push_back(row[wavelength]);
     }
@@ -123,8 +125,9 @@ std::vector<double> wavelengthsOf(const InputFile& file, const std::vector<Xompt
     wavelengths.erase(std::unique(wavelengths.begin(), wavelengths.end()), wavelengths.end());
     constexpr size_t kMostBands = 4096;
     if (wavelengths.size() > kMostBands)
-        throw inputError(file, "found " + std::to_string(wavelengths.size()) +
-                                   " wavelengths, expected at most 4096");
+        throw inputError(
+            file,
+            Found(std::to_string(wavelengths.size()) + " wavelengths").expected("at most 4096"));
     return wavelengths;
 }
 

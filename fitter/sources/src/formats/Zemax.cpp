@@ -13,6 +13,7 @@
 // mirrors in the plane of incidence. XYZ blocks, in any order, become linear sRGB under D65.
 // Keywords are compared without case.
 #include <fbrdf/base/Fields.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "SampleRow.h"
@@ -56,8 +57,8 @@ public:
             std::count_if(table_.blocks.begin(), table_.blocks.end(),
                           [](const std::vector<float>& block) { return !block.empty(); }));
         if (found != expected)
-            throw fail("found " + std::to_string(found) + " blocks of data, expected " +
-                       std::to_string(expected));
+            throw fail(Found(std::to_string(found) + " blocks of data")
+                           .expected(std::to_string(expected)));
         table_.blocks.resize(expected);
         return std::move(table_);
     }
@@ -68,16 +69,14 @@ private:
     std::string_view word(const char* expected)
     {
         std::string_view next;
-        if (!words_.next(next))
-            throw fail(std::string("found the end of the file, expected ") + expected);
+        if (!words_.next(next)) throw fail(Found("the end of the file").expected(expected));
         return next;
     }
     double number()
     {
         double value = 0.0;
         const std::string_view text = word("a number");
-        if (!parseNumber(text, value))
-            throw fail("found " + inQuotes(text) + ", expected a number");
+        if (!parseNumber(text, value)) throw fail(Found(inQuotes(text)).expected("a number"));
         return value;
     }
 
@@ -101,7 +100,7 @@ private:
         else if (key.substr(0, 11) == "tristimulus")
             readComponent(key.substr(11));
         else
-            throw fail("found " + inQuotes(key) + ", expected a keyword");
+            throw fail(Found(inQuotes(key)).expected("a keyword"));
     }
     /// The name of a block decides what it has, wherever it stands.
     void readComponent(std::string name)
@@ -109,19 +108,19 @@ private:
         if (name.empty()) name = lowerCase(word("X, Y or Z"));
         const size_t component = std::string_view("xyz").find(name);
         if (name.size() != 1 || component == std::string_view::npos)
-            throw fail("found Tristimulus " + inQuotes(name) + ", expected X, Y or Z");
+            throw fail(Found("Tristimulus " + inQuotes(name)).expected("X, Y or Z"));
         block_ = component;
     }
     int oneOf(const char* first, const char* second)
     {
         const std::string value(word(first));
         if (!sameWord(value, first) && !sameWord(value, second))
-            throw fail("found " + inQuotes(value) + ", expected " + first + " or " + second);
+            throw fail(Found(inQuotes(value)).expected(std::string(first) + " or " + second));
         return sameWord(value, second);
     }
     void requireReflection()
     {
-        if (oneOf("BRDF", "BTDF") == 1) throw fail("found a BTDF, expected a BRDF");
+        if (oneOf("BRDF", "BTDF") == 1) throw fail(Found("a BTDF").expected("a BRDF"));
     }
     std::vector<double>* anglesNamed(const std::string& key)
     {
@@ -136,15 +135,16 @@ private:
         long long count = 0;
         const std::string_view text = word("a count");
         if (!parseInteger(text, count) || count < 1 || count > kMostAngles)
-            throw fail("found " + inQuotes(text) + ", expected a count from 1 to 100000");
+            throw fail(Found(inQuotes(text)).expected("a count from 1 to 100000"));
         angles.clear();
         for (long long i = 0; i < count; ++i) angles.push_back(number());
     }
     void readBlock()
     {
-        if (table_.valueCount() == 0) throw fail("found data, expected all four lists of angles");
+        if (table_.valueCount() == 0)
+            throw fail(Found("data").expected("all four lists of angles"));
         if (!block_)
-            throw fail("found data without a name, expected Monochrome or TristimulusX, Y, Z");
+            throw fail(Found("data without a name").expected("Monochrome or TristimulusX, Y, Z"));
         // A value takes two characters at least, so a hostile count takes no memory.
         std::vector<float> values;
         values.reserve(std::min(table_.valueCount(), file_.size() / 2));
@@ -157,13 +157,13 @@ private:
             else if (parseField(text, value))
                 values.push_back(static_cast<float>(value));
             else
-                throw fail("found " + inQuotes(text) + ", expected a number, TIS or DataEnd");
+                throw fail(Found(inQuotes(text)).expected("a number, TIS or DataEnd"));
         }
         if (values.size() != table_.valueCount())
-            throw fail("found " + std::to_string(values.size()) + " values, expected " +
-                       std::to_string(table_.valueCount()));
+            throw fail(Found(std::to_string(values.size()) + " values")
+                           .expected(std::to_string(table_.valueCount())));
         std::vector<float>& block = table_.blocks[*block_];
-        if (!block.empty()) throw fail("found a block of data twice, expected each once");
+        if (!block.empty()) throw fail(Found("a block of data twice").expected("each once"));
         block = std::move(values);
         block_.reset();
     }

@@ -3,6 +3,7 @@
 #include "NearestName.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/sources/Model.h>
 #include <fmt/format.h>
 
@@ -52,7 +53,7 @@ ModelSpec startOf(const std::string& name)
     const ModelPreset* preset = findPreset(name);
     if (!preset)
         throw Error(ErrorKind::usage, "model",
-                    fmt::format("found {}, expected a file that exists or a model{}",
+                    fmt::format(Found("{}").expected("a file that exists or a model{}"),
                                 inQuotes(name), suggestion(name, allNames())));
     const Model* model = findModel(preset->model);
     ModelSpec spec{model, defaultsOf(*model)};
@@ -82,7 +83,7 @@ private:
     {
         const size_t equals = field.find('=');
         if (equals == std::string_view::npos)
-            fail(fmt::format("found {}, expected key=value", inQuotes(field)));
+            fail(fmt::format(Found("{}").expected("key=value"), inQuotes(field)));
         const std::string key(trimmed(field.substr(0, equals)));
         const ModelParameter& parameter = parameterOf(key);
         const Vec3d value = valueOf(parameter, field.substr(equals + 1));
@@ -95,7 +96,7 @@ private:
         for (const ModelParameter& parameter : spec_.model->parameters)
             if (parameter.name == key) return parameter;
         const std::vector<std::string> names = parameterNames(*spec_.model);
-        fail(fmt::format("found the parameter {}, expected one of {}{}", inQuotes(key),
+        fail(fmt::format(Found("the parameter {}").expected("one of {}{}"), inQuotes(key),
                          fmt::join(names, ", "), suggestion(key, names)));
     }
 
@@ -105,7 +106,7 @@ private:
         splitFields(text, '/', parts);
         const bool colour = parameter.kind == ModelParameter::Kind::colour;
         if (parts.size() != 1 && !(colour && parts.size() == 3))
-            fail(fmt::format("found {}={}, expected {}", parameter.name, inQuotes(text),
+            fail(fmt::format(Found("{}={}").expected("{}"), parameter.name, inQuotes(text),
                              colour ? "one number or r/g/b" : "one number"));
         if (parts.size() == 1) return Vec3d(numberOf(parameter, parts[0]));
         return {numberOf(parameter, parts[0]), numberOf(parameter, parts[1]),
@@ -116,10 +117,10 @@ private:
     {
         double value = 0.0;
         if (!parseNumber(text, value))
-            fail(fmt::format("found {}={}, expected a number", parameter.name, inQuotes(text)));
+            fail(fmt::format(Found("{}={}").expected("a number"), parameter.name, inQuotes(text)));
         // Written so that NaN is out of range.
         if (!(value >= parameter.lower && value <= parameter.upper))
-            fail(fmt::format("found {}={}, expected {} to {}", parameter.name, value,
+            fail(fmt::format(Found("{}={}").expected("{} to {}"), parameter.name, value,
                              parameter.lower, parameter.upper));
         return value;
     }
@@ -127,7 +128,7 @@ private:
     void store(const std::string& name, const Vec3d& value)
     {
         if (!given_.emplace(name, value).second)
-            fail(fmt::format("found {} set twice, expected it once", name));
+            fail(fmt::format(Found("{} set twice").expected("it once"), name));
         spec_.values[name] = value;
     }
 

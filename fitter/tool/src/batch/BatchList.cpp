@@ -4,6 +4,7 @@
 #include "PairRows.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <set>
 
@@ -27,12 +28,12 @@ BatchItem parseItem(const std::string& line, const std::string& path, size_t num
 {
     const size_t tab = line.find('\t');
     if (tab == std::string::npos || tab + 1 == line.size())
-        fail(path, number, "found '" + line.substr(0, 60) + "', expected name<TAB>source");
+        fail(path, number, Found("'" + line.substr(0, 60) + "'").expected("name<TAB>source"));
     const BatchItem item{line.substr(0, tab), line.substr(tab + 1)};
     if (!isFileName(item.name))
         fail(path, number,
-             "found the name '" + item.name.substr(0, 60) +
-                 "', expected a file name without '/' and without a leading dot");
+             Found("the name '" + item.name.substr(0, 60) + "'")
+                 .expected("a file name without '/' and without a leading dot"));
     return item;
 }
 
@@ -57,10 +58,10 @@ std::vector<BatchItem> parseList(const std::string& text, const std::string& pat
         items.push_back(parseItem(std::string(line), path, number));
         if (!names.insert(items.back().name).second)
             fail(path, number,
-                 "found the name '" + items.back().name + "' again, expected it once");
+                 Found("the name '" + items.back().name + "' again").expected("it once"));
     }
     if (items.empty())
-        throw Error(ErrorKind::input, path, "found no material, expected lines name<TAB>source");
+        throw Error(ErrorKind::input, path, Found("no material").expected("lines name<TAB>source"));
     return items;
 }
 

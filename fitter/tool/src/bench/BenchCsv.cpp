@@ -4,6 +4,7 @@
 #include "Output.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fmt/format.h>
 
@@ -89,13 +90,14 @@ std::vector<Fields> rowsOf(const std::string& path)
     std::string line;
     if (!std::getline(file, line)) return {};  // nothing yet
     if (line + "\n" != header())
-        throw Error(ErrorKind::input, path, "found other columns, expected a table of bench-fit");
+        throw Error(ErrorKind::input, path,
+                    Found("other columns").expected("a table of bench-fit"));
     std::vector<Fields> rows;
     for (size_t number = 2; std::getline(file, line); ++number) {
         rows.push_back(csvFields(line));
         if (rows.back().size() != kFixed + errorNames().size())
             throw Error(ErrorKind::input, path + ":" + std::to_string(number),
-                        fmt::format("found {} fields, expected {}", rows.back().size(),
+                        fmt::format(Found("{} fields").expected("{}"), rows.back().size(),
                                     kFixed + errorNames().size()));
     }
     return rows;

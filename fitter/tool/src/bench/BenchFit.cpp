@@ -5,6 +5,7 @@
 #include "SampleFacts.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/fit/NoiseFloor.h>
 #include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/OpenSource.h>
@@ -104,7 +105,7 @@ Judge judgeOf(const std::string& spec, const BenchOptions& options)
     judge.samples = thinnedSamples(judge.source, available);
     if (judge.samples.size() < kFolds)
         throw Error(ErrorKind::fit, spec,
-                    fmt::format("found {} usable samples, expected at least {}",
+                    fmt::format(Found("{} usable samples").expected("at least {}"),
                                 judge.samples.size(), kFolds));
     judge.fold = foldsOf(judge.samples.size(), options.fit.seed);
     judge.floor = estimateNoiseFloor(judge.samples);
@@ -182,7 +183,8 @@ std::vector<Contender> contendersFrom(const std::string& forms, const std::strin
     for (const std::string& word : peerNames(peerList))
         contenders.push_back({word, false, findPeer(word).name, 0});
     if (contenders.empty())
-        throw Error(ErrorKind::usage, "--forms", "found nothing to fit, expected a form or a peer");
+        throw Error(ErrorKind::usage, "--forms",
+                    Found("nothing to fit").expected("a form or a peer"));
     return contenders;
 }
 

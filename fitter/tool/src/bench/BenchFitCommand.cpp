@@ -7,6 +7,7 @@
 #include "Robustness.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/sources/OpenSource.h>
 
@@ -96,7 +97,7 @@ int run(BenchFitCommand& command)
     command.options.peers.seed = command.options.fit.seed;
     if (command.resume && command.csv.empty())
         throw Error(ErrorKind::usage, "--resume",
-                    "found no --csv, expected the table to go on from");
+                    Found("no --csv").expected("the table to go on from"));
     if (!command.csv.empty()) requireWritable(command.csv);
     const std::vector<MaterialScores> materials = allScores(command);
     writeOut(command.json ? text(benchJson(materials))

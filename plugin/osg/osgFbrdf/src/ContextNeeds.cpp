@@ -1,5 +1,7 @@
 #include "ContextNeeds.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <osg/GLExtensions>
 
 namespace osgFbrdf {
@@ -16,18 +18,18 @@ int limitOf(GLenum name)
 
 std::string tooFew(const std::string& what, int needed, int limit)
 {
-    return what + ": found " + std::to_string(limit) + ", expected at least " +
-           std::to_string(needed);
+    return what + ": " +
+           fbrdf::Found(std::to_string(limit)).expected("at least " + std::to_string(needed));
 }
 
 std::string refusalBy(osg::State& state, const ContextNeeds& needs)
 {
     if (!needs.refusal.empty()) return needs.refusal;
     const auto* extensions = state.get<osg::GLExtensions>();
-    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return kNoGlsl;
+    if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return noGlsl();
     if (extensions->glVersion < 3.0f &&
         !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
-        return "found no float textures, expected OpenGL 3.0 or GL_ARB_texture_float";
+        return fbrdf::Found("no float textures").expected("OpenGL 3.0 or GL_ARB_texture_float");
     if (!extensions->isFrameBufferObjectSupported && !needs.withoutSurfaces.empty())
         return needs.withoutSurfaces;
     if (const int limit = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS); needs.textureUnits > limit)

@@ -1,6 +1,8 @@
 // ContextNeeds.h - what a technique needs of a context. It is a value, as contexts are asked while
 // they draw, when the properties of the effect may already be others.
 #pragma once
+#include <fbrdf/base/Found.h>
+
 #include <osg/State>
 
 #include <string>
@@ -15,7 +17,10 @@ struct ContextNeeds {
     int uniformComponents = 0;
 };
 
-constexpr const char* kNoGlsl = "found no GLSL, expected 1.20";
+inline std::string noGlsl()
+{
+    return fbrdf::Found("no GLSL").expected("1.20");
+}
 
 /// "texture units: found 8, expected at least 9".
 std::string tooFew(const std::string& what, int needed, int limit);

@@ -7,6 +7,8 @@
 #include "PassTechnique.h"
 #include "ShapeCameras.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <osg/Notify>
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
@@ -31,9 +33,10 @@ osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options*
 {
     auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension("fbrdf");
     if (!reader) {
-        OSG_WARN << "osgFbrdf: " << file
-                 << ": found no plugin osgdb_fbrdf to read it with, expected "
-                 << "it in OSG_LIBRARY_PATH" << std::endl;
+        OSG_WARN << "osgFbrdf: " << file << ": "
+                 << fbrdf::Found("no plugin osgdb_fbrdf to read it with")
+                        .expected("it in OSG_LIBRARY_PATH")
+                 << std::endl;
         return nullptr;
     }
     const osg::ref_ptr<osgDB::Options> local =
@@ -43,8 +46,9 @@ osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options*
     osg::ref_ptr<MaterialObject> material = dynamic_cast<MaterialObject*>(result.getObject());
     if (!material)
         OSG_WARN << "osgFbrdf: "
-                 << (result.message().empty() ? file + ": found no such file, expected a material"
-                                              : result.message())
+                 << (result.message().empty()
+                         ? file + ": " + fbrdf::Found("no such file").expected("a material")
+                         : result.message())
                  << std::endl;
     return material;
 }
@@ -188,7 +192,8 @@ std::vector<ContextNeeds> FactorizedBrdf::needs() const
     return needs;
 }
 
-// Not osgFX::Effect's, which chooses in ways that threads do not bear (see TechniqueChoice.h).
+// This replaces the traversal of osgFX::Effect, which chooses in ways that threads do not bear (see
+// TechniqueChoice.h).
 // Visitors that do not cull see the children once, whatever the number of passes.
 void FactorizedBrdf::traverse(osg::NodeVisitor& visitor)
 {

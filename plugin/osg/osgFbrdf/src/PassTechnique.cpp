@@ -159,7 +159,7 @@ bool PassTechnique::mayDraw(osg::State& state) const
 {
     const auto* extensions = state.get<osg::GLExtensions>();
     if (extensions && !extensions->isGlslSupported) {
-        internals_.choice->refuse(kNoGlsl);
+        internals_.choice->refuse(noGlsl());
         return false;
     }
     // OSG reports 1 before its first query: the minimum that every context has decides until the

@@ -5,6 +5,8 @@
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
+#include <fbrdf/base/Found.h>
+
 #include <osg/LightSource>
 #include <osg/Material>
 #include <osg/Notify>
@@ -168,8 +170,8 @@ osg::ref_ptr<osg::Group> nodeFrom(osg::Group& plain, const std::string& record,
     auto result = format ? format->readObject(text, options) : osgDB::ReaderWriter::ReadResult();
     const osg::ref_ptr<osg::Group> node = dynamic_cast<osg::Group*>(result.getObject());
     if (!node) {
-        OSG_WARN << "osgFbrdf: " << plain.getName()
-                 << ": found a record that cannot be read, expected an effect or lights"
+        OSG_WARN << "osgFbrdf: " << plain.getName() << ": "
+                 << fbrdf::Found("a record that cannot be read").expected("an effect or lights")
                  << std::endl;
         return nullptr;
     }
