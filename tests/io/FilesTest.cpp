@@ -80,7 +80,7 @@ TEST(Files, ALinkIsFollowedAndStays)
 TEST(Files, ReadingRefusesWhatIsNoFile)
 {
     const TemporaryDir folder;
-    expectError(ErrorKind::input, "not found", [&] { readFile(folder.file("absent")); });
+    expectError(ErrorKind::input, "found no such file", [&] { readFile(folder.file("absent")); });
     expectError(ErrorKind::input, "found a folder or a device", [&] { readFile("/dev/zero"); });
     expectError(ErrorKind::input, "found a folder or a device", [&] { readFile(folder.file("")); });
     // A sparse file of a terabyte takes no space; reading it would take all memory.

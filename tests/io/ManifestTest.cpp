@@ -137,7 +137,7 @@ TEST(Manifest, NamesEveryBrokenField)
         {"/maps/0/log8/stride/0", "0", "found stride 0"},
         {"/maps/0/log8/stride/0", "7", "expected numbers that log8 holds"},
         {"/maps/0/log8/start", "[1]", "expected three integers"},
-        {"/maps/0/file", "\"absent.png\"", "absent.png: not found"},
+        {"/maps/0/file", "\"absent.png\"", "absent.png: found no such file"},
         {"/maps/0/file", "\"../m_p.png\"", "expected the name of a file beside the manifest"},
         {"/maps/0/file", "\"/dev/zero\"", "expected the name of a file beside the manifest"},
         {"/maps/0/file", "\"..\"", "expected the name of a file beside the manifest"},

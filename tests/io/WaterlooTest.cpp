@@ -302,10 +302,10 @@ TEST(Waterloo, BrokenMapsAreNamed)
 {
     Pair pair;
     pair.describe("title\n1\n1 1 1\n");
-    pair.expectRefused("m_2.png: not found");
+    pair.expectRefused("m_2.png: found no such file");
     pair.describe("title\n0\n1 1 1\n");
     std::filesystem::remove(pair.folder.file("m_1.png"));
-    pair.expectRefused("m_1.png: not found");
+    pair.expectRefused("m_1.png: found no such file");
     Pair(7).expectRefused("expected a square of 8 to 4096");
     Pair(8, 3, 16).expectRefused("8 x 8 pixels of 16 bits");
     Pair oblong;

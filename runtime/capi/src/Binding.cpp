@@ -1,5 +1,6 @@
 #include "Lights.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/plan/LightVectors.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
@@ -41,10 +42,13 @@ fbrdf_result fbrdf_gpu_material_glsl(fbrdf_gpu_material* gpu_material, const fbr
         const uint32_t version = known.glsl_version == 0 ? 330 : known.glsl_version,
                        lights = known.max_lights == 0 ? 8 : known.max_lights;
         if (lights > kMostLights || version > 1000)
-            throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                          "glsl: found version " + std::to_string(version) + " and " +
-                              std::to_string(lights) + " lights, expected at most 1000 and " +
-                              std::to_string(kMostLights));
+            throw Failure(
+                FBRDF_RESULT_ERROR_ARGUMENT,
+                "glsl: " + fbrdf::Found("version " + std::to_string(version) + " and " +
+                                        std::to_string(lights) + " lights")
+                               .expected("at most 1000 and " + std::to_string(kMostLights)));
+        // The text has to live as long as the handle, and hosts ask for it again with other
+        // numbers.
         const uint64_t key = (uint64_t{version} << 32) | lights;
         std::string functions =
             fbrdf::gl::materialFunctions(*required(gpu_material, "gpu_material").gpu,
@@ -84,7 +88,8 @@ fbrdf_result fbrdf_light_vectors(const fbrdf_light* light, const float to_space[
         const fbrdf::Light given = lightOf(required(light, "light"));
         if (!isValid(given))
             throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                          "light: found one that is not valid, see Light.h");
+                          "light: " + fbrdf::Found("one that is not valid")
+                                          .expected("one that is (fbrdf/plan/Light.h)"));
         const glm::dmat4 matrix(to_space ? glm::make_mat4(to_space) : glm::mat4(1.0f));
         const fbrdf::LightVectors result = fbrdf::lightVectors(given, matrix);
         std::memcpy(&required(vectors, "vectors"), result.data(), 12 * sizeof(float));

@@ -4,6 +4,7 @@
 #include "Descriptor.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/gl/MaterialBinding.h>
 #include <fbrdf/gl/Renderer.h>
 
@@ -96,7 +97,7 @@ fbrdf_result guarded(const fbrdf_log* log, Act act) noexcept
         return fail(log, failure.result, failure.what());
     } catch (const Error& error) {
         return fail(log, resultOf(error.kind()), error.what());
-    } catch (const std::bad_alloc&) {
+    } catch (const std::bad_alloc&) {  // a sentence that is put together would need memory
         return fail(log, FBRDF_RESULT_ERROR_MEMORY, "found no memory, expected some");
     } catch (const std::exception& error) {
         return fail(log, FBRDF_RESULT_ERROR_INTERNAL, error.what());
@@ -105,22 +106,23 @@ fbrdf_result guarded(const fbrdf_log* log, Act act) noexcept
     }
 }
 
-/// The same for functions that make something: *out is NULL unless `make` returns.
-template <class T, class Make>
-fbrdf_result created(const fbrdf_log* log, T** out, Make make) noexcept
-{
-    if (!out) return fail(log, FBRDF_RESULT_ERROR_ARGUMENT, "out: found NULL, expected a place");
-    *out = nullptr;
-    return guarded(log, [&] { *out = make(); });
-}
-
 template <class T>
 T& required(T* pointer, const char* name)
 {
     if (!pointer)
         throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      std::string(name) + ": found NULL, expected one");
+                      std::string(name) + ": " + Found("NULL").expected("one"));
     return *pointer;
+}
+
+/// The same for functions that make something: *out is NULL unless `make` returns.
+template <class T, class Make>
+fbrdf_result created(const fbrdf_log* log, T** out, Make make) noexcept
+{
+    return guarded(log, [&] {
+        required(out, "out") = nullptr;
+        *out = make();
+    });
 }
 
 /// The enumerator that a host gave as a number. Throws Failure above `last`.
@@ -129,8 +131,9 @@ Enum enumerator(uint32_t value, Enum last, const char* name)
 {
     if (value > static_cast<uint32_t>(last))
         throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      std::string(name) + ": found " + std::to_string(value) +
-                          ", expected at most " + std::to_string(static_cast<uint32_t>(last)));
+                      std::string(name) + ": " +
+                          Found(std::to_string(value))
+                              .expected("at most " + std::to_string(static_cast<uint32_t>(last))));
     return static_cast<Enum>(value);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 #include "FirstSizes.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -43,19 +45,19 @@ T known(const void* given, size_t size, const char* name, size_t index = SIZE_MA
 {
     if (size < kFirstSize<T>)
         refuseVersion(name, index,
-                      "found a size of " + std::to_string(size) + " bytes, expected at least " +
-                          std::to_string(kFirstSize<T>));
+                      Found("a size of " + std::to_string(size) + " bytes")
+                          .expected("at least " + std::to_string(kFirstSize<T>)));
     const auto* bytes = static_cast<const unsigned char*>(given);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i] != 0)
             refuseVersion(name, index,
-                          "found byte " + std::to_string(i) +
-                              " set, expected 0 in fields that this library does not know");
+                          Found("byte " + std::to_string(i) + " set")
+                              .expected("0 in fields that this library does not know"));
     T result{};
     std::memcpy(&result, given, std::min(size, sizeof(T)));
     if (reservedOf(result, 0) != 0)
         refuseVersion(name, index,
-                      "found reserved " + std::to_string(reservedOf(result, 0)) + ", expected 0");
+                      Found("reserved " + std::to_string(reservedOf(result, 0))).expected("0"));
     return result;
 }
 
@@ -65,7 +67,7 @@ T descriptor(const T* given, const char* name)
 {
     if (!given)
         throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      std::string(name) + ": found NULL, expected a descriptor");
+                      std::string(name) + ": " + Found("NULL").expected("a descriptor"));
     uint32_t size = 0;
     std::memcpy(&size, given, sizeof size);
     return known<T>(given, size, name);
@@ -78,8 +80,9 @@ std::vector<T> elements(const T* array, uint32_t count, uint32_t size, const cha
     std::vector<T> result;
     if (count == 0) return result;
     if (!array)
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT, std::string(name) + ": found NULL, expected " +
-                                                       std::to_string(count) + " elements");
+        throw Failure(
+            FBRDF_RESULT_ERROR_ARGUMENT,
+            std::string(name) + ": " + Found("NULL").expected(std::to_string(count) + " elements"));
     const auto* bytes = reinterpret_cast<const unsigned char*>(array);
     for (size_t i = 0; i < count; ++i) result.push_back(known<T>(bytes + i * size, size, name, i));
     return result;

@@ -1,6 +1,8 @@
 #include "Boundary.h"
 #include "Lights.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -12,6 +14,8 @@ namespace {
 std::vector<fbrdf::gl::Item> itemsOf(const fbrdf_draw_desc& desc)
 {
     std::vector<fbrdf::gl::Item> items;
+    // A material or mesh that is NULL goes on as such: the renderer leaves out that item and logs
+    // it.
     for (const fbrdf_item& item : elements(desc.items, desc.item_count, desc.item_size, "items"))
         items.push_back({item.material ? item.material->gpu.get() : nullptr,
                          item.mesh ? item.mesh->gpu.get() : nullptr, glm::make_mat4(item.model),
@@ -47,11 +51,13 @@ std::vector<fbrdf::Light> lightsOf(const fbrdf_draw_desc& desc)
 
 int countOf(uint32_t value, int otherwise, const char* name)
 {
+    // An int has room for it, and for sums with other such numbers.
     constexpr uint32_t kMost = 1u << 30;
     if (value > kMost)
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      std::string(name) + ": found " + std::to_string(value) +
-                          ", expected at most " + std::to_string(kMost));
+        throw Failure(
+            FBRDF_RESULT_ERROR_ARGUMENT,
+            std::string(name) + ": " +
+                fbrdf::Found(std::to_string(value)).expected("at most " + std::to_string(kMost)));
     return value == 0 ? otherwise : static_cast<int>(value);
 }
 
@@ -68,6 +74,7 @@ fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
 
 fbrdf::gl::Target targetOf(const fbrdf_draw_desc& desc)
 {
+    // 0 is the default of every field. An exposure of 0 would draw black, which nobody asks for.
     return {desc.framebuffer, desc.width, desc.height,
             enumerator(desc.transfer, fbrdf::Transfer::toneMap, "transfer"),
             desc.exposure == 0.0f ? 1.0f : desc.exposure};
@@ -102,8 +109,10 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.technique = static_cast<uint32_t>(from.technique);
     stats.error_relative = static_cast<float>(from.error.relative);
     stats.error_absolute = static_cast<float>(from.error.absolute);
+    // The last byte stays 0: longer texts are cut, but always end.
     from.whyReplaced.copy(stats.why_replaced, sizeof stats.why_replaced - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
+    // A newer caller has fields that this library does not know; they become 0.
     std::memset(to, 0, to->struct_size);
     std::memcpy(to, &stats, std::min<size_t>(stats.struct_size, sizeof stats));
 }
@@ -117,11 +126,13 @@ fbrdf_result drawn(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc, fbrdf_
     return guarded(logOf(renderer), [&] {
         Shared& shared = *required(renderer, "renderer").shared;
         const fbrdf_draw_desc known = descriptor(desc, "draw");
+        // Checked before anything is drawn, so that a refused call leaves the picture alone.
         if (stats && stats->struct_size < kFirstSize<fbrdf_draw_stats>)
-            throw Failure(FBRDF_RESULT_ERROR_VERSION,
-                          "stats: found a size of " + std::to_string(stats->struct_size) +
-                              " bytes, expected at least " +
-                              std::to_string(kFirstSize<fbrdf_draw_stats>));
+            throw Failure(
+                FBRDF_RESULT_ERROR_VERSION,
+                "stats: " +
+                    fbrdf::Found("a size of " + std::to_string(stats->struct_size) + " bytes")
+                        .expected("at least " + std::to_string(kFirstSize<fbrdf_draw_stats>)));
         const fbrdf::gl::View view{glm::make_mat4(known.view), glm::make_mat4(known.projection),
                                    depthOf(known.depth)};
         const auto result = act(shared.renderer, targetOf(known), view, known);
@@ -148,8 +159,8 @@ fbrdf_result fbrdf_draw_batch(fbrdf_renderer* renderer, const fbrdf_draw_desc* d
                  [batch](auto& gl, const auto& target, const auto& view, const auto& known) {
                      if (known.item_count != 0)
                          throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                                       "items: found " + std::to_string(known.item_count) +
-                                           ", expected none with a batch");
+                                       "items: " + fbrdf::Found(std::to_string(known.item_count))
+                                                       .expected("none with a batch"));
                      return gl.drawBatch(target, view, batchOf(descriptor(batch, "batch")),
                                          lightsOf(known), optionsOf(known));
                  });

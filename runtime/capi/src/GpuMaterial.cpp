@@ -37,6 +37,7 @@ fbrdf_result fbrdf_gpu_material_replace(fbrdf_gpu_material* gpu_material,
 {
     return guarded(logOf(gpu_material), [&] {
         fbrdf_gpu_material& to = required(gpu_material, "gpu_material");
+        // The new one is made before the old one goes: where GL refuses it, the old one stays.
         auto gpu =
             to.shared->renderer.createMaterial(required(material, "material").material, to.options);
         to.functions.clear();

@@ -1,5 +1,7 @@
 #include "Boundary.h"
 
+#include <fbrdf/base/Found.h>
+
 using namespace fbrdf::capi;
 
 namespace {
@@ -11,10 +13,11 @@ fbrdf::gl::Hooks hooksOf(const fbrdf_hooks_desc& desc)
     if (desc.shadow) hooks.shadow = desc.shadow;
     if (desc.reach != 0.0f) hooks.reach = desc.reach;
     if (desc.shadow_uniforms > 0x7fffffffu)
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT, "shadow_uniforms: found " +
-                                                       std::to_string(desc.shadow_uniforms) +
-                                                       ", expected a number of uniforms");
+        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                      "shadow_uniforms: " + fbrdf::Found(std::to_string(desc.shadow_uniforms))
+                                                .expected("a number of uniforms"));
     hooks.shadowUniforms = static_cast<int>(desc.shadow_uniforms);
+    // The struct may be gone when a draw calls this: function and pointer are copied.
     if (desc.set_uniforms)
         hooks.setUniforms = [set = desc.set_uniforms, user = desc.user](uint32_t program) {
             set(user, program);

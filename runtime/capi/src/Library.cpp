@@ -1,5 +1,7 @@
 #include "Boundary.h"
 
+#include <fbrdf/base/Found.h>
+
 using namespace fbrdf::capi;
 
 fbrdf_result fbrdf_library_create(fbrdf_renderer* renderer, uint32_t count,
@@ -8,6 +10,7 @@ fbrdf_result fbrdf_library_create(fbrdf_renderer* renderer, uint32_t count,
     return created(logOf(renderer), out, [&] {
         const SharedPtr& shared = required(renderer, "renderer").shared;
         if (count > 0) required(materials, "materials");
+        // The renderer takes materials side by side, and the handles are anywhere.
         std::vector<fbrdf::Material> copies;
         for (uint32_t i = 0; i < count; ++i)
             copies.push_back(required(materials[i], "materials").material);
@@ -20,8 +23,9 @@ fbrdf_result fbrdf_library_replace(fbrdf_library* library, uint32_t index,
 {
     return guarded(logOf(library), [&] {
         if (index > INT32_MAX)
-            throw Failure(FBRDF_RESULT_ERROR_ARGUMENT, "index: found " + std::to_string(index) +
-                                                           ", expected one of the library");
+            throw Failure(
+                FBRDF_RESULT_ERROR_ARGUMENT,
+                "index: " + fbrdf::Found(std::to_string(index)).expected("one of the library"));
         required(library, "library")
             .shared->renderer.replaceMaterial(*library->gpu, static_cast<int>(index),
                                               required(material, "material").material);

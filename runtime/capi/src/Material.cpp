@@ -1,5 +1,6 @@
 #include "Boundary.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/FormFile.h>
 #include <fbrdf/io/MaterialFile.h>
 
@@ -33,13 +34,14 @@ Table tableOf(const TableSpec& spec, const fbrdf_table& given)
     const int expected = texelCount(spec.domain);
     if (given.texel_count != static_cast<uint32_t>(expected))
         throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      "table '" + spec.name + "': found " + std::to_string(given.texel_count) +
-                          " texels, expected " + std::to_string(expected));
+                      "table '" + spec.name + "': " +
+                          fbrdf::Found(std::to_string(given.texel_count) + " texels")
+                              .expected(std::to_string(expected)));
     const uint32_t channels = given.channels == 0 ? 3 : given.channels;
     if (channels != 1 && channels != 3)
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT, "table '" + spec.name + "': found " +
-                                                       std::to_string(channels) +
-                                                       " channels, expected 1 or 3");
+        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                      "table '" + spec.name + "': " +
+                          fbrdf::Found(std::to_string(channels) + " channels").expected("1 or 3"));
     required(given.texels, ("table '" + spec.name + "'").c_str());
     Table table;
     table.name = spec.name;
@@ -53,6 +55,7 @@ Table tableOf(const TableSpec& spec, const fbrdf_table& given)
 
 std::vector<Vec3f> scalesOf(const fbrdf_material_desc& desc, size_t terms)
 {
+    // Most hosts have their scales in the tables.
     if (desc.scale_count == 0) return std::vector<Vec3f>(terms, Vec3f(1.0f));
     const float* scale = &required(desc.scales, "scales");
     std::vector<Vec3f> scales;
@@ -69,8 +72,8 @@ Material materialOf(const fbrdf_material_desc& desc)
     const auto given = elements(desc.tables, desc.table_count, desc.table_size, "tables");
     if (given.size() != material.form.tables.size())
         throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      "material: found " + std::to_string(given.size()) + " tables, expected " +
-                          std::to_string(material.form.tables.size()));
+                      "material: " + fbrdf::Found(std::to_string(given.size()) + " tables")
+                                         .expected(std::to_string(material.form.tables.size())));
     for (size_t i = 0; i < given.size(); ++i)
         material.tables.push_back(tableOf(material.form.tables[i], given[i]));
     material.scales = scalesOf(desc, material.form.terms.size());
@@ -108,6 +111,7 @@ fbrdf_result fbrdf_material_read_bytes(const void* bytes, size_t size, const cha
 fbrdf_result fbrdf_material_evaluate(const fbrdf_material* material, const float wo[3],
                                      const float wi[3], float rgb[3])
 {
+    // A material belongs to no renderer and so has no log; the result alone reports NULLs.
     return guarded(nullptr, [&] {
         required(wo, "wo");
         required(wi, "wi");

@@ -1,5 +1,7 @@
 #include "Boundary.h"
 
+#include <fbrdf/base/Found.h>
+
 using namespace fbrdf::capi;
 
 namespace {
@@ -28,9 +30,10 @@ fbrdf::gl::MeshData meshOf(const fbrdf_mesh_desc& desc)
     mesh.handedness = vectors<float>(desc.handedness, count);
     if (desc.extra_count > 0) required(desc.extra, "extra");
     if (desc.extra_count > fbrdf::gl::kExtraArrays)
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
-                      "extra_count: found " + std::to_string(desc.extra_count) +
-                          ", expected at most " + std::to_string(fbrdf::gl::kExtraArrays));
+        throw Failure(
+            FBRDF_RESULT_ERROR_ARGUMENT,
+            "extra_count: " + fbrdf::Found(std::to_string(desc.extra_count))
+                                  .expected("at most " + std::to_string(fbrdf::gl::kExtraArrays)));
     for (uint32_t k = 0; k < desc.extra_count; ++k)
         mesh.extra.push_back(vectors<glm::vec4>(&required(desc.extra[k], "extra"), count));
     return mesh;
@@ -46,6 +49,7 @@ std::vector<fbrdf::gl::BufferArray> extraOf(const fbrdf_mesh_buffers_desc& desc)
 {
     std::vector<fbrdf::gl::BufferArray> extra;
     for (const fbrdf_buffer_array& given : desc.extra) extra.push_back(arrayOf(given));
+    // A descriptor has places for all of them, and the renderer counts what is there.
     while (!extra.empty() && extra.back().buffer == 0) extra.pop_back();
     return extra;
 }
@@ -59,9 +63,9 @@ fbrdf::gl::MeshBuffers meshOf(const fbrdf_mesh_buffers_desc& desc)
     mesh.tangents = arrayOf(desc.tangents);
     if (desc.tangent_components > 4 ||
         (desc.tangent_components % 4 != 0 && desc.tangent_components != 3))
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT, "tangent_components: found " +
-                                                       std::to_string(desc.tangent_components) +
-                                                       ", expected 3 or 4");
+        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT,
+                      "tangent_components: " +
+                          fbrdf::Found(std::to_string(desc.tangent_components)).expected("3 or 4"));
     mesh.tangentComponents = desc.tangent_components == 3 ? 3 : 4;
     mesh.textureCoordinates = arrayOf(desc.texture_coordinates);
     mesh.extra = extraOf(desc);

@@ -1,5 +1,7 @@
 #include "Boundary.h"
 
+#include <fbrdf/base/Found.h>
+
 using namespace fbrdf::capi;
 
 namespace {
@@ -26,9 +28,10 @@ fbrdf::gl::RendererOptions optionsOf(const fbrdf_renderer_desc& desc)
     options.debugLabels = desc.no_debug_labels == 0;
     options.state = enumerator(desc.state_mode, fbrdf::gl::StateMode::leave, "state_mode");
     if (desc.first_texture_unit > 1024)
-        throw Failure(FBRDF_RESULT_ERROR_ARGUMENT, "first_texture_unit: found " +
-                                                       std::to_string(desc.first_texture_unit) +
-                                                       ", expected a texture unit");
+        throw Failure(
+            FBRDF_RESULT_ERROR_ARGUMENT,
+            "first_texture_unit: " +
+                fbrdf::Found(std::to_string(desc.first_texture_unit)).expected("a texture unit"));
     options.firstTextureUnit = static_cast<int>(desc.first_texture_unit);
     return options;
 }
@@ -41,10 +44,11 @@ std::string versionText(uint32_t version)
 void checkVersion(const fbrdf_renderer_desc& desc)
 {
     if (desc.api_version < FBRDF_API_OLDEST_VERSION || desc.api_version > FBRDF_API_VERSION)
-        throw Failure(FBRDF_RESULT_ERROR_VERSION,
-                      "renderer: found api_version " + versionText(desc.api_version) +
-                          ", expected a program of " + versionText(FBRDF_API_OLDEST_VERSION) +
-                          " to " + versionText(FBRDF_API_VERSION));
+        throw Failure(
+            FBRDF_RESULT_ERROR_VERSION,
+            "renderer: " + fbrdf::Found("api_version " + versionText(desc.api_version))
+                               .expected("a program of " + versionText(FBRDF_API_OLDEST_VERSION) +
+                                         " to " + versionText(FBRDF_API_VERSION)));
 }
 
 }  // namespace

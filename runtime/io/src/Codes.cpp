@@ -1,5 +1,6 @@
 #include "Codes.h"
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 
 #include <fbrdf/brdf/Half.h>
@@ -35,6 +36,8 @@ bool holdsTexel(const Table& table, size_t position)
         case Storage::log8:
         case Storage::linear8: break;
     }
+    // The code of log8 is a difference to the texel before, so a texel may be possible in one place
+    // and not in another.
     const int code = codeOf(table, index, channel);
     return code >= 0 && code <= kLastCode && texelFromCode(table, index, channel, code) == texel;
 }
@@ -67,21 +70,23 @@ void checkCoding(const Table& table, const std::string& where)
     for (int c = 0; c < 3; ++c)
         if (!std::isfinite(table.lower[c]) || !std::isfinite(table.upper[c]) ||
             !std::isfinite(table.upper[c] - table.lower[c]))
-            failInput(where, "found a range that is not finite");
+            failInput(where, Found("a range that is not finite").expected("finite numbers"));
     if (table.storage == Storage::linear8 &&
         (table.lower != Vec3f(0.0f) || table.upper != Vec3f(1.0f)))
-        failInput(where, "found a range of linear8, expected 0 to 1");
+        failInput(where, Found("a range of linear8").expected("0 to 1"));
     if (table.storage != Storage::log8) return;
     for (size_t c = 0; c < static_cast<size_t>(table.channels); ++c) {
         const int64_t stride = table.log8.stride[c], offset = table.log8.offset[c],
                       start = table.log8.start[c];
         if (stride < 1 || stride > kLastUnorm16)
-            failInput(where, "found stride " + std::to_string(stride) + ", expected 1 to 65535");
+            failInput(where, Found("stride " + std::to_string(stride)).expected("1 to 65535"));
         if (start < 0 || start > kLastUnorm16)
-            failInput(where, "found start " + std::to_string(start) + ", expected 0 to 65535");
+            failInput(where, Found("start " + std::to_string(start)).expected("0 to 65535"));
+        // With this bound every sum that a code leads to fits an int.
         if (std::abs(offset) * stride > kMaxOffset)
-            failInput(where, "found offset " + std::to_string(offset) + " and stride " +
-                                 std::to_string(stride) + ", expected a product within 131070");
+            failInput(where, Found("offset " + std::to_string(offset) + " and stride " +
+                                   std::to_string(stride))
+                                 .expected("a product within 131070"));
     }
 }
 
@@ -92,13 +97,15 @@ void decodeTexels(Table& table, const std::string& where)
         const float code = table.texels[i];
         const int index = static_cast<int>(i / channels), channel = static_cast<int>(i % channels);
         if (!(code >= 0.0f) || !(code <= float(kLastCode)) || code != std::floor(code))
+            failInput(where + ": texel " + std::to_string(index),
+                      Found("code " + numberText(double(code))).expected("an integer of 0 to 255"));
+        table.texels[i] = texelFromCode(table, index, channel, static_cast<int>(code));
+        // A sum beyond 16 bits is no texel that a writer had; codes that lead to one would also
+        // move all texels behind it.
+        if (codeOf(table, index, channel) != static_cast<int>(code))
             failInput(
                 where + ": texel " + std::to_string(index),
-                "found code " + numberText(double(code)) + ", expected an integer of 0 to 255");
-        table.texels[i] = texelFromCode(table, index, channel, static_cast<int>(code));
-        if (codeOf(table, index, channel) != static_cast<int>(code))
-            failInput(where + ": texel " + std::to_string(index),
-                      "found a code that leads out of the range of the table");
+                Found("a code that leads out of the range of the table").expected("one within it"));
     }
 }
 
@@ -124,15 +131,15 @@ std::vector<bool> marksFromRuns(const std::string& runs, int texels, const std::
         size_t length = 0;
         const auto parsed = std::from_chars(at, end, length);
         if (parsed.ec != std::errc() || length > left())
-            failInput(where, "found runs of marks that are not numbers within " +
-                                 std::to_string(texels) + " texels");
+            failInput(where, Found("runs of marks that are not numbers or too long")
+                                 .expected("a sum of " + std::to_string(texels)));
         marks.insert(marks.end(), length, marked);
         at = parsed.ptr;
         if (at != end && *at == ' ') ++at;
     }
     if (left() != 0)
-        failInput(where, "found marks of " + std::to_string(marks.size()) + " texels, expected " +
-                             std::to_string(texels));
+        failInput(where, Found("marks of " + std::to_string(marks.size()) + " texels")
+                             .expected(std::to_string(texels)));
     return marks;
 }
 
@@ -140,10 +147,12 @@ void checkStorable(const Table& table, ErrorKind kind, const std::string& where)
 {
     for (size_t i = 0; i < table.texels.size(); ++i)
         if (!holdsTexel(table, i))
-            throw Error(kind, where,
-                        "table '" + table.name + "': found " + numberText(double(table.texels[i])) +
-                            ", expected numbers that " + storageName(table.storage) +
-                            " holds: quantize the table first");
+            throw Error(
+                kind, where,
+                "table '" + table.name + "': " +
+                    Found(numberText(double(table.texels[i])))
+                        .expected(std::string("numbers that ") + storageName(table.storage) +
+                                  " holds: quantize the table first"));
 }
 
 }  // namespace fbrdf

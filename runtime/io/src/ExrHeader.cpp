@@ -3,6 +3,7 @@
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr char kMagic[] = {'\x76', '\x2f', '\x31', '\x01'};
 constexpr uint32_t kExrVersion = 2, kLongNames = 0x400, kMultiPart = 0x1000;
+// OpenEXR allows names of 255 bytes. The other limits are far above any material; they bound the
+// work for a file that lists empty attributes or parts without end.
 constexpr size_t kMaxName = 255, kMaxAttributes = 4096, kMaxParts = 64;
 constexpr int kMaxLines = 1 << 24;  // Form.cpp: no table has more texels
 // Deflate shrinks by at most 1032:1 (zlib's "Technical Details"), run lengths by less.
@@ -34,7 +37,7 @@ public:
     void need(uint64_t count) const
     {
         if (position > bytes_.size() || count > bytes_.size() - position)
-            fail("found the end of the file, expected " + std::to_string(count) + " more bytes");
+            fail(Found("the end of the file").expected(std::to_string(count) + " more bytes"));
     }
     uint64_t integer(size_t width)
     {
@@ -54,7 +57,7 @@ public:
     {
         const size_t end = bytes_.find('\0', position);
         if (end == std::string::npos || end - position > kMaxName)
-            fail("found no end of a name, expected one within 255 bytes");
+            fail(Found("no end of a name").expected("one within 255 bytes"));
         const std::string text = bytes_.substr(position, end - position);
         position = end + 1;
         return text;
@@ -76,11 +79,13 @@ const ExrAttribute& required(const ExrPart& part, const char* name, const char* 
                              const Cursor& cursor)
 {
     const ExrAttribute* attribute = part.find(name);
-    if (!attribute) cursor.fail(std::string("found no '") + name + "', expected it in the header");
+    if (!attribute)
+        cursor.fail(Found("no '" + std::string(name) + "'").expected("it in the header"));
     if (attribute->type != type || (size && attribute->size != size))
         cursor.fail(attribute->offset,
-                    std::string("found '") + name + "' of type " + attribute->type + " and " +
-                        std::to_string(attribute->size) + " bytes, expected type " + type);
+                    Found("'" + std::string(name) + "' of type " + attribute->type + " and " +
+                          std::to_string(attribute->size) + " bytes")
+                        .expected(std::string("type ") + type));
     return *attribute;
 }
 
@@ -92,22 +97,24 @@ Window readWindow(const ExrPart& part, const char* name, Cursor cursor)
 {
     cursor.position = required(part, name, "box2i", 16, cursor).offset;
     const int64_t x0 = cursor.i32(), y0 = cursor.i32(), x1 = cursor.i32(), y1 = cursor.i32();
+    // The library adds coordinates as int, which those near its limits would overflow.
     const int64_t limit = int64_t(1) << 30;
     for (const int64_t v : {x0, y0, x1, y1})
-        if (v < -limit || v > limit) cursor.fail("found a window beyond 2^30");
+        if (v < -limit || v > limit)
+            cursor.fail(Found("a window beyond 2^30").expected("coordinates within it"));
     return {x0, y0, x1, y1};
 }
 
 void readDataWindow(ExrPart& part, const Cursor& cursor)
 {
     const Window w = readWindow(part, "dataWindow", cursor);
-    readWindow(part, "displayWindow", cursor);
+    readWindow(part, "displayWindow", cursor);  // no texel depends on it, but the library reads it
     const int64_t width = w.x1 - w.x0 + 1, height = w.y1 - w.y0 + 1;
     if (width < 1 || height < 1 || width > kMaxLines || height > kMaxLines ||
         width * height > kMaxLines)
-        cursor.fail(part.find("dataWindow")->offset, "found " + std::to_string(width) + " x " +
-                                                         std::to_string(height) +
-                                                         " texels, expected 1 to 2^24");
+        cursor.fail(part.find("dataWindow")->offset,
+                    Found(std::to_string(width) + " x " + std::to_string(height) + " texels")
+                        .expected("1 to 2^24"));
     part.width = static_cast<int>(width);
     part.height = static_cast<int>(height);
     part.firstLine = static_cast<int>(w.y0);
@@ -124,22 +131,24 @@ void readChannels(ExrPart& part, Cursor cursor)
         if (name.empty()) break;
         const uint32_t channelType = cursor.u32();
         if (channelType != 1 && channelType != 2)
-            cursor.fail("found pixel type " + std::to_string(channelType) +
-                        ", expected 1 (half) or 2 (float)");
+            cursor.fail(Found("pixel type " + std::to_string(channelType))
+                            .expected("1 (half) or 2 (float)"));
         if (!names.empty() && channelType != type)
-            cursor.fail("found channels of half and float, expected one type");
+            cursor.fail(Found("channels of half and float").expected("one type"));
         type = channelType;
         cursor.u32();  // pLinear and its padding mean nothing here
         const int32_t xSampling = cursor.i32(), ySampling = cursor.i32();
         if (xSampling != 1 || ySampling != 1)
-            cursor.fail("found a subsampled channel, expected none");
+            cursor.fail(Found("a subsampled channel").expected("none"));
         names += name + " ";
     }
+    // Channels are sorted by name.
     if (names != "Y " && names != "B G R ")
         cursor.fail(list.offset,
-                    "found channels '" + printable(names) + "', expected Y, or R, G, B");
+                    Found("channels '" + printable(names) + "'").expected("Y, or R, G, B"));
     if (cursor.position != list.offset + list.size)
-        cursor.fail("found a channel list that does not end where its size says");
+        cursor.fail(Found("a channel list that does not end where its size says")
+                        .expected("one that does"));
     part.channels = names == "Y " ? 1 : 3;
     part.half = type == 1;
 }
@@ -149,14 +158,14 @@ void readEncoding(ExrPart& part, bool multiPart, Cursor cursor)
     cursor.position = required(part, "compression", "compression", 1, cursor).offset;
     part.compression = cursor.u8();
     if (part.compression > zip)
-        cursor.fail("found compression " + std::to_string(part.compression) +
-                    ", expected 0 to 3 (none, rle, zips, zip)");
+        cursor.fail(Found("compression " + std::to_string(part.compression))
+                        .expected("0 to 3 (none, rle, zips, zip)"));
     cursor.position = required(part, "lineOrder", "lineOrder", 1, cursor).offset;
-    if (cursor.u8() > 1) cursor.fail("found an unknown line order, expected 0 or 1");
+    if (cursor.u8() > 1) cursor.fail(Found("an unknown line order").expected("0 or 1"));
     if (!multiPart) return;
     const std::string type = cursor.text(required(part, "type", "string", 0, cursor));
     if (type != "scanlineimage")
-        cursor.fail("found a part of type '" + printable(type) + "', expected 'scanlineimage'");
+        cursor.fail(Found("a part of type '" + printable(type) + "'").expected("'scanlineimage'"));
 }
 
 ExrPart readHeader(Cursor& cursor, bool multiPart)
@@ -171,10 +180,13 @@ ExrPart readHeader(Cursor& cursor, bool multiPart)
         cursor.need(attribute.size);
         attribute.offset = cursor.position;
         cursor.position += attribute.size;
+        // Readers differ in which of two they take, so none is taken.
         if (part.find(attribute.name))
-            cursor.fail(attribute.offset, "found '" + printable(attribute.name) + "' twice");
+            cursor.fail(attribute.offset,
+                        Found("'" + printable(attribute.name) + "' twice").expected("it once"));
         part.attributes.push_back(attribute);
-        if (part.attributes.size() > kMaxAttributes) cursor.fail("found more than 4096 attributes");
+        if (part.attributes.size() > kMaxAttributes)
+            cursor.fail(Found("more than 4096 attributes").expected("at most 4096"));
     }
     readDataWindow(part, cursor);
     readChannels(part, cursor);
@@ -187,20 +199,26 @@ void checkChunk(const ExrPart& part, size_t partIndex, int chunk, bool multiPart
     const size_t start = cursor.position;
     if (multiPart && cursor.u32() != partIndex)
         cursor.fail(start,
-                    "found a chunk of another part, expected part " + std::to_string(partIndex));
+                    Found("a chunk of another part").expected("part " + std::to_string(partIndex)));
     const int line = chunk * linesPerChunk(part);
     if (cursor.i32() != part.firstLine + line)
-        cursor.fail(start, "found a chunk of other lines, expected line " + std::to_string(line));
+        cursor.fail(start,
+                    Found("a chunk of other lines").expected("line " + std::to_string(line)));
     const size_t size = cursor.u32();
     cursor.need(size);
     const auto lines = static_cast<size_t>(std::min(linesPerChunk(part), part.height - line));
     const size_t whole = static_cast<size_t>(part.width) * lines *
                          static_cast<size_t>(part.channels) * (part.half ? 2u : 4u);
+    // A chunk that compression does not shrink is stored as it is, so none is longer than its
+    // texels.
     const bool fits =
         part.compression == none ? size == whole : size <= whole && size >= whole / kMaxZipRatio;
     if (size == 0 || !fits)
-        cursor.fail(start, "found a chunk of " + std::to_string(size) + " bytes for " +
-                               std::to_string(whole) + " bytes of texels");
+        cursor.fail(start,
+                    Found("a chunk of " + std::to_string(size) + " bytes for " +
+                          std::to_string(whole) + " bytes of texels")
+                        .expected(part.compression == none ? "as many"
+                                                           : "at most as many, at least 1/1032"));
 }
 
 void checkChunks(const std::vector<ExrPart>& parts, bool multiPart, Cursor cursor)
@@ -213,8 +231,10 @@ void checkChunks(const std::vector<ExrPart>& parts, bool multiPart, Cursor curso
             at.position = count->offset;
             if (count->type != "int" || count->size != 4 || at.i32() != chunks)
                 cursor.fail(count->offset,
-                            "found a wrong chunkCount, expected " + std::to_string(chunks));
+                            Found("a wrong chunkCount").expected(std::to_string(chunks)));
         }
+        // The offsets of all parts follow each other behind the headers, eight bytes a chunk. They
+        // may point anywhere, also at one chunk twice, which its line then gives away.
         cursor.need(uint64_t(chunks) * 8);
         for (int c = 0; c < chunks; ++c) {
             Cursor at = cursor;
@@ -248,20 +268,22 @@ bool looksLikeExr(const std::string& bytes)
 std::vector<ExrPart> scanExr(const std::string& bytes, const std::string& where)
 {
     Cursor cursor(bytes, where);
-    if (!looksLikeExr(bytes)) cursor.fail("found other first bytes, expected an OpenEXR file");
+    if (!looksLikeExr(bytes)) cursor.fail(Found("other first bytes").expected("an OpenEXR file"));
     cursor.position = sizeof kMagic;
     const uint32_t version = cursor.u32();
     const bool multiPart = version & kMultiPart;
+    // Any other flag stands for tiles or deep data, of which a material has none.
     if ((version & ~(kLongNames | kMultiPart)) != kExrVersion)
-        cursor.fail(sizeof kMagic, "found OpenEXR version and flags " + std::to_string(version) +
-                                       ", expected version 2 with scan lines");
+        cursor.fail(sizeof kMagic, Found("OpenEXR version and flags " + std::to_string(version))
+                                       .expected("version 2 with scan lines"));
     std::vector<ExrPart> parts;
     do {
         parts.push_back(readHeader(cursor, multiPart));
-        if (parts.size() > kMaxParts) cursor.fail("found more than 64 parts");
+        if (parts.size() > kMaxParts)
+            cursor.fail(Found("more than 64 parts").expected("at most 64"));
         cursor.need(1);
     } while (multiPart && bytes[cursor.position] != '\0');
-    if (multiPart) ++cursor.position;
+    if (multiPart) ++cursor.position;  // an empty header ends the list
     checkChunks(parts, multiPart, cursor);
     return parts;
 }

@@ -7,6 +7,7 @@
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/pictures/Exr.h>
 
 #include <cstring>
@@ -37,8 +38,8 @@ std::string keyedName(const char* prefix, const std::string& key, const std::str
 {
     if (key.size() > kMaxKey || key.find('\0') != std::string::npos)
         throw Error(ErrorKind::usage, where,
-                    "found a note or error named '" + key.substr(0, kMaxKey) +
-                        "', expected at most 200 bytes and no zero byte");
+                    Found("a note or error named '" + key.substr(0, kMaxKey) + "'")
+                        .expected("at most 200 bytes and no zero byte"));
     return prefix + key;
 }
 
@@ -48,7 +49,7 @@ const std::string& checkedText(const std::string& text, const std::string& name,
 {
     if (text.find('\0') != std::string::npos)
         throw Error(ErrorKind::usage, where,
-                    name + ": found a text with a zero byte, expected none");
+                    name + ": " + Found("a text with a zero byte").expected("none"));
     return text;
 }
 
@@ -99,6 +100,7 @@ Attributes tableAttributes(const Table& table)
 std::string partName(const Form& form, size_t index, std::set<std::string>& taken)
 {
     const std::string& table = form.tables[index].name;
+    // The reader goes by the index of a part, so any name that is unique will do.
     std::string name = table.empty() ? "table" : table.substr(0, table.find('\0'));
     if (taken.count(name)) name += "#" + std::to_string(index);
     while (!taken.insert(name).second) name += "'";
@@ -111,10 +113,11 @@ ExrImage imageFromTable(const Table& table, const std::string& name)
     ExrImage image;
     image.name = name;
     image.width = size[0];
-    image.height = size[1] * size[2];
+    image.height = size[1] * size[2];  // slices of a volume lie below each other
     image.channels = table.channels;
     image.half = table.storage != Storage::float32;
     image.pixels = table.texels;
+    // Half represents every integer up to 2048, so codes of 8 bits come back exactly.
     if (bytesPerChannel(table.storage) == 1) {
         const std::vector<uint16_t> codes = codesOfTable(table);
         image.pixels.assign(codes.begin(), codes.end());
@@ -138,7 +141,7 @@ public:
     int integer(const char* name) const
     {
         const ExrAttribute& a = attribute(name, {"int"}, 4);
-        if (a.size != 4) fail(a, std::to_string(a.size) + " bytes, expected 4");
+        if (a.size != 4) fail(a, Found(std::to_string(a.size) + " bytes").expected("4"));
         return value<int>(a.offset);
     }
     /// Reads a floatvector, or one of the types that the first fbrdf wrote for three and nine
@@ -147,7 +150,7 @@ public:
     {
         const ExrAttribute& a = attribute(name, {"floatvector", "v3f", "m33f"}, 4);
         if (a.size != 4 * count)
-            fail(a, std::to_string(a.size / 4) + " numbers, expected " + std::to_string(count));
+            fail(a, Found(std::to_string(a.size / 4) + " numbers").expected(std::to_string(count)));
         std::vector<float> numbers;
         for (size_t i = 0; i < count; ++i) numbers.push_back(value<float>(a.offset + 4 * i));
         return numbers;
@@ -160,14 +163,14 @@ public:
     std::array<int, 3> integerTriple(const char* name) const
     {
         const ExrAttribute& a = attribute(name, {"v3i"}, 12);
-        if (a.size != 12) fail(a, std::to_string(a.size) + " bytes, expected 12");
+        if (a.size != 12) fail(a, Found(std::to_string(a.size) + " bytes").expected("12"));
         return {value<int>(a.offset), value<int>(a.offset + 4), value<int>(a.offset + 8)};
     }
     void expectText(const char* name, const char* expected) const
     {
         if (text(name) != expected)
             fail(attribute(name, {"string"}, 1),
-                 "'" + text(name) + "', expected '" + expected + "'");
+                 Found("'" + text(name) + "'").expected(std::string("'") + expected + "'"));
     }
     template <class T>
     T value(size_t offset) const
@@ -181,16 +184,17 @@ public:
     [[noreturn]] void fail(const ExrAttribute& at, const std::string& what) const
     {
         throw Error(ErrorKind::input, where_ + ": byte " + std::to_string(at.offset),
-                    at.name + ": found " + what);
+                    at.name + ": " + what);
     }
     const ExrAttribute& attribute(const char* name, std::initializer_list<const char*> types,
                                   size_t unit) const
     {
         const ExrAttribute* a = part_.find(name);
-        if (!a) throw Error(ErrorKind::input, where_, std::string("found no ") + name);
+        if (!a)
+            throw Error(ErrorKind::input, where_, Found(std::string("no ") + name).expected("it"));
         for (const char* type : types)
             if (a->type == type && a->size % unit == 0) return *a;
-        fail(*a, "type " + printable(a->type) + ", expected " + *types.begin());
+        fail(*a, Found("type " + printable(a->type)).expected(*types.begin()));
     }
 
 private:
@@ -204,9 +208,9 @@ void checkVersion(const PartReader& reader)
     const int version = reader.integer(kVersionName);
     if (version < 1 || version > kFormatVersion)
         throw Error(ErrorKind::input, reader.where(),
-                    "found format version " + std::to_string(version) + ", expected at most " +
-                        std::to_string(kFormatVersion) +
-                        (version > 1 ? ": written by a newer fbrdf" : ""));
+                    Found("format version " + std::to_string(version))
+                        .expected("at most " + std::to_string(kFormatVersion) +
+                                  (version > 1 ? ": written by a newer fbrdf" : "")));
     reader.expectText(kUnits, kUnitsValue);
     reader.expectText(kColorSpace, kColorSpaceValue);
 }
@@ -216,13 +220,15 @@ void readDescription(const std::string& bytes, const PartReader& reader, Materia
     const std::string where = reader.where() + ": " + kForm, text = reader.text(kForm);
     if (text.size() > kMaxForm)
         throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(text.size()) + " bytes, expected at most 2^20");
+                    Found(std::to_string(text.size()) + " bytes").expected("at most 2^20"));
+    // The form comes first: it decides how many scales and tables there have to be.
     const Json json = parseJson(text, where);
     material.form = formFromJson(JsonField(json, where));
     const std::vector<float> scales = reader.floats(kScales, 3 * material.form.terms.size());
     for (size_t t = 0; t < material.form.terms.size(); ++t)
         material.scales.emplace_back(scales[3 * t], scales[3 * t + 1], scales[3 * t + 2]);
     material.name = reader.text(kName);
+    // Other tools may add attributes of their own: what is not ours by name and type is ignored.
     for (const ExrAttribute& a : reader.part().attributes) {
         if (a.name.rfind(kNote, 0) == 0 && a.type == "string")
             material.notes[a.name.substr(std::strlen(kNote))] = bytes.substr(a.offset, a.size);
@@ -236,10 +242,10 @@ Table readTable(ExrPixels& pixels, size_t index, const TableSpec& spec, const Pa
     const auto size = domainSize(spec.domain);
     const ExrPart& part = reader.part();
     if (part.width != size[0] || part.height != size[1] * size[2])
-        throw Error(ErrorKind::input, reader.where(),
-                    "found " + std::to_string(part.width) + " x " + std::to_string(part.height) +
-                        " texels, expected " + std::to_string(size[0]) + " x " +
-                        std::to_string(size[1] * size[2]));
+        throw Error(
+            ErrorKind::input, reader.where(),
+            Found(std::to_string(part.width) + " x " + std::to_string(part.height) + " texels")
+                .expected(std::to_string(size[0]) + " x " + std::to_string(size[1] * size[2])));
     Table table;
     table.name = spec.name;
     table.domain = spec.domain;
@@ -247,10 +253,11 @@ Table readTable(ExrPixels& pixels, size_t index, const TableSpec& spec, const Pa
     const std::string storage = reader.text(kStorage);
     if (!knownStorage(storage, table.storage))
         reader.fail(*part.find(kStorage),
-                    "'" + storage + "', expected log8, half, float, linear8 or signed");
+                    Found("'" + storage + "'").expected("log8, half, float, linear8 or signed"));
     if (part.half != (table.storage != Storage::float32))
         reader.fail(*part.find(kStorage),
-                    storage + (part.half ? " in half" : " in float") + " channels");
+                    Found(storage + (part.half ? " in half" : " in float") + " channels")
+                        .expected(part.half ? "float channels" : "half channels"));
     table.lower = reader.triple(kLower);
     table.upper = reader.triple(kUpper);
     if (table.storage == Storage::log8)
@@ -285,8 +292,9 @@ void checkDecodedSize(const std::vector<ExrPart>& parts, size_t fileSize, const 
     const size_t most = kMaxDecodedRatio * fileSize + kAlwaysDecoded;
     if (decoded > most)
         throw Error(ErrorKind::input, where,
-                    "found texels of " + std::to_string(decoded) + " bytes in a file of " +
-                        std::to_string(fileSize) + ", expected at most " + std::to_string(most));
+                    Found("texels of " + std::to_string(decoded) + " bytes in a file of " +
+                          std::to_string(fileSize))
+                        .expected("at most " + std::to_string(most)));
 }
 
 }  // namespace
@@ -306,8 +314,10 @@ Material readExrMaterial(const std::string& bytes, const std::string& where)
     readDescription(bytes, first, material);
     if (parts.size() != material.form.tables.size())
         throw Error(ErrorKind::input, where,
-                    "found " + std::to_string(parts.size()) + " parts, expected one for each of " +
-                        std::to_string(material.form.tables.size()) + " tables");
+                    Found(std::to_string(parts.size()) + " parts")
+                        .expected("one for each of " + std::to_string(material.form.tables.size()) +
+                                  " tables"));
+    // The decoder sees the file only now, when all that it would trust has been checked.
     ExrPixels pixels(bytes, where);
     for (size_t k = 0; k < parts.size(); ++k)
         material.tables.push_back(

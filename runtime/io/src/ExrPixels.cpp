@@ -66,12 +66,15 @@ struct ExrPixels::Decoder {
             result = exr_decoding_choose_default_routines(context, index, &pipeline);
         }
         if (result == EXR_ERR_SUCCESS) result = exr_decoding_run(context, index, &pipeline);
+        // The pipeline owns buffers, so it goes before check() may throw.
         exr_decoding_destroy(context, &pipeline);
         check(result, where);
     }
 
     static void decodeTo(float* pixels, const ExrPart& part, exr_decode_pipeline_t& pipeline)
     {
+        // Channels are stored as planes of a line, by name: B, G, R. They are asked for as floats
+        // that lie pixel by pixel, and the library turns halves into floats on the way.
         const int pixelBytes = part.channels * static_cast<int>(sizeof(float));
         for (int c = 0; c < pipeline.channel_count; ++c) {
             exr_coding_channel_info_t& channel = pipeline.channels[c];
@@ -93,6 +96,8 @@ ExrPixels::ExrPixels(const std::string& bytes, const std::string& where)
     options.user_data = const_cast<std::string*>(&bytes);
     options.read_fn = onRead;
     options.size_fn = onSize;
+    // Otherwise the library would search a file whose table of offsets looks wrong for chunks, by
+    // sizes that are in it. scanExr has checked that table.
     options.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     Decoder::check(exr_start_read(&decoder_->context, "memory", &options), where);
 }
@@ -103,6 +108,8 @@ std::vector<float> ExrPixels::read(size_t index, const ExrPart& part, const std:
 {
     const size_t line = static_cast<size_t>(part.width) * static_cast<size_t>(part.channels);
     std::vector<float> pixels(line * static_cast<size_t>(part.height));
+    // Lines are counted from the data window, which need not start at 0, and a part is read chunk
+    // by chunk: a chunk is what is compressed as a whole.
     const int lines = linesPerChunk(part);
     for (int y = 0; y < part.height; y += lines)
         decoder_->readLines(static_cast<int>(index), part.firstLine + y, part,

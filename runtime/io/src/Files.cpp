@@ -1,6 +1,7 @@
 #include "Files.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <filesystem>
 #include <fstream>
@@ -20,14 +21,16 @@ std::string readFile(const std::string& path)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw Error(ErrorKind::input, path, "not found, expected a file");
+    if (!fs::exists(status))
+        throw Error(ErrorKind::input, path, Found("no such file").expected("one"));
+    // A pipe would block, and a device may never end.
     if (!fs::is_regular_file(status))
-        throw Error(ErrorKind::input, path, "found a folder or a device, expected a file");
+        throw Error(ErrorKind::input, path, Found("a folder or a device").expected("a file"));
     const uintmax_t size = fs::file_size(path, error);
     if (error || size > kMaxFileBytes)
         throw Error(ErrorKind::input, path,
-                    "found " + std::to_string(size) + " bytes, expected at most " +
-                        std::to_string(kMaxFileBytes));
+                    Found(std::to_string(size) + " bytes")
+                        .expected("at most " + std::to_string(kMaxFileBytes)));
     std::ifstream file(path, std::ios::binary);
     std::string bytes(size, '\0');
     if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))

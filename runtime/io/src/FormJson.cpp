@@ -1,6 +1,7 @@
 #include "FormJson.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,7 @@ Json jsonFromDomain(const Domain& domain)
     return {{"grid", {{"symmetric", grid.symmetric}, {"axes", axes}}}};
 }
 
+// Directions that have a name are written by it, because three weights say little to a reader.
 const std::array<Direction, 5> kNamedDirections{Direction::wi, Direction::wo, Direction::h,
                                                 Direction::d, Direction::mirror};
 
@@ -117,6 +119,7 @@ Factor factorFromJson(const JsonField& json, const Form& form)
     factor.table = table.integer();
     if (factor.table < 0 || factor.table >= static_cast<int>(form.tables.size()))
         table.fail("an index below " + std::to_string(form.tables.size()));
+    // A string could be a direction or an angle; the domain of the table decides.
     const bool disc = isDisc(form.tables[static_cast<size_t>(factor.table)].domain);
     factor.argument = argumentFromJson(json.at("argument"), disc);
     return factor;
@@ -135,7 +138,7 @@ TableSpec tableFromJson(const JsonField& json)
 
 void JsonField::fail(const std::string& expected) const
 {
-    throw Error(ErrorKind::input, where_, "found " + summary(*value_) + ", expected " + expected);
+    throw Error(ErrorKind::input, where_, Found(summary(*value_)).expected(expected));
 }
 
 JsonField JsonField::at(const char* key) const
@@ -193,8 +196,9 @@ Json parseJson(const std::string& text, const std::string& where)
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
+        // The parser's own sentence quotes the text around the byte, which may be anything.
         throw Error(ErrorKind::input, where + ": byte " + std::to_string(error.byte),
-                    "found text that is not JSON, expected JSON");
+                    Found("text that is not JSON").expected("JSON"));
     } catch (const Json::exception& error) {
         throw Error(ErrorKind::input, where, std::string("found JSON with ") + error.what());
     }
@@ -222,6 +226,7 @@ Form formFromJson(const JsonField& json)
     Form form;
     form.name = json.at("name").text();
     const JsonField tables = json.at("tables"), terms = json.at("terms");
+    // Factors refer to tables by index, so tables are read first.
     if (tables.size() == 0) tables.fail("at least one table");
     for (size_t i = 0; i < tables.size(); ++i) form.tables.push_back(tableFromJson(tables.at(i)));
     for (size_t t = 0; t < terms.size(); ++t) {
@@ -231,6 +236,7 @@ Form formFromJson(const JsonField& json)
             term.factors.push_back(factorFromJson(factors.at(k), form));
         form.terms.push_back(term);
     }
+    // The JSON has the right types by now; sizes and exponents are judged as those of any form.
     validate(form, json.where());
     return form;
 }

@@ -5,6 +5,7 @@
 #include "FormJson.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/brdf/Half.h>
 #include <fbrdf/pictures/Png.h>
@@ -36,7 +37,8 @@ Vec3f tripleFromJson(const JsonField& json)
     return v;
 }
 
-/// Smallest and largest texel of each channel, which the 16-bit codes of half and float span.
+/// Smallest and largest texel of each channel, which the 16-bit codes of half and float span. A
+/// picture that people open should use its whole range; a .fbrdf keeps every digit of them.
 struct Range {
     Vec3f lower{0.0f}, upper{0.0f};
 };
@@ -62,6 +64,7 @@ std::vector<uint16_t> wideCodes(const Table& table, const Range& range)
     for (size_t i = 0; i < table.texels.size(); ++i) {
         const int c = static_cast<int>(i % channels);
         const double low = double(range.lower[c]), span = double(range.upper[c]) - low;
+        // A constant channel has no span, and any code stands for it.
         const double unit = span > 0.0 ? (double(table.texels[i]) - low) / span : 0.0;
         codes.push_back(static_cast<uint16_t>(std::lround(unit * kWideCodes)));
     }
@@ -76,6 +79,8 @@ void decodeWide(Table& table, const Range& range, const std::vector<uint16_t>& c
         const int c = static_cast<int>(i % channels);
         const double low = double(range.lower[c]), span = double(range.upper[c]) - low;
         const auto value = static_cast<float>(low + span * (codes[i] / kWideCodes));
+        // A half that was stored as a code of 16 bits comes back as the nearest half, so that the
+        // table can be stored as half again.
         table.texels[i] =
             bytesPerChannel(table.storage) == 2 ? floatFromHalf(halfFromFloat(value)) : value;
     }
@@ -112,6 +117,7 @@ std::string mapFileName(const std::string& stem, const std::string& table, size_
                         std::set<std::string>& taken)
 {
     std::string safe;
+    // Letters of other alphabets become '_' too: what a file system makes of them differs.
     for (const char c : table.substr(0, 64))
         safe += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
     std::string name = stem + "_" + safe + ".png";
@@ -133,6 +139,7 @@ Map mapFromTable(const Table& table, const std::string& where)
     const bool exact = bytesPerChannel(table.storage) == 1;
     const Range range = exact ? Range{table.lower, table.upper} : rangeOf(table);
     PngImage image{size[0], size[1] * size[2], table.channels, bitsOf(table.storage), {}};
+    // log8 shows its 16-bit sums: its 8-bit codes are differences, and no picture.
     image.codes = table.storage == Storage::linear8 ? codesOfTable(table)
                   : exact                           ? unorm16Codes(table)
                                                     : wideCodes(table, range);
@@ -206,8 +213,8 @@ void checkSize(const PngImage& image, const TableSpec& spec, Storage storage,
     if (image.width != size[0] || image.height != size[1] * size[2] ||
         image.bits != bitsOf(storage))
         throw Error(ErrorKind::input, path,
-                    "found " + text(image.width, image.height, image.bits) + ", expected " +
-                        text(size[0], size[1] * size[2], bitsOf(storage)));
+                    Found(text(image.width, image.height, image.bits))
+                        .expected(text(size[0], size[1] * size[2], bitsOf(storage))));
 }
 
 Table tableFromMap(const JsonField& json, const TableSpec& spec, const std::string& manifest)
@@ -305,6 +312,7 @@ void writeManifest(const Material& material, const std::string& path)
         json["maps"].push_back(entry);
         files.add((file.parent_path() / name).string(), map.png);
     }
+    // The manifest comes last: whoever watches for it finds the maps that it names.
     files.add(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     files.commit();
 }

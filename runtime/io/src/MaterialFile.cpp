@@ -7,6 +7,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 
 #include <filesystem>
@@ -54,9 +55,11 @@ Material readMaterial(const std::string& path)
     // A folder or a .txt can only be meant as the layout of 2001, whose reader knows what is wrong.
     if (isFolder(path) || fs::path(path).extension() == ".txt") return readWaterloo(path);
     readFile(path);  // throws for what is missing or not a regular file
-    throw Error(ErrorKind::input, path,
-                "found another kind of file, expected a .fbrdf, the NAME.txt of factor maps of "
-                "2001, or a JSON manifest of fbrdf");
+    throw Error(
+        ErrorKind::input, path,
+        Found("another kind of file")
+            .expected(
+                "a .fbrdf, the NAME.txt of factor maps of 2001, or a JSON manifest of fbrdf"));
 }
 
 bool isMaterialFile(const std::string& path)
@@ -79,13 +82,13 @@ void writeMaterial(const Material& material, const std::string& path)
     if (extension == ".json") return writeManifest(material, path);
     if (extension == ".txt") return writeWaterloo(material, path);
     throw Error(ErrorKind::usage, path,
-                "found extension '" + extension + "', expected .fbrdf, .txt or .json");
+                Found("extension '" + extension + "'").expected(".fbrdf, .txt or .json"));
 }
 
 Material materialFromFileBytes(const std::string& bytes, const std::string& where)
 {
     if (!looksLikeExrMaterial(bytes.substr(0, kBeginning)))
-        throw Error(ErrorKind::input, where, "found other bytes, expected those of a .fbrdf");
+        throw Error(ErrorKind::input, where, Found("other bytes").expected("those of a .fbrdf"));
     return readExrMaterial(bytes, where);
 }
 

@@ -5,6 +5,7 @@
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
 #include <fbrdf/pictures/Png.h>
 
@@ -34,7 +35,7 @@ struct Lines {
         const std::string found =
             line < text.size() ? "'" + printable(text[line]) + "'" : "the end of the file";
         throw Error(ErrorKind::input, where + ":" + std::to_string(line + 1),
-                    "found " + found + ", expected " + expected);
+                    Found(found).expected(expected));
     }
 };
 
@@ -102,7 +103,7 @@ Description readDescription(const std::string& path)
     const std::string bytes = readFile(path);
     if (bytes.size() > kMaxWaterlooDescription)
         throw Error(ErrorKind::input, path,
-                    "found " + std::to_string(bytes.size()) + " bytes, expected at most 4096");
+                    Found(std::to_string(bytes.size()) + " bytes").expected("at most 4096"));
     return parseDescription(linesOf(bytes, path));
 }
 
@@ -115,13 +116,14 @@ std::vector<std::string> filesIn(const std::string& folder, const std::string& e
 {
     std::vector<std::string> paths;
     std::error_code error;
+    // A folder that cannot be listed has no files: the error is then about what is missing in it.
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         const std::string path = entry.path().string();
         if (path.size() >= ending.size() &&
             path.compare(path.size() - ending.size(), ending.size(), ending) == 0)
             paths.push_back(path);
     }
-    std::sort(paths.begin(), paths.end());
+    std::sort(paths.begin(), paths.end());  // file systems list in any order, errors should not
     return paths;
 }
 
@@ -143,7 +145,7 @@ std::vector<std::string> descriptionsIn(const std::string& folder)
     for (const std::string& path : found)
         names += (names.empty() ? "" : ", ") + fs::path(path).filename().string();
     throw Error(ErrorKind::input, folder,
-                "found " + (names.empty() ? "none" : names) + ", expected one " + what);
+                Found((names.empty() ? "none" : names)).expected("one " + what));
 }
 
 std::string descriptionOf(const std::string& path)
@@ -172,15 +174,16 @@ std::string baseOf(const std::string& description)
 
 Table readMap(const std::string& base, int index, const char* name)
 {
+    // Both kinds of names were published: NAME_0.png, and NAMEp.png beside `alpha`.
     std::string path = base + "_" + std::to_string(index) + ".png";
     if (!fs::exists(path) && fs::exists(base + name + ".png")) path = base + name + ".png";
     const PngImage image = decodePng(readFile(path), path);
     if (image.width != image.height || image.width < kMinWaterlooSize || image.width > kMaxSize ||
         image.bits != 8)
         throw Error(ErrorKind::input, path,
-                    "found " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                        " pixels of " + std::to_string(image.bits) +
-                        " bits, expected a square of 8 to 4096 and 8 bits");
+                    Found(std::to_string(image.width) + " x " + std::to_string(image.height) +
+                          " pixels of " + std::to_string(image.bits) + " bits")
+                        .expected("a square of 8 to 4096 and 8 bits"));
     Table table;
     table.name = name;
     table.domain = waterlooDomain(image.width);
@@ -210,6 +213,7 @@ void addSpecular(Material& material, const std::string& base, int index)
 bool looksLikeWaterloo(const std::string& beginning)
 {
     if (beginning.empty() || beginning.size() > kMaxWaterlooDescription) return false;
+    // The reader itself decides, so what is recognised is what can be read.
     try {
         parseDescription(linesOf(beginning, "description"));
         return true;
@@ -231,6 +235,7 @@ Material readWaterloo(const std::string& path)
     Material material;
     material.name =
         description.title.empty() ? fs::path(base).filename().string() : description.title;
+    // The gain brightens the authors' pictures and is no part of the BRDF: it is kept as a note.
     if (!description.gain.empty()) material.notes["display_gain"] = description.gain;
     material.notes["source"] = "factor maps in the layout of McCool, Ang, Ahmad 2001";
     if (description.kind != 2) {

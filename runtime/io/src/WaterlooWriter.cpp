@@ -2,6 +2,7 @@
 #include "Waterloo.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/pictures/Png.h>
@@ -41,6 +42,7 @@ bool matchProduct(const Material& material, size_t index, Parts& parts)
     const Term& term = material.form.terms[index];
     const Factor *wo = factorOf(term, Direction::wo), *h = factorOf(term, Direction::h),
                  *wi = factorOf(term, Direction::wi);
+    // Factors may stand in any order; the layout has one p for both directions, and one product.
     if (term.factors.size() != 3 || !wo || !h || !wi || wo->table != wi->table || parts.p)
         return false;
     parts.p = &material.tables[static_cast<size_t>(wo->table)];
@@ -65,9 +67,9 @@ Parts partsOf(const Material& material, const std::string& path)
     for (size_t t = 0; t < material.form.terms.size(); ++t)
         if (!matchProduct(material, t, parts) && !matchSpecular(material, t, parts))
             throw Error(ErrorKind::usage, path,
-                        "found form '" + material.form.name + "' = " + describe(material.form) +
-                            ", expected p(wo) q(h) p(wi), s(h) or their sum, all over discs: the "
-                            "2001 layout holds nothing else");
+                        Found("form '" + material.form.name + "' = " + describe(material.form))
+                            .expected("p(wo) q(h) p(wi), s(h) or their sum, all over discs: the "
+                                      "2001 layout holds nothing else"));
     return parts;
 }
 
@@ -137,14 +139,15 @@ Table normalized(const Table& table, Vec3f& gauge)
 Table specularMap(const Parts& parts, const std::string& path)
 {
     if (isPublishedKind(*parts.s) && parts.specular == Vec3f(1.0f)) return *parts.s;
+    // alpha scales the product only, so the scale of this term goes into its map.
     Table map = resampled(*parts.s);
     multiply(map, parts.specular);
     const Vec3f most = largest(map);
     const float peak = std::max({most.x, most.y, most.z});
     if (peak > 1.0f)
         throw Error(ErrorKind::usage, path,
-                    "found a specular map of up to " + numberText(double(peak)) +
-                        " 1/sr, expected at most 1: the 2001 layout has no scale for it");
+                    Found("a specular map of up to " + numberText(double(peak)) + " 1/sr")
+                        .expected("at most 1: the 2001 layout has no scale for it"));
     return quantized(map, Storage::linear8);
 }
 
