@@ -129,8 +129,8 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
 
 void putNeighboursTogether(EyeLights& lights, const DrawRequest& request)
 {
-    // By their places on screen: neighbours in space may be far apart there, and the other way
-    // round.
+    // Lights are sorted by their places on screen: neighbours in space may be far apart there, and
+    // the other way round.
     std::vector<PixelRect> rects;
     for (const LightVectors& light : lights.vectors)
         rects.push_back(pixelBounds(light, glm::dmat4(request.view.projection),

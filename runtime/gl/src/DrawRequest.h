@@ -1,13 +1,25 @@
 // DrawRequest.h - what one call of Renderer::draw or drawBatch is about, checked.
 #pragma once
-#include "Executor.h"
 #include "TargetInfo.h"
 
+#include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/LightSelection.h>
+#include <fbrdf/plan/LightVectors.h>
+
+#include <glm/vec4.hpp>
+
+#include <optional>
 
 namespace fbrdf::gl {
 
-/// What one call of draw() is about.
+/// Lights in eye space as the shader takes them; the three arrays are parallel.
+struct EyeLights {
+    std::vector<LightVectors> vectors;
+    std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
+    std::vector<double> peaks;     ///< largestIrradiance on the item; may be empty
+};
+
+/// What one call of draw() is about, and all of its items share.
 struct DrawRequest {
     const Target& target;
     const View& view;
@@ -16,8 +28,10 @@ struct DrawRequest {
     /// The valid ones. Their intensities are multiplied by the exposure: radiance is linear in
     /// them, so there it costs nothing.
     std::vector<Light> lights;
-    EyeLights eye;  ///< the same lights in eye space
-    bool clustered = false;
+    EyeLights eye;                          ///< the same lights in eye space
+    std::optional<LightClusters> clusters;  ///< nothing where lights are not in lists
+    /// The eye as the shader takes it: see eyeFromProjection.
+    glm::vec4 eyePoint{0.0f};
 };
 
 /// Throws Error(gl) for a target that cannot be drawn to, Error(usage) for such a view.

@@ -82,7 +82,7 @@ void Executor::bindSurface(const Pass& pass)
     if (!device_.capabilities.framebufferObjects) return;
     // Without framebuffer objects a plan has no surfaces, and the window is bound.
     gl_.BindFramebuffer(gl_.drawFramebuffer(), pass.writes == Surface::target
-                                                   ? frame_.target.framebuffer
+                                                   ? request_.target.framebuffer
                                                    : surfaces_->framebuffer(pass.writes));
 }
 
@@ -111,7 +111,7 @@ void Executor::setDepth(Depth depth)
 {
     // The pass that writes depth decides what is visible; the others draw where depth is equal,
     // which holds because all programs of an item compute positions by the same text (invariant).
-    gl_.DepthFunc(depth == Depth::write ? functionOf(frame_.view.depth.test) : GL_EQUAL);
+    gl_.DepthFunc(depth == Depth::write ? functionOf(request_.view.depth.test) : GL_EQUAL);
     gl_.DepthMask(depth == Depth::write ? GL_TRUE : GL_FALSE);
 }
 
@@ -133,18 +133,18 @@ void Executor::useProgram(const Drawable& item, const Program& program)
     if (item.surface.hooks && item.surface.hooks->get().setUniforms)
         item.surface.hooks->get().setUniforms(program.object.name());
     if (program.readScale >= 0)
-        gl_.Uniform2f(program.readScale, 1.0f / static_cast<float>(frame_.target.width),
-                      1.0f / static_cast<float>(frame_.target.height));
+        gl_.Uniform2f(program.readScale, 1.0f / static_cast<float>(request_.target.width),
+                      1.0f / static_cast<float>(request_.target.height));
 }
 
 void Executor::setMatrices(const Drawable& item, const Program& program)
 {
     if (program.modelView >= 0) {
-        const glm::mat4 matrix = modelView(frame_.view, item.model);
+        const glm::mat4 matrix = modelView(request_.view, item.model);
         gl_.UniformMatrix4fv(program.modelView, 1, GL_FALSE, glm::value_ptr(matrix));
     }
-    gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(frame_.view.projection));
-    if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(frame_.eye));
+    gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(request_.view.projection));
+    if (program.eye >= 0) gl_.Uniform4fv(program.eye, 1, glm::value_ptr(request_.eyePoint));
 }
 
 void Executor::bindTables(const MaterialResources& material, const Program& program)
@@ -174,9 +174,9 @@ void Executor::setLights(const Pass& pass, const Program& program)
 
 void Executor::setClusters(const Program& program)
 {
-    const LightClusters& clusters = *frame_.clusters;
+    const LightClusters& clusters = *request_.clusters;
     const ClusterGrid& grid = clusters.grid;
-    const ClusterBuffers& buffers = *frame_.clusterBuffers;
+    const ClusterBuffers& buffers = lists_;
     state_.bindTexture(program.clusters.lightsUnit, GL_TEXTURE_BUFFER, buffers.lights.texture());
     state_.bindTexture(program.clusters.indicesUnit, GL_TEXTURE_BUFFER, buffers.indices.texture());
     state_.bindTexture(program.clusters.listsUnit, GL_TEXTURE_BUFFER, buffers.lists.texture());
@@ -185,30 +185,30 @@ void Executor::setClusters(const Program& program)
                            buffers.numbers.texture());
     gl_.Uniform3i(program.clusters.grid, grid.columns, grid.rows, grid.slices);
     gl_.Uniform4f(program.clusters.scale,
-                  static_cast<float>(grid.columns) / static_cast<float>(frame_.target.width),
-                  static_cast<float>(grid.rows) / static_cast<float>(frame_.target.height),
+                  static_cast<float>(grid.columns) / static_cast<float>(request_.target.width),
+                  static_cast<float>(grid.rows) / static_cast<float>(request_.target.height),
                   clusters.sliceScale, clusters.sliceBias);
     gl_.Uniform1i(program.lightCount, clusters.everywhere);
 }
 
 int Executor::lightsOf(const Pass& pass, const Program& program) const
 {
-    return program.clusters.listsUnit >= 0 ? frame_.clusters->longest : pass.lightCount;
+    return program.clusters.listsUnit >= 0 ? request_.clusters->longest : pass.lightCount;
 }
 
 // Only a pass that adds light may leave out pixels that its lights do not reach: any other also
 // writes depth, replaces or multiplies.
 void Executor::setScissor(const Pass& pass)
 {
-    const int width = frame_.target.width, height = frame_.target.height;
+    const int width = request_.target.width, height = request_.target.height;
     const bool mayLeaveOut = pass.lit && pass.lightCount > 0 && pass.blend == Blend::add &&
-                             !pass.reads && !frame_.clusters;
+                             !pass.reads && !request_.clusters;
     if (!mayLeaveOut) return state_.setScissor(nullptr);
     PixelRect rect;
     for (int i = 0; i < pass.lightCount; ++i)
         rect =
             enclosing(rect, pixelBounds(lights_->vectors[static_cast<size_t>(pass.firstLight + i)],
-                                        glm::dmat4(frame_.view.projection), width, height));
+                                        glm::dmat4(request_.view.projection), width, height));
     // Without a scissor the driver has less to do.
     const bool isWhole = rect.width == width && rect.height == height;
     state_.setScissor(isWhole ? nullptr : &rect);

@@ -1,34 +1,16 @@
 // Executor.h - carries out a plan for one item, or for the instances of a batch.
 #pragma once
 #include "ClusterBuffers.h"
+#include "DrawRequest.h"
 #include "Instances.h"
 #include "MeshResources.h"
 #include "ProgramCache.h"
 #include "StateGuard.h"
 #include "SurfacePool.h"
 
-#include <fbrdf/plan/LightVectors.h>
-
 #include <glm/mat3x3.hpp>
-#include <glm/vec4.hpp>
 
 namespace fbrdf::gl {
-
-/// Lights in eye space as the shader takes them; the three arrays are parallel.
-struct EyeLights {
-    std::vector<LightVectors> vectors;
-    std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
-    std::vector<double> peaks;     ///< largestIrradiance on the item; may be empty
-};
-
-/// What all items of one draw share.
-struct Frame {
-    Target target;
-    View view;
-    glm::vec4 eye{0.0f};
-    const LightClusters* clusters = nullptr;  ///< null where lights are not in lists
-    const ClusterBuffers* clusterBuffers = nullptr;
-};
 
 /// What one plan draws.
 struct Drawable {
@@ -51,8 +33,9 @@ struct ReadyPlan {
 
 class Executor {
 public:
-    Executor(const Device& device, const Frame& frame, StateGuard& state)
-        : device_(device), gl_(device.gl), frame_(frame), state_(state)
+    Executor(const Device& device, const DrawRequest& request, const ClusterBuffers& lists,
+             StateGuard& state)
+        : device_(device), gl_(device.gl), request_(request), lists_(lists), state_(state)
     {
     }
 
@@ -74,7 +57,8 @@ private:
 
     const Device& device_;
     const Functions& gl_;
-    const Frame& frame_;
+    const DrawRequest& request_;
+    const ClusterBuffers& lists_;  ///< of lights, where the request has them
     StateGuard& state_;
     const Surfaces* surfaces_ = nullptr;  ///< of the plan
     const EyeLights* lights_ = nullptr;   ///< of the item

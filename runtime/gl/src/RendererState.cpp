@@ -179,19 +179,19 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
                             "' is anisotropic, the mesh has neither tangents nor texture "
                             "coordinates");
     // With clustered lights the plan is made for a single light: programs read the lists.
-    EyeLights lights = draw.clustered
+    EyeLights lights = draw.clusters
                            ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}, {}}
                            : lightsOf(bounds, draw, stats);
     // A batch of lights is scissored to the pixels that any of them reaches.
     if (draw.options.technique == Technique::batched) putNeighboursTogether(lights, draw);
     PlanRequest wanted = request(draw.options, static_cast<int>(lights.vectors.size()), draw.info);
     // Lists have no peaks: how many lights reach a pixel is not known here.
-    if (!draw.clustered) {
+    if (!draw.clusters) {
         wanted.peaks = material.peaks();
         wanted.peaks->lights = lights.peaks;
     }
     ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
-    ready.programs = programsOf(material, item.surface, ready.plan, draw.clustered);
+    ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters.has_value());
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, ready, lights));
     addPlan(stats, ready.plan);
 }
@@ -221,19 +221,16 @@ bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
     return possible;
 }
 
-void Renderer::State::cluster(DrawRequest& request, LightClusters& clusters, Frame& frame,
-                              DrawStats& stats)
+void Renderer::State::cluster(DrawRequest& request, DrawStats& stats)
 {
-    request.clustered = isClustered(request.options, request.lights.size());
-    if (request.options.clustered && !request.clustered && !request.lights.empty())
-        stats.whyReplaced = noLists();
-    if (!request.clustered) return;
-    clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection), {},
-                             request.options.maxLights);
-    stats.lightsDropped += clusters.dropped;
-    clusterBuffers.update(clusters, request.eye.numbers);
-    frame.clusters = &clusters;
-    frame.clusterBuffers = &clusterBuffers;
+    if (!isClustered(request.options, request.lights.size())) {
+        if (request.options.clustered && !request.lights.empty()) stats.whyReplaced = noLists();
+        return;
+    }
+    request.clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection), {},
+                                     request.options.maxLights);
+    stats.lightsDropped += request.clusters->dropped;
+    clusterBuffers.update(*request.clusters, request.eye.numbers);
 }
 
 DrawStats Renderer::State::draw(const Target& target, const View& view,
@@ -245,7 +242,8 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     // Between draws nothing of ours is in use, so what no material needs any more can go.
     programs.evict();
     surfaces.evict(target);
-    DrawRequest request{target, view, options, {}, {}, {}};
+    DrawRequest request{target, view, options, {}, {}, {}, {}, {}};
+    request.eyePoint = glm::vec4(eyeFromProjection(glm::dmat4(view.projection)));
     setLights(request, lights);
     DrawStats stats;
     stats.lightsGiven = static_cast<int>(lights.size());
@@ -264,10 +262,8 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
         throw Error(ErrorKind::usage, "draw",
                     Found("a limit of " + std::to_string(options.maxLights) + " lights")
                         .expected("0 (none) or more"));
-    Frame frame{target, view, glm::vec4(eyeFromProjection(glm::dmat4(view.projection)))};
-    LightClusters clusters;
-    cluster(request, clusters, frame, stats);
-    Executor executor(*device, frame, guard);
+    cluster(request, stats);
+    Executor executor(*device, request, clusterBuffers, guard);
     drawAll(executor, request, stats);
     return stats;
 }

@@ -1,7 +1,11 @@
 // RendererState.h - what a renderer keeps between calls, and how it draws an item
 // (RendererState.cpp) or the objects of a batch (Batches.cpp).
+//
+// Renderer, State, DrawRequest and Executor differ in how long they live: Renderer is the door,
+// whose header shows no GL; State lasts as long as it; a DrawRequest is one call; an Executor has
+// the bindings of one call, so that items which follow each other bind nothing twice.
 #pragma once
-#include "DrawRequest.h"
+#include "Executor.h"
 #include "LibraryResources.h"
 
 #include <fbrdf/base/Error.h>
@@ -57,7 +61,7 @@ private:
                      const DrawRequest* draw);
     void draw(Executor& executor, const Drawable& item, const Sphere& bounds,
               const DrawRequest& draw, DrawStats& stats);
-    void cluster(DrawRequest& request, LightClusters& clusters, Frame& frame, DrawStats& stats);
+    void cluster(DrawRequest& request, DrawStats& stats);
     std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats);
     void drawPacked(Executor& executor, const Batch& batch, const MaterialResources& material,
                     const Instance* const* first, const Instance* const* last,
