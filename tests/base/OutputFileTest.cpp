@@ -11,8 +11,10 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -67,14 +69,37 @@ TEST_F(OutputFileTest, WithoutCommitNothingRemains)
         OutputFile file(path("a"));
         file.write("new");
         file.close();
-        EXPECT_EQ(fileBytes(file.temporary()), "new");
+        EXPECT_EQ(folder_.names(), Names{"a"});
     }
     EXPECT_EQ(fileBytes(path("a")), "old");
     EXPECT_EQ(folder_.names(), Names{"a"});
 }
 
+// As one that a user or the system ends does.
+TEST_F(OutputFileTest, AKilledProcessLeavesNothing)
+{
+    const int probe = ::open(path("").c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (probe < 0) GTEST_SKIP() << "the file system knows no files without names";
+    ::close(probe);
+    putFile(path("a"), "old");
+    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            OutputFiles files;
+            for (const char* name : {"a", "b"}) files.add(path(name), std::string(100000, 'x'));
+            ::raise(signal);
+        }
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+        EXPECT_EQ(fileBytes(path("a")), "old");
+        EXPECT_EQ(folder_.names(), Names{"a"});
+    }
+}
+
 TEST_F(OutputFileTest, NamesThatAreTakenArePassedOver)
 {
+    putFile(path("a"), "old");  // a new file gets its name at once
     putFile(path("precious"), "kept");
     fs::create_symlink("precious", path("a.part0"));  // planted, or left by a process that died
     fs::create_directory(path("a.part1"));
@@ -109,14 +134,12 @@ TEST_F(OutputFileTest, LongestNamesAreNames)
     const std::string ascii(255, 'n');  // NAME_MAX
     std::string accents;
     for (int i = 0; i < 127; ++i) accents += "\xC3\xA9";
-    for (const std::string& name : {ascii, accents, "n" + accents}) {
-        OutputFile file(path(name));
-        const std::string temporary = fs::path(file.temporary()).filename().string();
-        const size_t cut = temporary.find(".part");
-        EXPECT_TRUE(name == ascii || temporary[cut - 1] == '\xA9') << temporary;
-        file.commit();
-        EXPECT_TRUE(fs::exists(path(name)));
-    }
+    for (const std::string& name : {ascii, accents, "n" + accents})
+        for (const char* bytes : {"new", "replaced"}) {
+            writeFile(path(name), bytes);
+            EXPECT_EQ(fileBytes(path(name)), bytes);
+        }
+    EXPECT_EQ(folder_.names().size(), 3u);
 }
 
 TEST_F(OutputFileTest, LinksAreFollowedAndStay)

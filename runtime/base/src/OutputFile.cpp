@@ -107,6 +107,34 @@ int createTemporary(const std::string& target, std::string& temporary)
     return -1;
 }
 
+// Descriptor of a file without a name in the target's folder, which vanishes with the process; -1
+// where there is none: the file system may know none, and giving it a name takes /proc.
+int createUnnamed(const std::string& target)
+{
+    constexpr const char* kOpenFiles = "/proc/self/fd";
+    const std::string parent = fs::path(target).parent_path().string();
+    if (::access(kOpenFiles, X_OK) != 0) return -1;
+    return ::open(parent.empty() ? "." : parent.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+// False with errno set where the name is taken or cannot be given.
+bool giveName(int descriptor, const std::string& name)
+{
+    const std::string file = "/proc/self/fd/" + std::to_string(descriptor);
+    return ::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+// A temporary name of the target, or empty with errno set.
+std::string giveTemporaryName(int descriptor, const std::string& target)
+{
+    for (int i = 0; i < kMaxTemporaries; ++i) {
+        const std::string name = temporaryName(target, i);
+        if (giveName(descriptor, name)) return name;
+        if (errno != EEXIST) break;
+    }
+    return "";
+}
+
 // A buffered stream on the descriptor, or null with errno set and the descriptor closed.
 std::FILE* streamOf(int descriptor, int mode)
 {
@@ -126,18 +154,21 @@ OutputFile::OutputFile(const std::string& path) : path_(path)
     if (path.empty()) refuse("output", Found("an empty path").expected("the path of a file"));
     target_ = followed(path);
     const int mode = modeToKeep(target_, path);
-    const int descriptor = createTemporary(target_, temporary_);
-    if (descriptor < 0) failWith(path, errno);
-    file_ = streamOf(descriptor, mode);
+    unnamed_ = createUnnamed(target_);
+    const int descriptor = unnamed_ >= 0 ? ::fcntl(unnamed_, F_DUPFD_CLOEXEC, 0)
+                                         : createTemporary(target_, temporary_);
+    if (descriptor >= 0) file_ = streamOf(descriptor, mode);
     if (file_) return;
     const int number = errno;
-    std::remove(temporary_.c_str());
+    if (descriptor >= 0 && !temporary_.empty()) std::remove(temporary_.c_str());
+    if (unnamed_ >= 0) ::close(unnamed_);
     failWith(path, number);
 }
 
 OutputFile::~OutputFile()
 {
     if (file_) std::fclose(file_);
+    if (unnamed_ >= 0) ::close(unnamed_);
     if (!temporary_.empty()) std::remove(temporary_.c_str());
 }
 
@@ -157,10 +188,24 @@ void OutputFile::close()
 
 void OutputFile::commit()
 {
-    FBRDF_ASSERT(temporary_.size(), >, 0u);
+    FBRDF_ASSERT(unnamed_ >= 0 || !temporary_.empty(), ==, true);
     close();
+    if (unnamed_ >= 0) place();
+    if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) failWith(path_, errno);
     temporary_.clear();
+}
+
+// Names the file, by a temporary name where the path is taken.
+void OutputFile::place()
+{
+    if (!giveName(unnamed_, target_)) {
+        if (errno != EEXIST) failWith(path_, errno);
+        temporary_ = giveTemporaryName(unnamed_, target_);
+        if (temporary_.empty()) failWith(path_, errno);
+    }
+    ::close(unnamed_);
+    unnamed_ = -1;
 }
 
 void OutputFiles::add(const std::string& path, std::string_view bytes)

@@ -1,8 +1,10 @@
 // OutputFile.h - files that appear at their paths complete, or not at all.
 //
-// The bytes go to a temporary file in the same folder, which a rename puts in place: readers see
-// the old file or the new one, and a failure at any point leaves the old one and nothing else. As
-// with a file that is opened for writing:
+// The bytes go to a file without a name in the same folder, which gets one when it is complete, or
+// takes the place of the old file by a rename: readers see the old file or the new one, and a
+// failure at any point leaves the old one and nothing else, a process that is killed (Ctrl-C)
+// included. Where the file system knows no files without names, it is a temporary name, which a
+// killed process leaves. As with a file that is opened for writing:
 // - a symbolic link is followed, and what it names is replaced or made;
 // - a file that exists keeps its permissions and must be writable; a new one gets what the umask
 //   allows.
@@ -19,28 +21,28 @@ namespace fbrdf {
 /// One such file.
 class OutputFile {
 public:
-    /// Creates the temporary file. Its name is new: a name that is taken, by another writer of the
-    /// same path or by what a killed process left, is passed over.
+    /// Creates the file that is written. Its name, where it has one, is new: a name that is taken,
+    /// by another writer of the same path or by what a killed process left, is passed over.
     explicit OutputFile(const std::string& path);
-    /// Removes the temporary file unless it was committed.
+    /// Removes what was written unless it was committed.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Appends to the temporary file, through a buffer.
+    /// Appends, through a buffer.
     void write(std::string_view bytes);
     /// Ends the writing. A full disk may show here for the first time.
     void close();
-    /// Closes the file unless it is closed, and renames it to the path.
+    /// Closes the file unless it is closed, and puts it at the path.
     void commit();
 
-    /// Path of the temporary file, for libraries that write to a path of their own accord. They
-    /// must neither replace nor remove it. Not for use together with write().
-    const std::string& temporary() const { return temporary_; }
-
 private:
-    std::string path_, target_, temporary_;
-    std::FILE* file_ = nullptr;
+    void place();
+
+    std::string path_, target_;
+    std::string temporary_;      ///< name of the file; empty where it has none
+    int unnamed_ = -1;           ///< descriptor of the file; -1 where it has a name
+    std::FILE* file_ = nullptr;  ///< what is written to; null when it is closed
 };
 
 /// Several such files, which appear together: none is put in place before all are written.
