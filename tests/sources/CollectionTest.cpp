@@ -64,6 +64,20 @@ TEST(Nbrdf, FindsMaterialsByName)
     EXPECT_NE(twice.message.find("several sets (merl, rgl)"), std::string::npos) << twice.message;
 }
 
+TEST(Nbrdf, NamesAreReadAsAnyText)
+{
+    const TempFolder folder;
+    const std::string path = folder.write("nets.f32", constantNet(1) + constantNet(2));
+    for (const char* names :
+         {"\xEF\xBB\xBFgold\rfoil\r", "gold\r\n\r\nfoil", "merl\tgold\nfoil\n"}) {
+        folder.write("materials.txt", names);
+        EXPECT_NEAR(openSource(path + "#gold").evaluate({0, 0, 1}, {0, 0, 1}).y, 1.0, 1e-5);
+        EXPECT_NEAR(openSource(path + "#foil").evaluate({0, 0, 1}, {0, 0, 1}).y, 2.0, 1e-5);
+    }
+    folder.write("materials.txt", "");
+    EXPECT_EQ(openSource(path + "#1").name, "nets#1");
+}
+
 TEST(Nbrdf, ChoicesThatDoNotExistAreUsageErrors)
 {
     const TempFolder folder;

@@ -99,6 +99,23 @@ TEST(Utia, ReadsDoubleAndFloatPlanes)
     expectUtia(read(utiaBytes<float>(), "m001.bin"));
 }
 
+TEST(Utia, EncodingAndWhatIsBeyondTheTableAreChoices)
+{
+    const TempFolder folder;
+    const std::string path = folder.write("m001.bin", utiaBytes<double>());
+    const Vec3d wo = at(0, 0), wi = at(85, 0);
+    const double last = utiaValue(240, 0, 0), before = utiaValue(192, 0, 0);
+    EXPECT_NEAR(openSource(path + "@extrapolated").evaluate(wo, wi).x,
+                last + (last - before) * 10.0 / 15.0, 10 * kFloat);
+    const double decoded = std::pow((last + 0.055) / 1.055, 2.4);
+    EXPECT_NEAR(openSource(path + "@srgb").evaluate(wo, wi).x, decoded, 1e-6 * decoded);
+    EXPECT_EQ(openSource(path + "@srgb/extrapolated").assumptions,
+              (std::vector<std::string>{"beyond 75 degrees f goes on linearly",
+                                        "R, G, B are encoded as sRGB"}));
+    EXPECT_EQ(openSource(path).assumptions.size(), 2u);
+    EXPECT_EQ(outcomeOf(path + "@linear").kind, static_cast<int>(ErrorKind::usage));
+}
+
 TEST(Utia, SamplesAreTheCellsAndTheNormalWeighsOnce)
 {
     const Source source = read(utiaBytes<float>(), "m001.bin");

@@ -6,7 +6,7 @@
 #include <fbrdf/base/Found.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 
 namespace fbrdf {
 namespace {
@@ -18,10 +18,16 @@ struct Entry {
 /// One entry a row; none when there is no materials.txt.
 std::vector<Entry> entriesBeside(const InputFile& file)
 {
-    std::ifstream list(file.folder() + "/materials.txt");
+    const std::string path = file.folder() + "/materials.txt";
     std::vector<Entry> entries;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored) ||
+        std::filesystem::file_size(path, ignored) == 0)
+        return entries;
+    const InputFile list(path);
+    LineReader lines(list.bytes());
     std::vector<std::string_view> words;
-    for (std::string line; std::getline(list, line);) {
+    for (std::string_view line; lines.next(line);) {
         splitWords(line, words);
         if (words.empty()) continue;
         const std::string set(words.size() > 1 ? words.front() : std::string_view());

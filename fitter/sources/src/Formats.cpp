@@ -63,7 +63,7 @@ const std::vector<Format>& formats()
         {"merl", " binary ", "binary of 90 x 90 x 180 x 3 float64", false, isMerl, readMerl,
          isBinary},
         {"npf", "", "binary of 256 x 512 x 3 float32", true, isNpf, readNpf, nullptr, npfRows},
-        {"utia", " bin ", "binary of 288 x 288 x 3 float64", false, isUtia, readUtia, isBinary},
+        {"utia", " bin ", "binary of 288 x 288 x 3 float64", true, isUtia, readUtia, isBinary},
         {"nbrdf", " f32 ", "binary of 675 float32 a material", true, isNbrdf, readNbrdf, isBinary,
          nbrdfRows},
         {"klems", " xml ", "XML with a WindowElement", true, isKlems, readKlems, startsWithTag},

@@ -101,7 +101,7 @@ Source sourceOfImage(const InputFile& file, TableImage image, const std::string&
     if (image.layout.empty()) assumptions.push_back("the layout " + layout + ", by its size");
     if (layout == "utia") {
         Source source = sourceOfUtia(file, std::move(image));
-        source.assumptions = assumptions;
+        source.assumptions.insert(source.assumptions.end(), assumptions.begin(), assumptions.end());
         return source;
     }
     if (layout != "slice" && layout != "latlong")

@@ -19,11 +19,11 @@ struct Neighbours {
     std::array<double, 4> weight{};
 };
 
-Neighbours neighboursOf(const Vec3d& w)
+Neighbours neighboursOf(const Vec3d& w, UtiaBeyond beyond)
 {
     const double theta = std::acos(std::clamp(w.z, -1.0, 1.0)) * (180.0 / kPi) / kThetaStep;
     const double phi = std::atan2(w.y, w.x) * (180.0 / kPi) / kPhiStep;
-    const double t = std::min(theta, double(kThetas - 1));
+    const double t = beyond == UtiaBeyond::kept ? std::min(theta, double(kThetas - 1)) : theta;
     const size_t low = std::min(static_cast<size_t>(t), kThetas - 2);
     const double turn = phi - std::floor(phi / double(kPhis)) * double(kPhis);
     const size_t first = static_cast<size_t>(turn) % kPhis, second = (first + 1) % kPhis;
@@ -33,10 +33,11 @@ Neighbours neighboursOf(const Vec3d& w)
             {(1 - a) * (1 - b), (1 - a) * b, a * (1 - b), a * b}};
 }
 
-Vec3d evaluateUtia(const std::vector<Vec3f>& cells, const Vec3d& wo, const Vec3d& wi)
+Vec3d evaluateUtia(const std::vector<Vec3f>& cells, UtiaBeyond beyond, const Vec3d& wo,
+                   const Vec3d& wi)
 {
     if (wo.z <= 0.0 || wi.z <= 0.0) return Vec3d(0.0);
-    const Neighbours light = neighboursOf(wi), view = neighboursOf(wo);
+    const Neighbours light = neighboursOf(wi, beyond), view = neighboursOf(wo, beyond);
     Vec3d f(0.0);
     for (size_t i = 0; i < 4; ++i)
         for (size_t j = 0; j < 4; ++j)
@@ -62,13 +63,16 @@ SampleRow rowOf(const std::vector<Vec3f>& cells, size_t cell)
 
 }  // namespace
 
-Source makeUtiaSource(std::vector<Vec3f> cells)
+Source makeUtiaSource(std::vector<Vec3f> cells, UtiaBeyond beyond)
 {
     const auto table = std::make_shared<const std::vector<Vec3f>>(std::move(cells));
     Source source;
     source.description = "UTIA table, anisotropic, linear RGB, 1/sr";
-    source.evaluate = [table](const Vec3d& wo, const Vec3d& wi) {
-        return evaluateUtia(*table, wo, wi);
+    source.assumptions.emplace_back(beyond == UtiaBeyond::kept
+                                        ? "beyond 75 degrees f is that at 75"
+                                        : "beyond 75 degrees f goes on linearly");
+    source.evaluate = [table, beyond](const Vec3d& wo, const Vec3d& wi) {
+        return evaluateUtia(*table, beyond, wo, wi);
     };
     source.stream.rows = kUtiaCells;
     source.stream.geometry = "utia";

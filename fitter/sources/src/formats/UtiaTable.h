@@ -10,10 +10,15 @@ namespace fbrdf {
 constexpr size_t kUtiaSide = size_t(6) * 48;
 constexpr size_t kUtiaCells = kUtiaSide * kUtiaSide;
 
+/// What `evaluate` does beyond 75 degrees, where the table has no cells.
+enum class UtiaBeyond {
+    kept,         ///< takes the value at 75 degrees
+    extrapolated  ///< goes on linearly, as the readers of the database do, often to below 0
+};
+
 /// `cells` - kUtiaCells values of f, row (light) by row, 1/sr. The source evaluates linearly in all
-/// four angles; beyond 75 degrees the value at 75 is kept, where the database's own reader
-/// extrapolates, often to below 0; values below 0 and not finite count as 0. The samples are the
-/// cells. A direction along the normal is one pair for 48 azimuths, and weighs as one.
-Source makeUtiaSource(std::vector<Vec3f> cells);
+/// four angles; values below 0 and not finite count as 0. The samples are the cells. A direction
+/// along the normal is one pair for 48 azimuths, and weighs as one.
+Source makeUtiaSource(std::vector<Vec3f> cells, UtiaBeyond beyond = UtiaBeyond::kept);
 
 }  // namespace fbrdf
