@@ -9,8 +9,10 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
@@ -51,15 +53,16 @@ struct Terminal {
     Terminal(const Terminal&) = delete;
     Terminal& operator=(const Terminal&) = delete;
 
-    // Until the last process that has the other end is gone.
-    std::string readAll()
+    // Until the last process that has the other end is gone. Calls `shown` with all of the text
+    // whenever there is more.
+    std::string readAll(const std::function<void(const std::string&)>& shown)
     {
         std::string text;
         if (master < 0) return text;
         close(slave);
         char buffer[4096];
         for (ssize_t count = 0; (count = read(master, buffer, sizeof buffer)) > 0;)
-            text.append(buffer, static_cast<size_t>(count));
+            shown(text.append(buffer, static_cast<size_t>(count)));
         return text;
     }
 };
@@ -100,7 +103,12 @@ ToolRun runTool(const std::vector<std::string>& arguments, const ToolOptions& op
         becomeTool(command, options.environment);
     }
     ToolRun run;
-    run.err = terminal.readAll();
+    int signal = options.signal;
+    run.err = terminal.readAll([&](const std::string& text) {
+        if (signal == 0 || text.find(options.signalAt) == std::string::npos) return;
+        kill(child, signal);
+        signal = 0;
+    });
     int status = 0;
     rusage usage{};
     wait4(child, &status, 0, &usage);

@@ -19,6 +19,9 @@ struct ToolOptions {
     std::vector<std::string> environment;  ///< "NAME=value", added
     std::vector<std::string> launcher;     ///< program and arguments before the tool: mpirun
     bool terminal = false;  ///< stderr is a terminal (a pseudo terminal of 80 columns)
+    /// Sent once when the terminal shows `signalAt`, as Ctrl-C is; 0 for none.
+    int signal = 0;
+    std::string signalAt;
 };
 
 /// Whether this machine gives pseudo terminals; a bare chroot without /dev/pts does not.
