@@ -91,9 +91,15 @@ void OsgView::setView(const gl::View& view)
 
 void OsgView::draw()
 {
+    const auto* gl = osg::GLExtensions::Get(window_->getState()->getContextID(), true);
     if (!viewer_->isRealized()) viewer_->realize();
-    osg::GLExtensions::Get(window_->getState()->getContextID(), true)
-        ->glBindFramebuffer(GL_FRAMEBUFFER, offscreen_.framebuffer());
+    if (!drawn_) {
+        // An osg::State takes its context to be new. Where another viewer drew before, the active
+        // unit may be any, and the first texture would be bound to that one.
+        gl->glActiveTexture(GL_TEXTURE0);
+        drawn_ = true;
+    }
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, offscreen_.framebuffer());
     viewer_->frame();
 }
 

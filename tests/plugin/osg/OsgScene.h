@@ -47,6 +47,7 @@ private:
     Offscreen offscreen_;
     osg::ref_ptr<osgViewer::Viewer> viewer_;
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window_;
+    bool drawn_ = false;
 };
 
 /// Collects what is written to osg::notify, at WARN and above, as long as it lives.
