@@ -177,8 +177,9 @@ void Osgviewer::does(const std::string& commands)
 int Osgviewer::quit()
 {
     does("key Escape");
+    // Only a viewer that hangs is ended: on a busy machine one takes many seconds to quit.
     std::fputs(
-        "{ sleep 10; kill $viewer && echo killed >killed; } & limit=$!\n"
+        "{ sleep 120; kill $viewer && echo killed >killed; } & limit=$!\n"
         "wait $viewer\necho $? >status\nkill $limit\n",
         shell_);
     pclose(shell_);
