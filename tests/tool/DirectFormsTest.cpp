@@ -9,9 +9,9 @@ namespace {
 
 const char* const kModel = "ward:rho_d=0.2,rho_s=0.1,alpha_x=0.3,alpha_y=0.3";
 
-class MadeForms : public testing::TestWithParam<const char*> {
+class DirectForms : public testing::TestWithParam<const char*> {
 protected:
-    MadeForms() : material_(folder_.file("m.fbrdf"))
+    DirectForms() : material_(folder_.file("m.fbrdf"))
     {
         const auto fit = jsonFrom(runTool({"fit", kModel, "-o", material_, "--form", GetParam(),
                                            "--json", "--report", folder_.file("r.html")}));
@@ -24,7 +24,7 @@ protected:
     nlohmann::json form_;
 };
 
-TEST_P(MadeForms, AreMaterialsLikeAnyOther)
+TEST_P(DirectForms, AreMaterialsLikeAnyOther)
 {
     const auto info = jsonFrom(runTool({"info", material_, "--json"}));
     EXPECT_EQ(info["form"], GetParam());
@@ -36,7 +36,7 @@ TEST_P(MadeForms, AreMaterialsLikeAnyOther)
     EXPECT_NE(readText(folder_.file("r.html")).find("</html>"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Forms, MadeForms, testing::Values("svd4", "analytic"));
+INSTANTIATE_TEST_SUITE_P(Forms, DirectForms, testing::Values("svd4", "analytic"));
 
 }  // namespace
 }  // namespace fbrdf::test
