@@ -44,6 +44,8 @@ void addCommands(CLI::App& app, fbrdf::tool::Action& action)
     addModelsCommand(app, action);
     addFormsCommand(app, action);
     addGlslCommand(app, action);
+    addPlanSamplesCommand(app, action);
+    addLearnPriorCommand(app, action);
 }
 
 // The parser throws for --help and --version, too; they are no failures.

@@ -2,6 +2,7 @@
 #include "FitContext.h"
 #include "forms/DirectForms.h"
 #include "forms/NamedForms.h"
+#include "prior/PriorUse.h"
 #include "search/Search.h"
 
 #include <fbrdf/base/Error.h>
@@ -63,8 +64,9 @@ Fitted fitDirect(const Source& source, const FitContext& context)
 Fitted fitAny(const Source& source, const FitContext& context, FitSummary& summary)
 {
     if (isDirect(context.options)) return fitDirect(source, context);
-    return isSearched(context.options) ? searchForm(source, context, summary.trials, summary.reason)
-                                       : fitNamed(context);
+    return isSearched(context.options) || priorFor(context)
+               ? searchForm(source, context, summary.trials, summary.reason)
+               : fitNamed(context);
 }
 
 void measure(const Source& source, const FitContext& context, const Fitted& fitted,
@@ -149,6 +151,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     summary.processorSeconds = processors.seconds();
     summary.noiseFloor = context.statistics.floor;
     summary.smoothness = fitted.smoothness;
+    summary.prior = fitted.prior;
     summary.solver = fitted.solver;
     measure(source, context, fitted, summary);
     result.material = std::move(fitted.material);

@@ -13,6 +13,7 @@
 #include <fbrdf/metrics/SampleSets.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fbrdf {
 namespace {
@@ -47,7 +48,7 @@ Dataset readDataset(const Source& source, const FitOptions& options)
 
 FitContext makeFitContext(Dataset dataset, const FitOptions& options, const std::string& source)
 {
-    FitContext context{options, std::move(dataset), {}, false, 1, false};
+    FitContext context{options, std::move(dataset), {}, false, 1, false, nullptr};
     context.statistics =
         statisticsOf(context.dataset, {options.seed, options.threads, options.ranks}, source);
     context.robust = options.robust && !context.dataset.exact;
@@ -101,10 +102,56 @@ std::vector<Sample> probeOf(const FitContext& context, const FoldChoice& choice)
                        context.options.threads);
 }
 
+namespace {
+
+LeastSquares problemOf(const FitContext& context, const Form& form)
+{
+    return LeastSquares(form, context.dataset, context.statistics, context.options.seed,
+                        context.options.threads, problemOptions(context));
+}
+
+PriorSummary summaryOf(const PriorFit& fit)
+{
+    const auto relative = [](double octaves) { return std::expm1(octaves * std::log(2.0)); };
+    return {relative(fit.weights.tau), relative(fit.weights.noise), fit.distance};
+}
+
+Fitted fitFormWithPrior(const FitContext& context, const LeastSquares& problem)
+{
+    const PriorFit fit = fitWithPrior(problem, *context.prior, kNoFold, {});
+    Fitted fitted;
+    fitted.material = quantize(problem.form(), problem.layout(), fit.x, context.options.storage);
+    fitted.prior = summaryOf(fit);
+    fitted.solver.termination = Termination::solved;
+    fitted.solver.iterations = 1;
+    fitted.solver.cost = costOf(problem, context, {fit.x, 0.0, {}});
+    markUnsupported(fitted.material, problem.layout(), texelWeights(problem));
+    return fitted;
+}
+
+// A fit without the samples of a fold.
+State stateWithout(const FitContext& context, const LeastSquares& problem, int fold,
+                   double smoothness, HeldOut& held, const Solution* start)
+{
+    if (context.prior) {
+        PriorFit fit = fitWithPrior(problem, *context.prior, fold, held.weights);
+        held.weights = fit.weights;
+        return std::move(fit.x);
+    }
+    SolveOptions options = solveOptions(context);
+    options.smoothness = smoothness;
+    options.excludedFold = fold;
+    options.start = start;
+    held.solution = solve(problem, options);
+    return held.solution.x;
+}
+
+}  // namespace
+
 Fitted fitForm(const FitContext& context, const Form& form, const Solution* start)
 {
-    const LeastSquares problem(form, context.dataset, context.statistics, context.options.seed,
-                               context.options.threads, problemOptions(context));
+    const LeastSquares problem = problemOf(context, form);
+    if (context.prior) return fitFormWithPrior(context, problem);
     SolveOptions options = solveOptions(context);
     options.start = start;
     Solution solution = solve(problem, options);
@@ -113,6 +160,7 @@ Fitted fitForm(const FitContext& context, const Form& form, const Solution* star
     Fitted fitted{quantize(form, problem.layout(), solution.x, context.options.storage),
                   solution.smoothness,
                   solution.summary,
+                  {},
                   {},
                   {}};
     fitted.solver.cost = costOf(problem, context, solution);
@@ -144,19 +192,12 @@ void holdOut(const FitContext& context, const Form& form, double smoothness, int
 {
     FBRDF_ASSERT(folds, <=, kFolds);
     if (held.folds >= folds) return;
-    const LeastSquares problem(form, context.dataset, context.statistics, context.options.seed,
-                               context.options.threads, problemOptions(context));
+    const LeastSquares problem = problemOf(context, form);
     const std::vector<double> weights = texelWeights(problem);
     for (; held.folds < folds; ++held.folds) {
-        SolveOptions options = solveOptions(context);
-        options.smoothness = smoothness;
-        options.excludedFold = held.folds;
-        options.start = start;
-        held.solution = solve(problem, options);
-        State extended = held.solution.x;
-        extendHue(problem, weights, extended);
-        const Material material =
-            quantize(form, problem.layout(), extended, context.options.storage);
+        State x = stateWithout(context, problem, held.folds, smoothness, held, start);
+        if (!context.prior) extendHue(problem, weights, x);
+        const Material material = quantize(form, problem.layout(), x, context.options.storage);
         const auto part = probeOf(context, FoldChoice::onlyOf(held.folds));
         const auto values = evaluateAt(material, context.turnsHeldOut ? turned(part) : part,
                                        context.options.threads);

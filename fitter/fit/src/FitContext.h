@@ -2,6 +2,7 @@
 #pragma once
 #include "data/Dataset.h"
 #include "data/DataStatistics.h"
+#include "prior/PriorFit.h"
 #include "solve/Solve.h"
 
 #include <fbrdf/fit/Clock.h>
@@ -17,6 +18,8 @@ struct FitContext {
     int folds = 1;  ///< that are held out in turn
     /// Samples that are held out are compared as data/Symmetry.h turns them.
     bool turnsHeldOut = false;
+    /// Where it is not null, forms are fitted with it; they must then be its own.
+    std::shared_ptr<const PriorCovariance> prior;
 };
 
 /// The samples of a fit; `source` must outlive the dataset. Throws Error(fit) when there are none.
@@ -43,6 +46,7 @@ struct Fitted {
     SolverSummary solver;
     std::optional<SampleErrors> heldOut;  ///< where they are known already
     Solution solution;                    ///< of the form; empty where no system was solved
+    std::optional<PriorSummary> prior;    ///< of a fit that leans on one
 };
 /// `start`: the solution for a part of the data, where that is known.
 Fitted fitForm(const FitContext& context, const Form& form, const Solution* start = nullptr);
@@ -58,7 +62,8 @@ std::vector<Sample> probeOf(const FitContext& context,
 /// Samples that took no part in the fits of a form, each of the first folds left out of one.
 struct HeldOut {
     int folds = 0;
-    Solution solution;  ///< of the last fit
+    Solution solution;                    ///< of the last fit
+    std::optional<PriorWeights> weights;  ///< of the first fit with a prior, and of the others
     std::vector<Sample> samples;
     std::vector<Vec3f> fitted;
     std::vector<size_t> foldEnd;  ///< one past the last sample of each fold

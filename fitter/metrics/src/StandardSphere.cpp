@@ -37,16 +37,25 @@ Frame frameAt(double x, double y)
     return frame;
 }
 
+// Calls visit(wo, wi, irradiance of the surface) for every light.
+template <class Visit>
+void forEachLight(const Frame& frame, const Visit& visit)
+{
+    const Vec3d wo = frame.local({0.0, 0.0, 1.0});
+    if (wo.z <= kMinCosine) return;
+    for (const DirectionalLight& light : kLights) {
+        const Vec3d wi = frame.local(glm::normalize(light.direction));
+        if (wi.z > kMinCosine) visit(wo, wi, wi.z * light.irradiance);
+    }
+}
+
 template <class Brdf>
 Vec3d radianceAt(const Frame& frame, const Brdf& brdf)
 {
     Vec3d sum(0.0);
-    const Vec3d wo = frame.local({0.0, 0.0, 1.0});
-    if (wo.z <= kMinCosine) return sum;
-    for (const DirectionalLight& light : kLights) {
-        const Vec3d wi = frame.local(glm::normalize(light.direction));
-        if (wi.z > kMinCosine) sum += brdf(wo, wi) * wi.z * light.irradiance;
-    }
+    forEachLight(frame, [&](const Vec3d& wo, const Vec3d& wi, const Vec3d& irradiance) {
+        sum += brdf(wo, wi) * irradiance;
+    });
     return sum;
 }
 
@@ -60,6 +69,11 @@ bool isCovered(int column, int row, int size)
 {
     const double x = centre(column, size), y = -centre(row, size);
     return x * x + y * y < 1.0;
+}
+
+Frame frameOf(int pixel, int size)
+{
+    return frameAt(centre(pixel % size, size), -centre(pixel / size, size));
 }
 
 double exposureFor(int size)
@@ -95,12 +109,26 @@ SphereImage renderStandardSphere(const BrdfFunction& brdf, int size, int threads
         for (size_t i = row * static_cast<size_t>(size); i < (row + 1) * static_cast<size_t>(size);
              ++i) {
             if (!image.covered[i]) continue;
-            const Frame frame = frameAt(centre(static_cast<int>(i) % size, size),
-                                        -centre(static_cast<int>(row), size));
+            const Frame frame = frameOf(static_cast<int>(i), size);
             image.radiance[i] = Vec3f(glm::clamp(exposure * radianceAt(frame, brdf), 0.0, 1.0));
         }
     });
     return image;
+}
+
+std::vector<SphereTerm> standardSphereTerms(int size)
+{
+    FBRDF_ASSERT(size, >, 0);
+    const double exposure = exposureFor(size);
+    std::vector<SphereTerm> terms;
+    for (int pixel = 0; pixel < size * size; ++pixel) {
+        if (!isCovered(pixel % size, pixel / size, size)) continue;
+        forEachLight(frameOf(pixel, size),
+                     [&](const Vec3d& wo, const Vec3d& wi, const Vec3d& irradiance) {
+                         terms.push_back({pixel, {wo, wi}, exposure * irradiance});
+                     });
+    }
+    return terms;
 }
 
 }  // namespace fbrdf

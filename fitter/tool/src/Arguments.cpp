@@ -1,5 +1,7 @@
 #include "Arguments.h"
 
+#include "PriorFile.h"
+
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/io/FormFile.h>
@@ -20,16 +22,6 @@ constexpr uint64_t kMaxLookups = 64;
 constexpr uint64_t kMaxTerms = 64;  // as many as a form may have
 constexpr uint64_t kAny = std::numeric_limits<uint64_t>::max();
 
-template <class T>
-CLI::Option* addInteger(CLI::App& command, const std::string& name, T& target, uint64_t lower,
-                        uint64_t upper, const std::string& help)
-{
-    const auto parse = [name, &target, lower, upper](const std::string& text) {
-        target = static_cast<T>(integerFromText(name, text, lower, upper));
-    };
-    return command.add_option_function<std::string>(name, parse, help);
-}
-
 // A file is read here, so that an error in it is reported before any work.
 void setForm(FitOptions& options, const std::string& text)
 {
@@ -37,6 +29,13 @@ void setForm(FitOptions& options, const std::string& text)
     if (std::filesystem::path(text).extension() != ".json") return;
     options.formData = readForm(text);
     options.form = options.formData->name;
+}
+
+void setPrior(FitOptions& options, const std::string& text)
+{
+    options.usePrior = text != "none";
+    if (text != "none" && text != "auto")
+        options.prior = std::make_shared<TablePrior>(readPrior(text));
 }
 
 }  // namespace
@@ -107,6 +106,12 @@ void addFitOptions(CLI::App& command, FitOptions& options)
         ->type_name("S")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    command
+        .add_option_function<std::string>(
+            "--prior", [&options](const std::string& text) { setPrior(options, text); },
+            "what fits of hdio to few samples lean on: auto (known materials, where that does "
+            "better), none, or a file of learn-prior")
+        ->type_name("P");
     command.add_flag("--conserve", options.conserve,
                      "scale the material down so that no directional albedo exceeds 1");
     addFitTuning(command, options);

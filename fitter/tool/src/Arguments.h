@@ -14,6 +14,17 @@ namespace fbrdf::tool {
 uint64_t integerFromText(const std::string& where, const std::string& text, uint64_t lower,
                          uint64_t upper);
 
+/// Adds an option for a whole number within [lower, upper].
+template <class T>
+CLI::Option* addInteger(CLI::App& command, const std::string& name, T& target, uint64_t lower,
+                        uint64_t upper, const std::string& help)
+{
+    const auto parse = [name, &target, lower, upper](const std::string& text) {
+        target = static_cast<T>(integerFromText(name, text, lower, upper));
+    };
+    return command.add_option_function<std::string>(name, parse, help);
+}
+
 /// The strength of --smoothness: a number above 0, or nothing for "auto". Throws Error(usage).
 std::optional<double> smoothnessFromText(const std::string& text);
 

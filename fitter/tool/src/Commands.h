@@ -20,5 +20,7 @@ void addBenchFitCommand(CLI::App& app, Action& action);
 void addModelsCommand(CLI::App& app, Action& action);
 void addFormsCommand(CLI::App& app, Action& action);
 void addGlslCommand(CLI::App& app, Action& action);
+void addPlanSamplesCommand(CLI::App& app, Action& action);
+void addLearnPriorCommand(CLI::App& app, Action& action);
 
 }  // namespace fbrdf::tool

@@ -122,6 +122,16 @@ Json solverJson(const SolverSummary& solver)
             {"cost", jsonOf(solver.cost)}};
 }
 
+Json priorJson(const FitSummary& summary)
+{
+    if (!summary.prior) return {};
+    const PriorSummary& prior = *summary.prior;
+    return {{"tables", jsonOf(prior.tables)},
+            {"samples", jsonOf(prior.samples)},
+            {"distance", jsonOf(prior.distance)},
+            {"unlike", prior.isUnlike()}};
+}
+
 Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
 {
     const Material& material = *outcome.material;
@@ -140,6 +150,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"assumptions", outcome.source.assumptions},
             {"errors", errorsJson(outcome)},
             {"smoothness", jsonOf(outcome.summary.smoothness)},
+            {"prior", priorJson(outcome.summary)},
             {"solver", solverJson(outcome.summary.solver)},
             {"noise_floor", jsonOf(outcome.summary.noiseFloor)},
             {"conserve_scale", jsonOf(outcome.summary.conserved)},
@@ -247,6 +258,7 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                 {"coverage", coverageText(outcome.summary)},
                 {"support", supportText(material)},
                 {"smoothness", smoothnessText(outcome.summary)},
+                {"prior", priorText(outcome.summary)},
                 {"solver", outcome.summary.solver.text()},
                 {"energy", energyText(command, outcome.summary)},
                 {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",

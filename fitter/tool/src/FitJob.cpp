@@ -50,6 +50,7 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
     notes[kBelowFloorNote] = fmt::format("{}", summary.belowFloor);
     notes[kFloorNote] = fmt::format("{} {} {}", floor.x, floor.y, floor.z);
     notes[kSmoothnessNote] = fmt::format("{}", summary.smoothness);
+    if (summary.prior) notes["prior"] = priorText(summary);
     if (!summary.reason.empty()) notes["form chosen"] = summary.reason;
     if (!summary.misfits.empty()) notes[kMisfitNote] = describe(summary.misfits.front());
     if (!outcome.source.assumptions.empty())
@@ -101,6 +102,17 @@ uint64_t invalidSamples(const SampleReport& report)
     return report.nonFinite + report.belowHorizon + report.invalid;
 }
 
+std::string priorText(const FitSummary& summary)
+{
+    if (!summary.prior) return "none";
+    const PriorSummary& prior = *summary.prior;
+    return fmt::format(
+        "known materials fill in what samples leave open; tables differ from them "
+        "by {:.1f} %, samples by {:.1f} %; {} (distance {:.2g})",
+        100.0 * prior.tables, 100.0 * prior.samples,
+        prior.isUnlike() ? "unlike all that the prior knows" : "like them", prior.distance);
+}
+
 // Colours in a model contain '/', so a path is only what exists. FILE@choice and FILE#choice count
 // as paths too.
 std::string sourceNote(const std::string& source)
@@ -117,12 +129,13 @@ std::string optionsNote(const FitJob& job)
     const FitOptions& fit = job.fit;
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
-        "smoothness={} seed={} cosine={}{}{}{}",
+        "smoothness={} seed={} cosine={}{}{}{}{}",
         fit.formData ? formKey(*fit.formData) : fit.form, fit.resolution, fit.maxBytes, fit.lookups,
         fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
         job.sourceOptions.cosine, fit.sharedShape ? " shared" : "", fit.conserve ? " conserve" : "",
-        isSearched(fit) ? fmt::format(" seconds={}", fit.seconds) : "");
+        isSearched(fit) ? fmt::format(" seconds={}", fit.seconds) : "",
+        fit.usePrior ? (fit.prior ? " prior=file" : "") : " prior=none");
 }
 
 std::string generatorNote()

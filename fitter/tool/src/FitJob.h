@@ -43,6 +43,9 @@ size_t unsupportedTexels(const Material& material);
 /// Counts the samples that the reader dropped.
 uint64_t invalidSamples(const SampleReport& report);
 
+/// What the fit made of its prior, for people.
+std::string priorText(const FitSummary& summary);
+
 /// The material's notes "source" and "options" for a job. They name no folder, and nothing that
 /// leaves the result as it is, so that equal notes mean the same fit of the same file name.
 std::string sourceNote(const std::string& source);

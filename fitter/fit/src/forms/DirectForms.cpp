@@ -174,8 +174,9 @@ void checkDirectOptions(const FitOptions& options)
 Fitted fitDirectForm(const Source& source, const FitContext& context)
 {
     if (context.options.form == kAnalytic)
-        return {analyticOf(source, context.options), 0.0, {}, {}, {}};
-    Fitted fitted{svdOf(source, context, svdFormFor(source, context), kNoFold), 0.0, {}, {}, {}};
+        return {analyticOf(source, context.options), 0.0, {}, {}, {}, {}};
+    Fitted fitted{
+        svdOf(source, context, svdFormFor(source, context), kNoFold), 0.0, {}, {}, {}, {}};
     // Which texels the samples look up does not depend on how the texels were found.
     const LeastSquares problem(fitted.material.form, context.dataset, context.statistics,
                                context.options.seed, context.options.threads,

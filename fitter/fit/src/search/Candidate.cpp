@@ -54,10 +54,26 @@ std::string comparison(const Candidate& best, const Candidate& other)
                        percent(lead.mean), percent(lead.error));
 }
 
+// A prior knows what materials look like, which folds of few samples do not: what is better by
+// chance gives way to it.
+const Candidate* leaningOnPrior(const std::vector<Candidate>& candidates, const Candidate& best)
+{
+    constexpr double kSure = 2.0;  // standard errors
+    for (const Candidate& c : candidates) {
+        if (!c.hasPrior) continue;
+        const Lead lead = leadOf(best, c);
+        if (lead.mean <= kSure * lead.error) return &c;
+    }
+    return nullptr;
+}
+
 std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate& chosen,
                       const Candidate& best)
 {
-    std::string text = chosen.form.name + ": ";
+    std::string text = chosen.form.name + (chosen.hasPrior ? " with a prior: " : ": ");
+    if (chosen.hasPrior && &chosen != &best)
+        return text + "what known materials look like decides; without it, " +
+               comparison(best, chosen);
     if (&chosen != &best)
         return text + "as good as " + best.form.name + " and cheaper; without it, " +
                comparison(best, chosen);
@@ -100,6 +116,9 @@ Choice choose(const std::vector<Candidate>& candidates)
 {
     FBRDF_ASSERT(candidates.size(), >, size_t{0});
     const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
+    if (const Candidate* leaning = leaningOnPrior(candidates, *best))
+        return {static_cast<size_t>(leaning - candidates.data()),
+                reasonFor(candidates, *leaning, *best)};
     const Candidate* chosen = &*best;
     for (const Candidate& c : candidates)
         if (isAsGood(c, *best) && costOf(c) < costOf(*chosen)) chosen = &c;

@@ -9,7 +9,8 @@ namespace fbrdf {
 
 struct Candidate {
     Form form;
-    size_t trial = 0;  ///< its row among the trials
+    size_t trial = 0;       ///< its row among the trials
+    bool hasPrior = false;  ///< fitted with a prior
     size_t bytes = 0;
     int lookups = 0;  ///< a light
     HeldOut held;
@@ -49,8 +50,9 @@ struct Choice {
 /// The candidate of the least mark, or the cheapest of those that are as good: whose mark is above
 /// it by no more than the standard error, while no error on all samples (log_median, cos_rms,
 /// cuberoot_rms) is above its by more than a twentieth, unless another is below its by more.
-/// Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes. Precondition: there is
-/// one.
+/// One that leans on a prior is chosen unless the best is surely better: by twice the standard
+/// error. Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes. Precondition:
+/// there is one.
 Choice choose(const std::vector<Candidate>& candidates);
 
 }  // namespace fbrdf

@@ -6,6 +6,9 @@
 namespace fbrdf {
 namespace {
 
+// Fewer samples do not show which of two forms is better: a prior knows more than they.
+constexpr size_t kLeastToCompare = 32;
+
 // The form at its size, or nothing where it is not within the options.
 std::optional<Form> sized(const TrialRuns& runs, const std::string& name)
 {
@@ -47,10 +50,15 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
 
 std::vector<Candidate> tryNamed(TrialRuns& runs, const std::vector<std::string>& names)
 {
-    std::vector<Form> forms;
+    std::vector<Candidate> candidates;
+    const auto& prior = runs.prior();
+    if (prior && runs.isWithin(prior->form)) {
+        candidates.push_back(runs.added(prior->form, "prior"));
+        if (runs.all().dataset.rows < kLeastToCompare) return runs.tryAll(std::move(candidates));
+    }
     for (const std::string& name : names)
-        if (auto form = sized(runs, name)) forms.push_back(std::move(*form));
-    return runs.tryAll(forms, "form");
+        if (const auto form = sized(runs, name)) candidates.push_back(runs.added(*form, "form"));
+    return runs.tryAll(std::move(candidates));
 }
 
 }  // namespace fbrdf

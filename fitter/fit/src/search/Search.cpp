@@ -33,6 +33,12 @@ bool goesOn(const FitContext& context)
     return context.options.form == kBestOf || isClean;
 }
 
+std::vector<std::string> namesFor(const Source& source, const FitOptions& options)
+{
+    if (!isSearched(options)) return {options.form};
+    return candidateNames(source, options.terms);
+}
+
 // The forms of rows that no time was spent on.
 std::string untried(const std::vector<Trial>& trials)
 {
@@ -58,7 +64,7 @@ Fitted searchForm(const Source& source, const FitContext& context, std::vector<T
     const bool isotropic = isIsotropicSource(source);
     const FitContext part = trialContext(context, isotropic);
     TrialRuns runs(context, part, isotropic, trials);
-    std::vector<Candidate> named = tryNamed(runs, candidateNames(source, context.options.terms));
+    std::vector<Candidate> named = tryNamed(runs, namesFor(source, context.options));
     if (named.empty()) refuseBudget(context.options, runs.budget());
     const Choice choice = choose(named);
     reason = choice.reason + untried(trials);

@@ -18,6 +18,7 @@ namespace fbrdf {
 
 /// The best fit, a row of `trials` for every form that was tried or left out for want of time, and
 /// in `reason` why this one. Throws Error(usage) when no form stays within the options.
+/// Of a form that is named: with a prior or without.
 Fitted searchForm(const Source& source, const FitContext& context, std::vector<Trial>& trials,
                   std::string& reason);
 

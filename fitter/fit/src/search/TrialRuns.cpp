@@ -1,6 +1,7 @@
 #include "search/TrialRuns.h"
 
 #include "data/Symmetry.h"
+#include "prior/PriorUse.h"
 #include "search/SeenErrors.h"
 
 #include <fbrdf/base/Assert.h>
@@ -25,8 +26,8 @@ FitOptions withOneThread(FitOptions options)
 
 FitContext onOptions(const FitContext& context, const FitOptions& options)
 {
-    return {options,        context.dataset, context.statistics,
-            context.robust, context.folds,   context.turnsHeldOut};
+    return {options,       context.dataset,      context.statistics, context.robust,
+            context.folds, context.turnsHeldOut, context.prior};
 }
 
 std::vector<Sample> range(const std::vector<Sample>& samples, size_t first, size_t last)
@@ -95,6 +96,7 @@ TrialRuns::TrialRuns(const FitContext& all, const FitContext& part, bool isIsotr
       serial_(onOptions(part, serialOptions_)),
       rows_(rows)
 {
+    if (isWhole()) prior_ = priorFor(all);
     if (isWhole())
         hues_.emplace(probeOf(all), all.statistics.floor, isIsotropic, all.options.threads);
 }
@@ -127,6 +129,7 @@ Candidate TrialRuns::added(const Form& form, const std::string& stage)
     candidate.trial = rows_.size() - 1;
     candidate.bytes = trial.bytes;
     candidate.lookups = trial.lookups;
+    candidate.hasPrior = stage == "prior";
     return candidate;
 }
 
@@ -134,10 +137,17 @@ void TrialRuns::holdOutMore(const FitContext& context, Candidate& candidate, int
 {
     const Clock clock;
     HeldOut& held = candidate.held;
-    holdOut(context, candidate.form, context.options.smoothness.value_or(held.solution.smoothness),
-            folds, held);
+    holdOut(contextFor(context, candidate), candidate.form,
+            context.options.smoothness.value_or(held.solution.smoothness), folds, held);
     candidate.marks = marksOf(held, context);
     rows_[candidate.trial].seconds += clock.seconds();
+}
+
+FitContext TrialRuns::contextFor(const FitContext& context, const Candidate& candidate) const
+{
+    FitContext result = context;
+    if (candidate.hasPrior) result.prior = prior_;
+    return result;
 }
 
 void TrialRuns::complete(const FitContext& context, Candidate& candidate)
@@ -145,7 +155,7 @@ void TrialRuns::complete(const FitContext& context, Candidate& candidate)
     holdOutMore(context, candidate, context.folds);
     if (!hues_) return;
     const Clock clock;
-    fitWhole(context, *hues_, candidate);
+    fitWhole(contextFor(context, candidate), *hues_, candidate);
     rows_[candidate.trial].seconds += clock.seconds();
 }
 
@@ -179,10 +189,8 @@ std::vector<Candidate> TrialRuns::untilOver(std::vector<Candidate> candidates, c
     return done;
 }
 
-std::vector<Candidate> TrialRuns::tryAll(const std::vector<Form>& forms, const std::string& stage)
+std::vector<Candidate> TrialRuns::tryAll(std::vector<Candidate> candidates)
 {
-    std::vector<Candidate> candidates;
-    for (const Form& form : forms) candidates.push_back(added(form, stage));
     candidates =
         untilOver(std::move(candidates), [this](const FitContext& context, Candidate& candidate) {
             holdOutMore(context, candidate, 1);

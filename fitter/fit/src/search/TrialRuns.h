@@ -26,10 +26,15 @@ public:
     /// No more trials: what is left of the time is for the last fit.
     bool isOver() const;
 
-    /// Tries the forms, until the time is up; at least one. A form that is far behind after a fold
+    /// What forms may be fitted with; null: none.
+    const std::shared_ptr<const PriorCovariance>& prior() const { return prior_; }
+
+    /// A candidate without trials, and a row for it. Stage "prior": it is fitted with prior().
+    Candidate added(const Form& form, const std::string& stage);
+    /// Tries candidates, until the time is up; at least one. A form that is far behind after a fold
     /// is not tried further, and not in the result. Where trials are fitted to all of the data,
     /// their fits are kept.
-    std::vector<Candidate> tryAll(const std::vector<Form>& forms, const std::string& stage);
+    std::vector<Candidate> tryAll(std::vector<Candidate> candidates);
     /// The variant with the reference's smoothness, if its mark is less by at least `gain`, and by
     /// more than chance would have it. `gain` may be negative.
     std::optional<Candidate> attempt(const Form& variant, const std::string& stage,
@@ -37,7 +42,8 @@ public:
     void choose(const Candidate& candidate) { rows_[candidate.trial].chosen = true; }
 
 private:
-    Candidate added(const Form& form, const std::string& stage);
+    /// The context that a candidate is fitted in.
+    FitContext contextFor(const FitContext& context, const Candidate& candidate) const;
     /// Holds out folds until `folds` have been, with the threads of `context`, which has the
     /// samples of part().
     void holdOutMore(const FitContext& context, Candidate& candidate, int folds);
@@ -56,6 +62,7 @@ private:
     FitContext serial_;         ///< part() with one thread
     std::vector<Trial>& rows_;
     std::optional<StrayHue> hues_;  ///< where trials are fitted to all of the data
+    std::shared_ptr<const PriorCovariance> prior_;
     Clock clock_;
 };
 

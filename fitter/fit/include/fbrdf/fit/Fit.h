@@ -6,6 +6,7 @@
 //   sum_n w_n (log2 f_n - log2 g(x)_n)^2 + smoothness |L x|^2
 #pragma once
 #include <fbrdf/fit/SolverSummary.h>
+#include <fbrdf/fit/TablePrior.h>
 #include <fbrdf/metrics/Metrics.h>
 #include <fbrdf/metrics/Misfit.h>
 #include <fbrdf/sources/Source.h>
@@ -71,7 +72,11 @@ struct FitOptions {
     /// Scale the stored material down, all channels alike, so that no directional albedo exceeds 1.
     /// The albedo is computed every 2 degrees from 0 to 88; for an anisotropic form in 4 azimuths.
     bool conserve = false;
-    std::shared_ptr<FitCache> cache;  ///< may be null
+    /// Fits of hdio to few scattered samples may lean on a prior (TablePrior.h); auto, and hdio
+    /// without a resolution, do where that has the least error on samples held out.
+    bool usePrior = true;
+    std::shared_ptr<const TablePrior> prior;  ///< null: the one that comes with the library
+    std::shared_ptr<FitCache> cache;          ///< may be null
     RankSum ranks;
 };
 
@@ -85,8 +90,8 @@ inline bool isSearched(const FitOptions& options)
 
 /// One form that was tried.
 struct Trial {
-    std::string form;         ///< name
-    std::string stage;        ///< what the search varied: "form", "size", "warp" or "final"
+    std::string form;   ///< name
+    std::string stage;  ///< what the search varied: "form", "prior", "size", "warp" or "final"
     std::string description;  ///< describe(form)
     size_t bytes = 0;
     int lookups = 0;  ///< per light
@@ -99,6 +104,19 @@ struct Trial {
     bool chosen = false;  ///< the one that was fitted in the end
 };
 
+/// What a fit made of its prior.
+struct PriorSummary {
+    /// Standard deviations, relative: of tables about the modes of the prior, and of one sample.
+    double tables = 0, samples = 0;
+    /// Mean square of the coordinates in the modes: 1 for what the prior was learned from. Far
+    /// more: the material is unlike all that the prior knows.
+    double distance = 0;
+
+    bool isUnlike() const { return distance > kMostDistance || tables > kMostTables; }
+    /// Above what the materials reach that priors were judged on.
+    static constexpr double kMostDistance = 4.0, kMostTables = 0.9;
+};
+
 struct FitSummary {
     double readSeconds = 0;       ///< making or reading the samples
     double seconds = 0;           ///< fitting alone: no reading, no reporting
@@ -106,10 +124,11 @@ struct FitSummary {
     size_t used = 0;              ///< samples with at least one channel above the floor
     size_t belowFloor = 0;        ///< channel values censored
     Vec3f noiseFloor{0.0f};
-    double smoothness = 0;  ///< the strength used
-    SolverSummary solver;   ///< why it stopped, after how many steps, at which cost
-    double conserved = 1;   ///< what the material was multiplied by for the sake of energy
-    int folds = 0;  ///< that the held-out errors come from; 0: fresh samples of the function
+    double smoothness = 0;              ///< the strength used
+    std::optional<PriorSummary> prior;  ///< where the fit leans on one
+    SolverSummary solver;               ///< why it stopped, after how many steps, at which cost
+    double conserved = 1;  ///< what the material was multiplied by for the sake of energy
+    int folds = 0;         ///< that the held-out errors come from; 0: fresh samples of the function
     SampleErrors heldOut, all;
     std::vector<MisfitRegion> misfits;  ///< where the form does not follow the data; empty: it does
     std::optional<Coverage> coverage;   ///< directions of a measurement; a function has all

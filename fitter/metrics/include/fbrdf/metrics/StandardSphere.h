@@ -21,6 +21,17 @@ struct SphereImage {
 /// Precondition: size > 0.
 SphereImage renderStandardSphere(const BrdfFunction& brdf, int size = 256, int threads = 0);
 
+/// What one light adds to one pixel of the standard sphere: f(pair) times `weight`.
+struct SphereTerm {
+    int pixel = 0;  ///< in SphereImage::radiance
+    DirectionPair<double> pair;
+    Vec3d weight;  ///< irradiance, cosine and exposure
+};
+
+/// The terms of every pixel, in the order of pixels; their sums, clamped to [0, 1], are the
+/// picture. Precondition: size > 0.
+std::vector<SphereTerm> standardSphereTerms(int size);
+
 /// Differences of two pictures of the standard sphere, over its covered pixels.
 struct ImageErrors {
     double psnrLinear = 0;  ///< dB, peak 1

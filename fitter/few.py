@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Prints how near fits to few samples come to the whole material, with a prior and without, on materials that the prior
+   has not seen.
+
+   few.py [options] [FBRDF]     FBRDF: the program; build/bin/fbrdf by default
+
+The networks of MERL's materials are parted into groups. For each group a prior is learned from all other groups, and the
+materials of the group are fitted from samples: at random on the axes of MERL's grid, or at the directions of the plan
+that was learned with that prior. Errors are PSNR in dB of the standard sphere (fbrdf compare), mean and least over
+materials, and the standard deviation of the mean over draws.
+"""
+import argparse
+import json
+import math
+import pathlib
+import random
+import statistics
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+COLUMNS = 'wo_x,wo_y,wo_z,wi_x,wi_y,wi_z'
+LEAST = math.sin(math.radians(2.0))  # elevation
+
+
+def pair(theta_h, theta_d, phi_d):
+    """wo and wi with phi_h = 0."""
+    x, y, z = math.sin(theta_d) * math.cos(phi_d), math.sin(theta_d) * math.sin(phi_d), math.cos(theta_d)
+    c, s = math.cos(theta_h), math.sin(theta_h)
+    return (-x * c + z * s, -y, x * s + z * c, x * c + z * s, y, -x * s + z * c)
+
+
+def random_pairs(count, rng):
+    pairs = []
+    while len(pairs) < count:
+        p = pair(rng.random() ** 2 * math.pi / 2, rng.random() * math.pi / 2, rng.random() * math.pi)
+        if p[2] > LEAST and p[5] > LEAST:
+            pairs.append(p)
+    return pairs
+
+
+def planned_pairs(count, path):
+    lines = path.read_text().splitlines()[1:count + 1]
+    return [pair(*(math.radians(float(a)) for a in line.split(','))) for line in lines]
+
+
+def run(*command, text=None):
+    done = subprocess.run([str(c) for c in command], input=text, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f'{" ".join(map(str, command))}: {done.stderr.strip()}')
+    return done.stdout
+
+
+def samples_csv(fbrdf, source, pairs, noise, rng):
+    rows = [','.join(f'{v:.9g}' for v in p) for p in pairs]
+    values = run(fbrdf, 'eval', source, '--pairs', '-', text='\n'.join([COLUMNS] + rows) + '\n').splitlines()[1:]
+    lines = [COLUMNS + ',r,g,b']
+    for row, value in zip(rows, values):
+        noisy = [max(0.0, float(v)) * math.exp(rng.gauss(0.0, noise)) for v in value.split(',')[-3:]]
+        lines.append(row + ',' + ','.join(f'{v:.9g}' for v in noisy))
+    return '\n'.join(lines) + '\n'
+
+
+def psnr(fbrdf, source, prior, csv, folder):
+    run(fbrdf, 'fit', csv, '-o', folder / 'm.fbrdf', '--prior', prior, '--quiet')
+    return json.loads(run(fbrdf, 'compare', folder / 'm.fbrdf', source, '--json'))['psnr_linear']
+
+
+def judged(task):
+    options, source, prior, plan, kind, count, draw = task
+    rng = random.Random(f'{source} {kind} {count} {draw}')
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        pairs = planned_pairs(count, plan) if kind == 'planned' else random_pairs(count, rng)
+        csv = folder / 'samples.csv'
+        csv.write_text(samples_csv(options.fbrdf, source, pairs, options.noise, rng))
+        return [psnr(options.fbrdf, source, p, csv, folder) for p in (prior, 'none')]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('fbrdf', nargs='?', default=ROOT / 'build/bin/fbrdf')
+    parser.add_argument('--data', default=ROOT.parent / 'shared/data', type=pathlib.Path)
+    parser.add_argument('--groups', default=4, type=int)
+    parser.add_argument('--samples', default='16,64,1458')
+    parser.add_argument('--draws', default=5, type=int)
+    parser.add_argument('--noise', default=0.0, type=float, help='standard deviation, relative')
+    parser.add_argument('--every', default=1, type=int, help='judge one material of so many')
+    parser.add_argument('--jobs', default=2, type=int)
+    options = parser.parse_args()
+    weights = options.data / 'nbrdf/nbrdf_weights.f32'
+    lines = (options.data / 'nbrdf/materials.txt').read_text().split('\n')
+    sources = [f'{weights}#{line.split()[1]}' for line in lines if line.startswith('merl ')]
+    counts = [int(n) for n in options.samples.split(',')]
+    with tempfile.TemporaryDirectory() as name:
+        folder, tasks = pathlib.Path(name), []
+        for group in range(options.groups):
+            prior, plan = folder / f'{group}.prior', folder / f'{group}.csv'
+            known = [s for i, s in enumerate(sources) if i % options.groups != group]
+            run(options.fbrdf, 'learn-prior', *known, '-o', prior, '--plan', plan, '--planned', max(counts), '--quiet')
+            for source in sources[group::options.groups][::options.every]:
+                for kind in ('random', 'planned'):
+                    draws = options.draws if kind == 'random' or options.noise > 0 else 1
+                    tasks += [(options, source, prior, plan, kind, n, d) for n in counts for d in range(draws)]
+        with ThreadPoolExecutor(options.jobs) as pool:
+            results = list(pool.map(judged, tasks))
+    print(f'{"samples":>7} {"directions":10} {"prior: mean":>11} {"least":>6} {"spread":>6}   {"none: mean":>10} {"least":>6}')
+    for n in counts:
+        for kind in ('random', 'planned'):
+            draws = {}
+            for task, result in zip(tasks, results):
+                if task[4] == kind and task[5] == n:
+                    draws.setdefault(task[6], []).append(result)
+            every = [r for rows in draws.values() for r in rows]
+            means = [statistics.mean(r[0] for r in rows) for rows in draws.values()]
+            spread = statistics.stdev(means) if len(means) > 1 else 0.0
+            print(f'{n:7} {kind:10} {statistics.mean(means):11.1f} {min(r[0] for r in every):6.1f} {spread:6.2f}   '
+                  f'{statistics.mean(r[1] for r in every):10.1f} {min(r[1] for r in every):6.1f}', flush=True)
+
+
+if __name__ == '__main__':
+    main()
