@@ -134,10 +134,11 @@ DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
         statistics.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
     }
     if (statistics.usable < kFewestSamples)
-        throw Error(ErrorKind::fit, source,
-                    Found(std::to_string(samples.size()) + " samples, of which " +
-                          std::to_string(statistics.usable) + " have a value above the noise floor")
-                        .expected("at least " + std::to_string(kFewestSamples) + " that have"));
+        throw Error(
+            ErrorKind::fit, source,
+            Found(std::to_string(samples.size()) + ", of which " +
+                  std::to_string(statistics.usable) + " have a value above the noise floor")
+                .expected("at least " + std::to_string(kFewestSamples) + " samples that have"));
     return statistics;
 }
 
