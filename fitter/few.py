@@ -63,9 +63,11 @@ def samples_csv(fbrdf, source, pairs, noise, rng):
     return '\n'.join(lines) + '\n'
 
 
-def psnr(fbrdf, source, prior, csv, folder):
-    run(fbrdf, 'fit', csv, '-o', folder / 'm.fbrdf', '--prior', prior, '--quiet')
-    return json.loads(run(fbrdf, 'compare', folder / 'm.fbrdf', source, '--json'))['psnr_linear']
+def fitted(fbrdf, source, prior, csv, folder):
+    """PSNR, and whether the fit called the material unlike all that the prior knows."""
+    fit = json.loads(run(fbrdf, 'fit', csv, '-o', folder / 'm.fbrdf', '--prior', prior, '--json'))
+    errors = json.loads(run(fbrdf, 'compare', folder / 'm.fbrdf', source, '--json'))['errors']
+    return errors['psnr_linear'], bool(fit['prior'] and fit['prior']['unlike'])
 
 
 def judged(task):
@@ -76,7 +78,8 @@ def judged(task):
         pairs = planned_pairs(count, plan) if kind == 'planned' else random_pairs(count, rng)
         csv = folder / 'samples.csv'
         csv.write_text(samples_csv(options.fbrdf, source, pairs, options.noise, rng))
-        return [psnr(options.fbrdf, source, p, csv, folder) for p in (prior, 'none')]
+        with_prior, unlike = fitted(options.fbrdf, source, prior, csv, folder)
+        return [with_prior, fitted(options.fbrdf, source, 'none', csv, folder)[0], unlike]
 
 
 def main():
@@ -106,7 +109,7 @@ def main():
                     tasks += [(options, source, prior, plan, kind, n, d) for n in counts for d in range(draws)]
         with ThreadPoolExecutor(options.jobs) as pool:
             results = list(pool.map(judged, tasks))
-    print(f'{"samples":>7} {"directions":10} {"prior: mean":>11} {"least":>6} {"spread":>6}   {"none: mean":>10} {"least":>6}')
+    print(f'{"samples":>7} {"directions":10} {"prior: mean":>11} {"least":>6} {"spread":>6}   {"none: mean":>10} {"least":>6}   unlike')
     for n in counts:
         for kind in ('random', 'planned'):
             draws = {}
@@ -117,7 +120,7 @@ def main():
             means = [statistics.mean(r[0] for r in rows) for rows in draws.values()]
             spread = statistics.stdev(means) if len(means) > 1 else 0.0
             print(f'{n:7} {kind:10} {statistics.mean(means):11.1f} {min(r[0] for r in every):6.1f} {spread:6.2f}   '
-                  f'{statistics.mean(r[1] for r in every):10.1f} {min(r[1] for r in every):6.1f}', flush=True)
+                  f'{statistics.mean(r[1] for r in every):10.1f} {min(r[1] for r in every):6.1f}   {sum(r[2] for r in every)} of {len(every)}', flush=True)
 
 
 if __name__ == '__main__':

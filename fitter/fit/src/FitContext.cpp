@@ -20,7 +20,6 @@ namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // drawn from a source that is only a function
 constexpr size_t kProbeSamples = 200000;     // that sample errors are computed on
-constexpr size_t kSmallSet = 5000;           // below: all five folds are held out in turn
 
 // The cost of the solution with the options of the context's last steps; of a stream on a part of
 // it.
@@ -34,6 +33,48 @@ double costOf(const LeastSquares& problem, const FitContext& context, const Solu
         return cost(of, solution.x, options, residualScale(of, solution.x, options));
     };
     return problem.isInMemory() ? at(problem) : at(problem.thinned(kStreamRows, kNoFold));
+}
+
+LeastSquares problemOf(const FitContext& context, const Form& form)
+{
+    return LeastSquares(form, context.dataset, context.statistics, context.options.seed,
+                        context.options.threads, problemOptions(context));
+}
+
+PriorSummary summaryOf(const PriorFit& fit)
+{
+    const auto relative = [](double octaves) { return std::expm1(octaves * std::log(2.0)); };
+    return {relative(fit.weights.tau), relative(fit.weights.noise), fit.distance};
+}
+
+Fitted fitFormWithPrior(const FitContext& context, const LeastSquares& problem)
+{
+    const PriorFit fit = fitWithPrior(problem, *context.prior, kNoFold, {});
+    Fitted fitted;
+    fitted.material = quantize(problem.form(), problem.layout(), fit.x, context.options.storage);
+    fitted.prior = summaryOf(fit);
+    fitted.solver.termination = Termination::solved;
+    fitted.solver.iterations = 1;
+    fitted.solver.cost = costOf(problem, context, {fit.x, 0.0, {}});
+    markUnsupported(fitted.material, problem.layout(), texelWeights(problem));
+    return fitted;
+}
+
+// A fit without the samples of a fold.
+State stateWithout(const FitContext& context, const LeastSquares& problem, int fold,
+                   double smoothness, HeldOut& held, const Solution* start)
+{
+    if (context.prior) {
+        PriorFit fit = fitWithPrior(problem, *context.prior, fold, held.weights);
+        held.weights = fit.weights;
+        return std::move(fit.x);
+    }
+    SolveOptions options = solveOptions(context);
+    options.smoothness = smoothness;
+    options.excludedFold = fold;
+    options.start = start;
+    held.solution = solve(problem, options);
+    return held.solution.x;
 }
 
 }  // namespace
@@ -101,52 +142,6 @@ std::vector<Sample> probeOf(const FitContext& context, const FoldChoice& choice)
     return someSamples(context.dataset, choice, kProbeSamples, context.options.seed,
                        context.options.threads);
 }
-
-namespace {
-
-LeastSquares problemOf(const FitContext& context, const Form& form)
-{
-    return LeastSquares(form, context.dataset, context.statistics, context.options.seed,
-                        context.options.threads, problemOptions(context));
-}
-
-PriorSummary summaryOf(const PriorFit& fit)
-{
-    const auto relative = [](double octaves) { return std::expm1(octaves * std::log(2.0)); };
-    return {relative(fit.weights.tau), relative(fit.weights.noise), fit.distance};
-}
-
-Fitted fitFormWithPrior(const FitContext& context, const LeastSquares& problem)
-{
-    const PriorFit fit = fitWithPrior(problem, *context.prior, kNoFold, {});
-    Fitted fitted;
-    fitted.material = quantize(problem.form(), problem.layout(), fit.x, context.options.storage);
-    fitted.prior = summaryOf(fit);
-    fitted.solver.termination = Termination::solved;
-    fitted.solver.iterations = 1;
-    fitted.solver.cost = costOf(problem, context, {fit.x, 0.0, {}});
-    markUnsupported(fitted.material, problem.layout(), texelWeights(problem));
-    return fitted;
-}
-
-// A fit without the samples of a fold.
-State stateWithout(const FitContext& context, const LeastSquares& problem, int fold,
-                   double smoothness, HeldOut& held, const Solution* start)
-{
-    if (context.prior) {
-        PriorFit fit = fitWithPrior(problem, *context.prior, fold, held.weights);
-        held.weights = fit.weights;
-        return std::move(fit.x);
-    }
-    SolveOptions options = solveOptions(context);
-    options.smoothness = smoothness;
-    options.excludedFold = fold;
-    options.start = start;
-    held.solution = solve(problem, options);
-    return held.solution.x;
-}
-
-}  // namespace
 
 Fitted fitForm(const FitContext& context, const Form& form, const Solution* start)
 {

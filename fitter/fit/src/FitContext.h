@@ -10,6 +10,10 @@
 
 namespace fbrdf {
 
+/// Of fewer scattered samples all folds are held out in turn, and fits may lean on a prior: more
+/// decide all that it knows.
+constexpr size_t kSmallSet = 5000;
+
 struct FitContext {
     const FitOptions& options;
     Dataset dataset;

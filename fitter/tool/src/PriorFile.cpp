@@ -3,19 +3,19 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace fbrdf::tool {
 
 TablePrior readPrior(const std::string& path)
 {
-    constexpr size_t kMostBytes = size_t{64} << 20;
+    std::error_code ignored;
     std::ifstream file(path, std::ios::binary);
-    std::string bytes(kMostBytes, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (file.bad() || !file.is_open())
+    if (!std::filesystem::is_regular_file(path, ignored) || !file)
         throw Error(ErrorKind::input, path, Found("no file to read").expected("a prior file"));
-    bytes.resize(static_cast<size_t>(file.gcount()));
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     return tablePriorFromBytes(bytes, path);
 }
 

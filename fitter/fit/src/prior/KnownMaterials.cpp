@@ -4,6 +4,7 @@
 
 #include "forms/NamedForms.h"
 #include "prior/PriorCovariance.h"
+#include "prior/PriorSample.h"
 #include "prior/TableNumbers.h"
 
 #include <fbrdf/base/Error.h>
@@ -27,7 +28,6 @@ constexpr int kHalves = 90, kDifferences = 30, kAzimuths = 24;  // of the grid t
 constexpr int kSphere = 64;                                     // pixels on a side
 constexpr int kEveryPixel = 3;                                  // of which one is looked at
 constexpr double kSmooth = 3e-3, kRidge = 1e-6;
-constexpr double kBlack = 1e-3, kLeastValue = 3e-4, kLeastWeight = 1e-4;  // as PriorFit.cpp
 
 /// Pairs of directions, each with the unknowns that it mixes, and what it counts.
 struct PairRows {
@@ -110,13 +110,12 @@ PriorMatrix fitted(const PairRows& rows, const std::vector<Vec3d>& values,
     normal.diagonal().array() += kRidge;
     PriorMatrix right = PriorMatrix::Zero(normal.rows(), 3);
     for (size_t i = 0; i < values.size(); ++i) {
-        const double mean = (values[i].x + values[i].y + values[i].z) / 3.0;
-        const double seen = mean / (mean + kBlack), weight = seen * seen + kLeastWeight;
+        const double weight = weightOfPriorSample((values[i].x + values[i].y + values[i].z) / 3.0);
         addRow(rows, i, weight, normal);
         for (size_t a = i * rows.width; a < (i + 1) * rows.width; ++a)
             for (int c = 0; c < 3; ++c)
-                right(rows.unknown[a], c) += weight * static_cast<double>(rows.weight[a]) *
-                                             std::log2(std::max(values[i][c], kLeastValue));
+                right(rows.unknown[a], c) +=
+                    weight * static_cast<double>(rows.weight[a]) * log2OfPriorSample(values[i][c]);
     }
     return Eigen::LLT<PriorMatrix>(normal).solve(right);
 }

@@ -5,6 +5,7 @@
 #include <fbrdf/fit/SamplePlan.h>
 
 #include "prior/PriorCovariance.h"
+#include "prior/PriorSample.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
@@ -24,7 +25,6 @@ using Index = Eigen::Index;
 
 constexpr size_t kPool = 5000;
 constexpr Index kSeenRank = 60;
-constexpr double kOctave = 1.442695;
 // Of natural logarithms: what a table leaves the modes by, and the variance of a sample.
 constexpr double kTau = 0.1, kNoiseVariance = 0.01;
 

@@ -1,5 +1,7 @@
 #include "prior/PriorFit.h"
 
+#include "prior/PriorSample.h"
+
 #include <fbrdf/base/Assert.h>
 
 #include <Eigen/Cholesky>
@@ -13,10 +15,6 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double kOctave = 1.442695;  // of a difference of 1 of natural logarithms
-constexpr double kBlack = 1e-3;       // f in 1/sr below which relative errors cease to matter
-constexpr double kLeastValue = 3e-4;  // whose logarithm stands for all below
-constexpr double kLeastWeight = 1e-4;
 constexpr Index kManySamples = 200;   // above: fewer weights are tried
 constexpr double kLeastPivot = 1e-9;  // of the compressed samples, relative
 
@@ -42,8 +40,7 @@ double weightOf(const RowStore::Block& block, size_t i)
         mean += isCensored ? 0.0 : static_cast<double>(valueOf(block, i, c)) / 3.0;
         sample = std::max(sample, static_cast<double>(block.values.weight[i][c]));
     }
-    const double seen = mean / (mean + kBlack);
-    return sample * (seen * seen + kLeastWeight);
+    return sample * weightOfPriorSample(mean);
 }
 
 /// Visits the samples that take part, in order.
@@ -74,10 +71,10 @@ WeighedSamples weighed(const LeastSquares& problem, const PriorCovariance& prior
         auto row = samples.rows.row(count);
         for (size_t k = i * width; k < (i + 1) * width; ++k)
             row(block.geometry.unknown[k]) += root * static_cast<double>(block.geometry.weight[k]);
-        for (int c = 0; c < 3; ++c) {
-            const double value = std::max(static_cast<double>(valueOf(block, i, c)), kLeastValue);
-            samples.residuals(count, c) = root * std::log2(value) - row.dot(prior.mean);
-        }
+        for (int c = 0; c < 3; ++c)
+            samples.residuals(count, c) =
+                root * log2OfPriorSample(static_cast<double>(valueOf(block, i, c))) -
+                row.dot(prior.mean);
         ++count;
     });
     samples.rows.conservativeResize(count, Eigen::NoChange);

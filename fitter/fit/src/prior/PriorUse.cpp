@@ -9,7 +9,7 @@ std::shared_ptr<const PriorCovariance> priorFor(const FitContext& context)
     const bool isFree = options.usePrior && !options.sharedShape && !options.smoothness &&
                         options.resolution == 0 && options.metric == Metric::log &&
                         options.ranks.count == 1;
-    const bool isFew = !context.dataset.exact && context.dataset.rows < kFewSamples;
+    const bool isFew = !context.dataset.exact && context.dataset.rows < kSmallSet;
     if (!isItsForm || !isFree || !isFew) return nullptr;
     return std::make_shared<PriorCovariance>(options.prior ? *options.prior : shippedTablePrior());
 }

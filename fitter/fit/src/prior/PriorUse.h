@@ -4,12 +4,9 @@
 
 namespace fbrdf {
 
-/// Most scattered samples that a prior is used for. More decide all that it knows.
-constexpr size_t kFewSamples = 5000;
-
 /// The prior of the options in the form that fits need it in; null where the context is not for it:
-/// a function, many samples, several processes, a shared shape, another metric than log, a
-/// smoothness or a size that is asked for, or another form than hdio, auto and best-of.
+/// a function, kSmallSet samples or more, several processes, a shared shape, another metric than
+/// log, a smoothness or a size that is asked for, or another form than hdio, auto and best-of.
 std::shared_ptr<const PriorCovariance> priorFor(const FitContext& context);
 
 }  // namespace fbrdf

@@ -96,9 +96,9 @@ TrialRuns::TrialRuns(const FitContext& all, const FitContext& part, bool isIsotr
       serial_(onOptions(part, serialOptions_)),
       rows_(rows)
 {
-    if (isWhole()) prior_ = priorFor(all);
-    if (isWhole())
-        hues_.emplace(probeOf(all), all.statistics.floor, isIsotropic, all.options.threads);
+    if (!isWhole()) return;
+    prior_ = priorFor(all);
+    hues_.emplace(probeOf(all), all.statistics.floor, isIsotropic, all.options.threads);
 }
 
 size_t TrialRuns::budget() const

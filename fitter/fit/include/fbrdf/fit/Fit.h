@@ -108,13 +108,13 @@ struct Trial {
 struct PriorSummary {
     /// Standard deviations, relative: of tables about the modes of the prior, and of one sample.
     double tables = 0, samples = 0;
-    /// Mean square of the coordinates in the modes: 1 for what the prior was learned from. Far
-    /// more: the material is unlike all that the prior knows.
+    /// Mean square of the coordinates in the modes: 1 for what the prior was learned from.
     double distance = 0;
 
-    bool isUnlike() const { return distance > kMostDistance || tables > kMostTables; }
-    /// Above what the materials reach that priors were judged on.
-    static constexpr double kMostDistance = 4.0, kMostTables = 0.9;
+    /// The material is unlike all that the prior knows: its tables leave the modes by more than
+    /// those of materials of the kind that the prior was learned from (fitter/few.py counts).
+    bool isUnlike() const { return tables > kMostTables; }
+    static constexpr double kMostTables = 0.9;
 };
 
 struct FitSummary {
