@@ -1,10 +1,10 @@
 #include <fbrdf/peers/PublishedFits.h>
 
 #include <fbrdf/base/Error.h>
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Fields.h>
 
 #include <cmath>
 #include <fstream>

@@ -7,7 +7,7 @@
 
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
-#include <fbrdf/base/TextDecoder.h>
+#include <fbrdf/sources/TextDecoder.h>
 
 #include <algorithm>
 #include <cerrno>

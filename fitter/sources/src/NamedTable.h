@@ -6,8 +6,8 @@
 #pragma once
 #include "InputFile.h"
 
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Fields.h>
 
 namespace fbrdf {
 

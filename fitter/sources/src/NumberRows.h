@@ -1,7 +1,7 @@
 // NumberRows.h - the numbers of a line, and whether angles are radians or degrees.
 #pragma once
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Fields.h>
 #include "InputFile.h"
 #include "SampleRow.h"
 

@@ -1,7 +1,7 @@
 // LineBlocks.h - a file, a pipe or stdin as runs of whole lines of UTF-8 that end in "\n", in
 // constant memory.
 #pragma once
-#include <fbrdf/base/TextDecoder.h>
+#include <fbrdf/sources/TextDecoder.h>
 
 #include <atomic>
 #include <cstdint>

@@ -2,8 +2,8 @@
 // further columns, separated and quoted by the rules of Fields.h. Blank lines and lines that start
 // with '#' are skipped.
 #pragma once
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/brdf/Conventions.h>
+#include <fbrdf/sources/Fields.h>
 
 #include <array>
 #include <string>

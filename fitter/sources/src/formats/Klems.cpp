@@ -19,9 +19,9 @@
 #include "Tristimulus.h"
 
 #include <fbrdf/base/Error.h>
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Fields.h>
 
 #include <algorithm>
 #include <cmath>

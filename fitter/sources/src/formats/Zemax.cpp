@@ -12,9 +12,9 @@
 // rotation about the normal. PlaneSymmetrical files give azimuths 0 to 180 of a pattern that
 // mirrors in the plane of incidence. XYZ blocks, in any order, become linear sRGB under D65.
 // Keywords are compared without case.
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Fields.h>
 #include "Formats.h"
 #include "SampleRow.h"
 

@@ -1,5 +1,5 @@
-#include <fbrdf/base/Fields.h>
 #include <fbrdf/base/Text.h>
+#include <fbrdf/sources/Fields.h>
 
 #include <algorithm>
 #include <array>

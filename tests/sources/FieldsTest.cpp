@@ -1,5 +1,5 @@
 // The rules by which every reader takes a line of a table apart.
-#include <fbrdf/base/Fields.h>
+#include <fbrdf/sources/Fields.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Text files of every encoding that a byte order mark can name, in pieces of every size.
-#include <fbrdf/base/TextDecoder.h>
+#include <fbrdf/sources/TextDecoder.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <fbrdf/base/Text.h>
-#include <fbrdf/base/TextDecoder.h>
+#include <fbrdf/sources/TextDecoder.h>
 
 #include <algorithm>
 
