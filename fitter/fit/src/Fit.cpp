@@ -1,9 +1,11 @@
 #include "Conserve.h"
+#include "data/Symmetry.h"
 #include "FitContext.h"
 #include "forms/DirectForms.h"
 #include "forms/NamedForms.h"
 #include "prior/PriorUse.h"
 #include "search/Search.h"
+#include "Tilt.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
@@ -67,6 +69,24 @@ Fitted fitAny(const Source& source, const FitContext& context, FitSummary& summa
     return isSearched(context.options) || priorFor(context)
                ? searchForm(source, context, summary.trials, summary.reason)
                : fitNamed(context);
+}
+
+// Samples that show an isotropic surface tilted, in the frame of its own normal.
+void straighten(const Source& source, const FitOptions& options, Dataset& dataset,
+                FitSummary& summary)
+{
+    constexpr size_t kMostRows = 1000000, kEnough = 16384;
+    const bool isScattered = dataset.inMemory && !dataset.exact && !source.evaluate;
+    if (!options.straightens || !isScattered || dataset.rows > kMostRows ||
+        options.ranks.count > 1 || !isIsotropicSource(source))
+        return;
+    const auto some =
+        someSamples(dataset, FoldChoice::all(), kEnough, options.seed, options.threads);
+    summary.tilt = tiltOf(some, statisticsOf(some, false, source.name), options);
+    if (!summary.tilt) return;
+    const auto all =
+        someSamples(dataset, FoldChoice::all(), dataset.rows, options.seed, options.threads);
+    dataset = datasetInMemory(straightened(all, *summary.tilt));
 }
 
 void measure(const Source& source, const FitContext& context, const Fitted& fitted,
@@ -143,6 +163,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     summary.readSeconds = readClock.seconds();
     const Clock clock;
     const ProcessorClock processors;
+    if (!isDirect(options)) straighten(source, options, dataset, summary);
     const FitContext context = makeFitContext(std::move(dataset), options, source.name);
     Fitted fitted = fitAny(source, context, summary);
     if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);

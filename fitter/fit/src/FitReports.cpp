@@ -2,6 +2,8 @@
 #include <fbrdf/fit/Fit.h>
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace fbrdf {
 namespace {
 
@@ -64,12 +66,21 @@ std::string FitSummary::briefReport() const
            heldOutName(folds) + ", " + number(all.logMedian) + " on all samples";
 }
 
+std::string describe(const Tilt& tilt)
+{
+    constexpr double kDegrees = 180.0 / kPi;
+    return fmt::format("surface {:.2f} degrees off its holder, towards azimuth {:.0f}: turned back",
+                       std::hypot(tilt.x, tilt.y) * kDegrees,
+                       std::atan2(tilt.y, tilt.x) * kDegrees);
+}
+
 std::string FitSummary::fullReport() const
 {
     std::string text = line("solver", solver.text()) + line("smoothness", number(smoothness)) +
                        line("samples", samplesText(*this)) + line("seconds", secondsText(*this)) +
                        line(heldOutName(folds), errorsText(heldOut)) + line("all", errorsText(all));
     if (conserved != 1.0) text += line("energy", "scaled by " + number(conserved));
+    if (tilt) text += line("tilt", describe(*tilt));
     if (coverage) text += line("coverage", describe(*coverage));
     for (const MisfitRegion& region : misfits) text += line("misfit", describe(region));
     if (!reason.empty()) text += line("form", reason);

@@ -114,6 +114,9 @@ void addFitOptions(CLI::App& command, FitOptions& options)
         ->type_name("P");
     command.add_flag("--conserve", options.conserve,
                      "scale the material down so that no directional albedo exceeds 1");
+    command.add_flag_callback(
+        "--as-mounted", [&options] { options.straightens = false; },
+        "keep the normal of the file, also where the samples show that the surface was tilted");
     addFitTuning(command, options);
 }
 

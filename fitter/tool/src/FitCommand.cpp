@@ -132,6 +132,13 @@ Json priorJson(const FitSummary& summary)
             {"unlike", prior.isUnlike()}};
 }
 
+Json tiltJson(const FitSummary& summary)
+{
+    if (!summary.tilt) return nullptr;
+    constexpr double kDegrees = 180.0 / kPi;
+    return {summary.tilt->x * kDegrees, summary.tilt->y * kDegrees};
+}
+
 Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double writeSeconds)
 {
     const Material& material = *outcome.material;
@@ -156,6 +163,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"conserve_scale", jsonOf(outcome.summary.conserved)},
             {"folds", outcome.summary.folds},
             {"misfit", misfitsJson(outcome.summary)},
+            {"tilt_degrees", tiltJson(outcome.summary)},
             {"coverage", coverageJson(outcome.summary)},
             {"unsupported_texels", unsupportedTexels(material)},
             {"reason", outcome.summary.reason},
@@ -255,6 +263,9 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                              " bytes as " + storageText(material)},
                 {"samples", samplesText(outcome)},
                 {"assumed", assumedText(outcome.source)},
+                {"tilt", outcome.summary.tilt
+                             ? describe(*outcome.summary.tilt) + " (--as-mounted keeps it)"
+                             : "none"},
                 {"coverage", coverageText(outcome.summary)},
                 {"support", supportText(material)},
                 {"smoothness", smoothnessText(outcome.summary)},

@@ -55,6 +55,7 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
     if (!summary.misfits.empty()) notes[kMisfitNote] = describe(summary.misfits.front());
     if (!outcome.source.assumptions.empty())
         notes[kAssumedNote] = fmt::format("{}", fmt::join(outcome.source.assumptions, "; "));
+    if (summary.tilt) notes["tilt"] = fbrdf::describe(*summary.tilt);
     if (summary.coverage) notes[kCoverageNote] = fbrdf::describe(*summary.coverage);
     addErrors(material, kHeldOutPrefix, outcome.heldOut);
     addErrors(material, kAllPrefix, outcome.all);
@@ -129,11 +130,12 @@ std::string optionsNote(const FitJob& job)
     const FitOptions& fit = job.fit;
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
-        "smoothness={} seed={} cosine={}{}{}{}{}",
+        "smoothness={} seed={} cosine={}{}{}{}{}{}",
         fit.formData ? formKey(*fit.formData) : fit.form, fit.resolution, fit.maxBytes, fit.lookups,
         fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
         job.sourceOptions.cosine, fit.sharedShape ? " shared" : "", fit.conserve ? " conserve" : "",
+        fit.straightens ? "" : " as-mounted",
         isSearched(fit) ? fmt::format(" seconds={}", fit.seconds) : "",
         fit.usePrior ? (fit.prior ? " prior=file" : "") : " prior=none");
 }

@@ -72,6 +72,9 @@ struct FitOptions {
     /// Scale the stored material down, all channels alike, so that no directional albedo exceeds 1.
     /// The albedo is computed every 2 degrees from 0 to 88; for an anisotropic form in 4 azimuths.
     bool conserve = false;
+    /// Scattered samples of an isotropic surface that was tilted when it was measured are fitted
+    /// about the surface's own normal (FitSummary::tilt).
+    bool straightens = true;
     /// Fits of hdio to few scattered samples may lean on a prior (TablePrior.h); auto, and hdio
     /// without a resolution, do where that has the least error on samples held out.
     bool usePrior = true;
@@ -117,6 +120,14 @@ struct PriorSummary {
     static constexpr double kMostTables = 0.9;
 };
 
+/// The tangential part of a surface's normal in the frame of its samples, radians for so small a
+/// tilt.
+struct Tilt {
+    double x = 0, y = 0;
+};
+/// In degrees, with the azimuth, for people.
+std::string describe(const Tilt& tilt);
+
 struct FitSummary {
     double readSeconds = 0;       ///< making or reading the samples
     double seconds = 0;           ///< fitting alone: no reading, no reporting
@@ -131,7 +142,8 @@ struct FitSummary {
     int folds = 0;         ///< that the held-out errors come from; 0: fresh samples of the function
     SampleErrors heldOut, all;
     std::vector<MisfitRegion> misfits;  ///< where the form does not follow the data; empty: it does
-    std::optional<Coverage> coverage;   ///< directions of a measurement; a function has all
+    std::optional<Tilt> tilt;  ///< that was found; errors are those about the surface's own normal
+    std::optional<Coverage> coverage;  ///< directions of a measurement; a function has all
     std::vector<Trial> trials;
     std::string reason;  ///< why auto chose its form, a sentence for people; empty: it did not
 
