@@ -54,7 +54,7 @@ TEST(Unsampled, SupportedTexelsStayAsTheyAre)
     for (size_t i = 0; i < x.size(); ++i) x[i] = std::sin(static_cast<double>(i));
     const std::vector<double> weights = texelWeights(problem);
     State next = x;
-    extendHue(problem, weights, next);
+    extendHue(problem.form(), problem.layout(), weights, next);
     size_t changed = 0;
     for (size_t u = 0; u < problem.unknowns(); ++u) {
         const size_t n = problem.unknowns();

@@ -14,6 +14,8 @@ constexpr size_t kIncidences = 45;        // 2 degrees apart
 constexpr size_t kAzimuths = 4;           // over half a turn: a turn by pi changes little
 constexpr double kBelowOne = 1.0 - 1e-6;  // scales are floats
 
+}  // namespace
+
 double largestAlbedo(const Material& material, int threads)
 {
     const BrdfFunction brdf = [&](const Vec3d& wo, const Vec3d& wi) {
@@ -29,8 +31,6 @@ double largestAlbedo(const Material& material, int threads)
     });
     return *std::max_element(albedos.begin(), albedos.end());
 }
-
-}  // namespace
 
 double conserveEnergy(Material& material, int threads)
 {

@@ -1,6 +1,7 @@
 #include "Conserve.h"
 #include "data/Symmetry.h"
 #include "FitContext.h"
+#include "Flatten.h"
 #include "forms/DirectForms.h"
 #include "forms/NamedForms.h"
 #include "prior/PriorUse.h"
@@ -89,6 +90,13 @@ void straighten(const Source& source, const FitOptions& options, Dataset& datase
     dataset = datasetInMemory(straightened(all, *summary.tilt));
 }
 
+// A function has samples everywhere, and a fit that leans on the prior has followed it where it has
+// none.
+bool mayHaveGaps(const FitContext& context, const Fitted& fitted)
+{
+    return !context.dataset.exact && !fitted.prior && !fitted.solution.x.empty();
+}
+
 void measure(const Source& source, const FitContext& context, const Fitted& fitted,
              FitSummary& summary)
 {
@@ -166,6 +174,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     if (!isDirect(options)) straighten(source, options, dataset, summary);
     const FitContext context = makeFitContext(std::move(dataset), options, source.name);
     Fitted fitted = fitAny(source, context, summary);
+    if (mayHaveGaps(context, fitted)) flattenGaps(context, fitted);
     if (options.conserve) summary.conserved = conserveEnergy(fitted.material, options.threads);
     fitted.material.name = source.name;
     summary.seconds = clock.seconds();

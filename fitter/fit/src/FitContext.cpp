@@ -151,7 +151,7 @@ Fitted fitForm(const FitContext& context, const Form& form, const Solution* star
     options.start = start;
     Solution solution = solve(problem, options);
     const std::vector<double> weights = texelWeights(problem);
-    extendHue(problem, weights, solution.x);
+    extendHue(problem.form(), problem.layout(), weights, solution.x);
     Fitted fitted{quantize(form, problem.layout(), solution.x, context.options.storage),
                   solution.smoothness,
                   solution.summary,
@@ -191,7 +191,7 @@ void holdOut(const FitContext& context, const Form& form, double smoothness, int
     const std::vector<double> weights = texelWeights(problem);
     for (; held.folds < folds; ++held.folds) {
         State x = stateWithout(context, problem, held.folds, smoothness, held, start);
-        if (!context.prior) extendHue(problem, weights, x);
+        if (!context.prior) extendHue(problem.form(), problem.layout(), weights, x);
         const Material material = quantize(form, problem.layout(), x, context.options.storage);
         const auto part = probeOf(context, FoldChoice::onlyOf(held.folds));
         const auto values = evaluateAt(material, context.turnsHeldOut ? turned(part) : part,

@@ -41,10 +41,10 @@ std::vector<std::vector<size_t>> neighboursIn(const Form& form, const Layout& la
 /// Texels of one table, whose hues spread from those that are known.
 class HueSpread {
 public:
-    HueSpread(const LeastSquares& problem, size_t table, const std::vector<double>& weights,
-              State& x)
-        : unknowns_(problem.unknowns()),
-          neighbours_(neighboursIn(problem.form(), problem.layout(), table)),
+    HueSpread(const Form& form, const Layout& layout, size_t table,
+              const std::vector<double>& weights, State& x)
+        : unknowns_(static_cast<size_t>(layout.unknowns())),
+          neighbours_(neighboursIn(form, layout, table)),
           isKnown_(unknowns_, false),
           x_(x)
     {
@@ -103,12 +103,12 @@ private:
 
 }  // namespace
 
-void extendHue(const LeastSquares& problem, const std::vector<double>& weights, State& x)
+void extendHue(const Form& form, const Layout& layout, const std::vector<double>& weights, State& x)
 {
-    FBRDF_ASSERT(weights.size(), ==, problem.unknowns());
-    if (problem.layout().sharedShape()) return;  // one hue everywhere
-    for (size_t table = 0; table < problem.form().tables.size(); ++table)
-        HueSpread(problem, table, weights, x).run();
+    FBRDF_ASSERT(weights.size(), ==, static_cast<size_t>(layout.unknowns()));
+    if (layout.sharedShape()) return;  // one hue everywhere
+    for (size_t table = 0; table < form.tables.size(); ++table)
+        HueSpread(form, layout, table, weights, x).run();
 }
 
 }  // namespace fbrdf

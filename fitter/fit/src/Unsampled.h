@@ -11,6 +11,7 @@ namespace fbrdf {
 /// noise decides: where a table ends beyond its samples, channels that run apart are a hue that is
 /// in no sample. `weights`: see texelWeights; a texel has it above kLeastTexelWeight. The nearest
 /// are those at the fewest steps along the axes of the table; several count alike.
-void extendHue(const LeastSquares& problem, const std::vector<double>& weights, State& x);
+void extendHue(const Form& form, const Layout& layout, const std::vector<double>& weights,
+               State& x);
 
 }  // namespace fbrdf
