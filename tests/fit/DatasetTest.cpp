@@ -34,6 +34,36 @@ TEST(Dataset, BlocksHoldEverySampleOnceInOrder)
     EXPECT_EQ(next, float(source.samples.size()));
 }
 
+// Values near the horizon were divided by a cosine near 0; a function beside them says the same
+// without that noise.
+TEST(Dataset, NodesOfATableCountLessNearTheHorizon)
+{
+    Source source;
+    const double degrees[] = {1.0, 6.0, 20.0, 90.0};  // elevations
+    for (const double d : degrees) {
+        const double angle = d * kPi / 180.0;
+        const Vec3f low(Vec3d(std::cos(angle), 0.0, std::sin(angle))), up(0, 0, 1);
+        source.samples.push_back({low, up, Vec3f(1.0f), 1.0f});
+        source.samples.push_back({up, low, Vec3f(1.0f), 0.5f});
+    }
+    const auto weightsOf = [](const Dataset& dataset) {
+        std::vector<float> weights;
+        DatasetScratch scratch;
+        const DatasetBlock block = dataset.block(0, scratch);
+        for (size_t i = 0; i < 8; ++i) weights.push_back(block.samples[i].weight);
+        return weights;
+    };
+    const std::vector<float> alone = weightsOf(makeDataset(source, 100, 1, 1));
+    EXPECT_EQ(alone, (std::vector<float>{1, 0.5f, 1, 0.5f, 1, 0.5f, 1, 0.5f}));
+    source.evaluate = [](const Vec3d&, const Vec3d&) { return Vec3d(1.0); };
+    const Dataset both = makeDataset(source, 100, 1, 1);
+    EXPECT_EQ(both.rows, 108u);
+    const std::vector<float> weights = weightsOf(both);
+    const double expected[] = {0.001, 0.544, 0.993, 1.0};  // c^4 / (c^4 + 0.1^4)
+    for (size_t i = 0; i < 8; ++i)
+        EXPECT_NEAR(weights[i], static_cast<double>(alone[i]) * expected[i / 2], 0.001) << i;
+}
+
 TEST(Dataset, AStreamGivesTheSamplesOfTheListItCameFrom)
 {
     const Source held = numbered(20000);

@@ -106,11 +106,25 @@ Dataset datasetOfSamples(const Source& source, int threads)
     return datasetOf(all, *all);
 }
 
+// What a sample counts by its elevations. Values near the horizon were divided by a cosine near 0,
+// noise and all, and are seen in a few pixels if at all.
+float weightOfElevation(const Sample& sample)
+{
+    constexpr double kLow = 0.1;  // 6 degrees count half
+    const auto share = [](double cosine) {
+        const double power = std::pow(cosine / kLow, 4.0);
+        return power / (power + 1.0);
+    };
+    return static_cast<float>(share(static_cast<double>(sample.wo.z)) *
+                              share(static_cast<double>(sample.wi.z)));
+}
+
 // A table of few nodes leaves holes that its own interpolation fills.
 Dataset withFunction(const Dataset& nodes, const Source& source, size_t count, uint64_t seed,
                      int threads)
 {
     std::vector<Sample> all = someSamples(nodes, FoldChoice::all(), nodes.rows, seed, threads);
+    for (Sample& node : all) node.weight *= weightOfElevation(node);
     const auto between = samplesAt(source, uniformPairs(count, seed + 1), threads);
     all.insert(all.end(), between.begin(), between.end());
     return datasetInMemory(std::move(all));

@@ -47,7 +47,8 @@ struct Dataset {
 };
 
 /// Samples of the source itself, in memory or streamed; `count` of its uniform pairs where it is
-/// only a function, and beside samples that are fewer. The source must outlive the dataset.
+/// only a function, and beside samples that are fewer; these then count less near the horizon, by
+/// c^4 / (c^4 + 0.1^4) of both cosines. The source must outlive the dataset.
 Dataset makeDataset(const Source& source, size_t count, uint64_t seed, int threads);
 
 /// The samples given, kept in memory.
