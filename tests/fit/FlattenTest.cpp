@@ -20,7 +20,7 @@ BrdfFunction growing(double steepness)
 {
     return [steepness](const Vec3d& wo, const Vec3d& wi) {
         return Vec3d(0.0135, 0.027, 0.054) * std::exp(steepness * (std::acos(std::min(wo.z, 1.0)) +
-                                                                  std::acos(std::min(wi.z, 1.0))));
+                                                                   std::acos(std::min(wi.z, 1.0))));
     };
 }
 
