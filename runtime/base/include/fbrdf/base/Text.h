@@ -1,5 +1,4 @@
 // Text.h - lines, words and numbers of a text in memory, without copies and without the locale.
-// Fields.h has the fields of a line that a separator parts; TextDecoder.h turns bytes into text.
 #pragma once
 #include <string>
 #include <string_view>
