@@ -73,7 +73,7 @@ TEST_P(Flatten, LeavesSlopesThatKeepTheAlbedoBelowOne)
     EXPECT_NEAR(evaluate(fit.material, low, other).z / brdf(low, other).z, 1.0, 0.15);
 }
 
-// One term, three look-ups of a direction's own table, a volume, a sum.
+// Two tables, a table and a curve, a volume and a table, a sum.
 INSTANTIATE_TEST_SUITE_P(Forms, Flatten, testing::Values("hdio", "hdg", "hdpu", "io+hdio"),
                          [](const auto& form) {
                              std::string name = form.param;

@@ -1,9 +1,7 @@
 // Flatten.h - how bright a material is where no sample was taken.
 //
-// Smoothness goes on along the slope of the last samples, which is what most surfaces do: on scans
-// up to 75 degrees it comes nearer to the whole material than a prior of known materials. Where
-// that slope is steep the material would give back more light than it gets, hundreds of times as
-// much at grazing angles.
+// Smoothness goes on along the slope of the last samples. Where that slope is steep the material
+// would give back more light than it gets, hundreds of times as much at grazing angles.
 #pragma once
 #include "FitContext.h"
 
