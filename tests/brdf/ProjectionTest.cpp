@@ -291,6 +291,25 @@ TEST(PairGeometry, FoldedDifferenceAzimuthIsThatOfTheAngles)
     EXPECT_EQ(mirrored.complement[static_cast<size_t>(Angle::phi_d)], 1.0);
 }
 
+TEST(PairGeometry, HalfDifferenceAzimuthTellsLightFromView)
+{
+    const auto half = static_cast<size_t>(Angle::half_phi_d);
+    for (int i = 0; i < 1000; ++i) {
+        const auto pair = test::pair(i);
+        const PairGeometry<double> g(pair), swapped({pair.wi, pair.wo});
+        const double angle = 0.5 * std::abs(halfDifferenceFromPair(pair).phi_d);
+        EXPECT_NEAR(g.cosine[half], std::cos(angle), 1e-9) << "pair " << i;
+        EXPECT_NEAR(g.complement[half], 1.0 - g.cosine[half], kTight);
+        EXPECT_NEAR(std::acos(g.cosine[half]) + std::acos(swapped.cosine[half]), kPi / 2.0, 1e-7);
+    }
+    // Where phi_d means nothing, and in the plane of incidence: the view above the light, below it.
+    const PairGeometry<double> mirrored(DirectionPair<double>{{0.6, 0.0, 0.8}, {-0.6, 0.0, 0.8}});
+    EXPECT_NEAR(mirrored.cosine[half], std::sqrt(0.5), kTight);
+    const Vec3d up(0.0, 0.0, 1.0), low(0.6, 0.0, 0.8);
+    EXPECT_NEAR(PairGeometry<double>({up, low}).complement[half], 0.0, kTight);
+    EXPECT_NEAR(PairGeometry<double>({low, up}).cosine[half], 0.0, kTight);
+}
+
 TEST(TexelPosition, TakesTheDirectionOrTheAnglesAskedFor)
 {
     const auto pair = test::pair(7);

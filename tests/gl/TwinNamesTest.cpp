@@ -50,7 +50,7 @@ Names twins()
 
 /// Members of PairGeometry.
 const Names kAngles{"fbrdfHalfVector", "fbrdfZenith", "fbrdfDifferenceAngle",
-                    "fbrdfDifferenceAzimuth"};
+                    "fbrdfDifferenceAzimuth", "fbrdfHalfDifferenceAzimuth"};
 
 /// Functions that exist in GLSL alone, and why.
 const std::map<std::string, std::string> kAlone{

@@ -148,7 +148,9 @@ double cosine(const std::string& angle, const Pair& p)
     if (angle == "theta_o") value = p.wo[2];
     if (angle == "theta_h") value = p.h[2];
     if (angle == "theta_d") value = dot(p.wi, p.h);  // |wi + wo| / 2
-    if (angle == "phi_d") value = a + b > 0 ? a / std::hypot(a, b) : 0;
+    const double folded = a + b > 0 ? a / std::hypot(a, b) : 0;
+    if (angle == "phi_d") value = folded;
+    if (angle == "half_phi_d") value = std::sqrt((1 + (p.wo[2] >= p.wi[2] ? folded : -folded)) / 2);
     return std::clamp(value, 0.0, 1.0);
 }
 

@@ -101,6 +101,10 @@ PairGeometry<T>::PairGeometry(const DirectionPair<T>& pair) : wo(pair.wo), wi(pa
     const auto phi_d = static_cast<size_t>(Angle::phi_d);
     cosine[phi_d] = sines > T(0) ? along / sines : T(0);
     complement[phi_d] = sines > T(0) ? across * across / (sines * (sines + along)) : T(1);
+    // cos^2 of half an angle is (1 + cos) / 2, sin^2 is (1 - cos) / 2.
+    const bool isViewHigher = wo.z >= wi.z;
+    const T near = T(0.5) * (T(1) + cosine[phi_d]), far = T(0.5) * complement[phi_d];
+    set(Angle::half_phi_d, std::sqrt(isViewHigher ? near : far), isViewHigher ? far : near);
 }
 
 template <class T>

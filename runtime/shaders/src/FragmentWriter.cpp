@@ -54,6 +54,8 @@ constexpr Variable kPairVariables[] = {
     {"vec2", "theta_d", "fbrdfDifferenceAngle(wo, wi)", "fbrdfDifferenceAngle(wo, wi)"},
     {"vec2", "phi_d", "fbrdfDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
      "fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
+    {"vec2", "half_phi_d", "fbrdfHalfDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
+     "fbrdfHalfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
     {"vec3", "d", "fbrdfDifferenceVector(h, wi)", "fbrdfDifferenceVector(h, wi)"},
 };
 

@@ -265,6 +265,15 @@ vec2 fbrdfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
     return sines > 0.0 ? vec2(along / sines, across * across / (sines * (sines + along))) : vec2(0.0, 1.0);
 }
 
+// phi_d / 2, phi_d in [0, pi]: cos^2 of half an angle is (1 + cos) / 2, sin^2 is (1 - cos) / 2.
+vec2 fbrdfHalfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
+{
+    vec2 folded = fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL);
+    vec2 squares = 0.5 * vec2(1.0 + folded.x, folded.y);
+    if (NoV < NoL) squares = squares.yx;
+    return fbrdfAngleFromCosine(sqrt(squares.x), squares.y);
+}
+
 // d: wi in the frame whose pole is h, in the local frame. Twin: differenceVector, Projection.h.
 vec3 fbrdfDifferenceVector(vec3 h, vec3 wi)
 {

@@ -210,6 +210,28 @@ BaseForm baseHdpu()
             formHdpu};
 }
 
+// Files that interpolate between few slices of theta_i are not reciprocal about highlights at low
+// angles: there light and view must be told apart beside the highlight, which U cannot.
+Form formHdsu(int size)
+{
+    const auto axis = [](int knots, double exponent) {
+        return Axis{std::max(kMinResolution, knots), {AxisMap::From::oneMinusCosine, exponent}};
+    };
+    const GridDomain grid{{axis(size, 0.22), axis(9 * size / 32, 0.7), axis(size / 4, 0.5)}};
+    const Form form{
+        "hdsu",
+        {{"V", grid}, zenithPair("U", std::max(kMinResolution, size / 2))},
+        {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::half_phi_d}}, {1, kThetaIO}}}}};
+    return unsymmetric(form, "hdsu");
+}
+
+BaseForm baseHdsu()
+{
+    return baseOf({"hdsu", "V(theta_h, theta_d, half_phi_d) U(theta_i, theta_o)",
+                   "as hdpu with phi_d over half a turn, which tells light from view", 32},
+                  formHdsu);
+}
+
 std::vector<BaseForm> makeBaseForms()
 {
     const auto pqp = [](int n) { return formPqp(n, kGamma); };
@@ -235,6 +257,7 @@ std::vector<BaseForm> makeBaseForms()
                formHdp),
         baseHdpio(),
         baseHdpu(),
+        baseHdsu(),
         baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
                 "anisotropic in h alone, reciprocal; N passes of two look-ups", 32, true},
                formQdio),

@@ -112,6 +112,7 @@ const std::vector<FormLetter>& formLetters()
          "a table over theta_i and theta_o, the angles of light and view, that stays the same "
          "when these change places"},
         {"u", "a table over theta_i and theta_o that does not"},
+        {"s", "after hd: half of the angle phi_d, which tells light from view"},
         {"g", "an array over theta_o, used again over theta_i"},
         {"n", "a map over wi + wo + n, a half vector drawn towards the normal n"},
         {"+", "a sum of terms"},

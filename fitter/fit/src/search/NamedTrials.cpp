@@ -36,7 +36,11 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         if (!isReciprocal) add(1, {"hdpu"});
         // Scattered samples show that they are isotropic only where they are near each other.
         if (!source.evaluate) add(1, {"hdp", "pqpr", "qdio"});
-        if (source.evaluate && !isReciprocal) add(2, {"u+hdpu"});
+        // Files that interpolate have enough samples for the third angle over half a turn.
+        if (source.evaluate && !isReciprocal) {
+            add(1, {"hdsu"});
+            add(2, {"u+hdsu"});
+        }
         add(2, {"gg+hdg", "gg+hdpio", "io+hdio"});
         if (!source.evaluate) add(2, {"io+pqpr"});
         add(3, {"gg+hdg+hdio"});
