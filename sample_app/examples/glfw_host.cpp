@@ -54,16 +54,12 @@ void show(GLFWwindow* window, const std::string& file, int frames, const std::st
     // [readme]
     // Once, with your OpenGL context current:
     fbrdf::gl::RendererOptions options;
-    options.load = [](void*, const char* name) {
-        return reinterpret_cast<void*>(glfwGetProcAddress(name));
-    };
+    options.load = [](void*, const char* name) { return (void*)glfwGetProcAddress(name); };
     options.log = [](fbrdf::gl::Severity, const std::string& text) { std::cerr << text << '\n'; };
     fbrdf::gl::Renderer renderer(options);
     const auto material = renderer.createMaterial(fbrdf::readMaterial(file));
     const auto mesh = renderer.createMesh(sphere(64));
-    fbrdf::Light lamp;
-    lamp.position = {2.0f, 3.0f, 3.0f};
-    lamp.intensity = {30.0f, 30.0f, 30.0f};
+    const fbrdf::Light lamp{fbrdf::Light::Type::point, {2.0f, 3.0f, 3.0f}, glm::vec3(30.0f)};
     // [/readme]
     for (int frame = 0; frame != frames && !glfwWindowShouldClose(window); ++frame) {
         glfwPollEvents();
@@ -74,17 +70,12 @@ void show(GLFWwindow* window, const std::string& file, int frames, const std::st
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         // [readme]
         // Every frame, with your own window or framebuffer, camera and lights:
-        fbrdf::gl::Target target;
-        target.width = width;
-        target.height = height;
-        target.transfer = fbrdf::Transfer::srgb;  // a window shows sRGB
-        fbrdf::gl::View view;
-        view.view = glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -4.0f});
-        view.projection = glm::perspective(glm::radians(35.0f), aspect, 0.1f, 10.0f);
-        fbrdf::gl::Item item;
-        item.material = material.get();
-        item.mesh = mesh.get();
-        item.model = glm::rotate(glm::mat4(1.0f), 0.01f * static_cast<float>(frame), {0, 1, 0});
+        const fbrdf::gl::Target target{0, width, height, fbrdf::Transfer::srgb};  // 0: the window
+        const fbrdf::gl::View view{glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -4.0f}),
+                                   glm::perspective(glm::radians(35.0f), aspect, 0.1f, 10.0f)};
+        const float turned = 0.01f * static_cast<float>(frame);
+        const fbrdf::gl::Item item{material.get(), mesh.get(),
+                                   glm::rotate(glm::mat4(1.0f), turned, {0.0f, 1.0f, 0.0f})};
         renderer.draw(target, view, {item}, {lamp});
         // [/readme]
         if (frame + 1 == frames) writePicture(picture, width, height);

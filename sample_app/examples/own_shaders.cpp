@@ -74,9 +74,8 @@ void show(GLFWwindow* window, const std::string& file, int frames, const std::st
     const fbrdf::gl::MaterialBinding binding(material, program);
     // Every frame: the program becomes current, its maps take the texture units from 0 on.
     binding.apply(0);
-    fbrdf::Light lamp;
-    lamp.position = {2.0f, 3.0f, -1.0f};  // in the space of the shader: from the eye
-    lamp.intensity = {30.0f, 30.0f, 30.0f};
+    // In the space of the shader: from the eye.
+    const fbrdf::Light lamp{fbrdf::Light::Type::point, {2.0f, 3.0f, -1.0f}, glm::vec3(30.0f)};
     const fbrdf::LightVectors vectors = fbrdf::lightVectors(lamp, glm::dmat4(1.0));
     glUniform4fv(glGetUniformLocation(program, "fbrdfLights"), 3, &vectors[0].x);
     glUniform1i(glGetUniformLocation(program, "fbrdfLightCount"), 1);
