@@ -50,9 +50,10 @@ Source openFile(const FileSpec& spec, const SourceOptions& options)
     const auto file = std::make_shared<const InputFile>(spec.path);
     const Format& format = formatOf(*file);
     if (!spec.choice.empty() && !format.takesChoice)
-        throw Error(ErrorKind::usage, spec.path,
-                    "found the choice '" + spec.choice + "', but a " + format.name +
-                        " file holds one data set");
+        throw Error(
+            ErrorKind::usage, spec.path,
+            Found("the choice '" + spec.choice + "'")
+                .expected(std::string("none, as a ") + format.name + " file has one data set"));
     Source source = format.read({file, spec.choice, options});
     source.format = format.name;
     if (source.name.empty()) source.name = file->stem();

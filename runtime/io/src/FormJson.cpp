@@ -200,7 +200,8 @@ Json parseJson(const std::string& text, const std::string& where)
         throw Error(ErrorKind::input, where + ": byte " + std::to_string(error.byte),
                     Found("text that is not JSON").expected("JSON"));
     } catch (const Json::exception& error) {
-        throw Error(ErrorKind::input, where, std::string("found JSON with ") + error.what());
+        throw Error(ErrorKind::input, where,
+                    Found(std::string("JSON with ") + error.what()).expected("plain JSON"));
     }
 }
 

@@ -48,8 +48,10 @@ void addBlock(const InputFile& file, const pugi::xml_node& block, KlemsBasis& ba
                  upper = numberIn(file, bounds, "UpperTheta");
     if (!(phis >= 1.0 && phis <= 360.0) || phis != std::floor(phis) || !(lower >= 0.0) ||
         !(upper > lower && upper <= 90.0))
-        throw inputError(file, "found a ring of " + numberText(phis, 12) + " patches from " +
-                                   numberText(lower) + " to " + numberText(upper) + " degrees");
+        throw inputError(
+            file, Found("a ring of " + numberText(phis, 12) + " patches from " + numberText(lower) +
+                        " to " + numberText(upper) + " degrees")
+                      .expected("1 to 360 patches and ascending angles within [0, 90]"));
     if (lower < end)
         throw inputError(file, Found("rings that overlap").expected("ascending angles"));
     if (basis.patches() + size_t(phis) > KlemsBasis::kMostPatches)

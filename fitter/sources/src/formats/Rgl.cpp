@@ -222,8 +222,9 @@ void readWarp(const InputFile& file, const TensorFields& fields, RglData& data)
     data.vndf = RglWarp(std::move(density), shape[3], shape[2]);
     for (size_t slice = 0; slice < data.vndf.slices(); ++slice)
         if (!data.vndf.isValid(slice))
-            throw inputError(file, "found slice " + std::to_string(slice) +
-                                       " of vndf without a positive integral");
+            throw inputError(file, Found("slice " + std::to_string(slice) +
+                                         " of vndf without a positive integral")
+                                       .expected("values of at least 0 that are not all 0"));
 }
 
 int reductionOf(const InputFile& file, const std::vector<float>& phi)
