@@ -118,7 +118,7 @@ TEST(SphereDifference, IsAmplifiedAsFarAsItFits)
 
 TEST(SphereFigures, WithoutDataShowTheFitAlone)
 {
-    const std::string figures = sphereFigures({}, constantSphere(0.5f));
+    const std::string figures = sphereFigures({}, constantSphere(0.5f), nullptr);
     EXPECT_NE(figures.find("sphere, fit"), std::string::npos);
     EXPECT_EQ(figures.find("ifference"), std::string::npos);
 }

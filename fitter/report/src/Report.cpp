@@ -2,6 +2,7 @@
 
 #include "ErrorFigures.h"
 #include "Html.h"
+#include "Invented.h"
 #include "PolarFigures.h"
 #include "SphereFigures.h"
 #include "Style.h"
@@ -82,7 +83,12 @@ std::string warnings(const ReportInput& input)
     return text.empty() ? "" : element("section", "class=\"warning\"", text) + "\n";
 }
 
-std::string spheresSection(const SphereImage& data, const SphereImage& fit)
+// The share of all light from which on what is invented has a picture of its own. Fits to functions
+// have texels without samples, too, that no picture shows.
+constexpr double kLeastInvented = 0.001;
+
+std::string spheresSection(const Material& material, const SphereImage& data,
+                           const SphereImage& fit)
 {
     const std::string scene =
         "Orthographic, under 6 directional lights and a sky of 122, exposed so that a Lambertian "
@@ -92,7 +98,11 @@ std::string spheresSection(const SphereImage& data, const SphereImage& fit)
                                  : scene +
                                        " The data are samples without a function between them, "
                                        "so there is no picture of them.";
-    return section("Standard sphere", paragraph(note) + sphereFigures(data, fit));
+    std::optional<InventedSphere> invented;
+    if (hasInvented(material)) invented = inventedSphere(material, fit.size);
+    const bool isShown = invented && invented->total >= kLeastInvented;
+    return section("Standard sphere",
+                   paragraph(note) + sphereFigures(data, fit, isShown ? &*invented : nullptr));
 }
 
 std::string polarText(const std::vector<PolarPanel>& panels)
@@ -181,7 +191,7 @@ std::string reportHtml(const ReportInput& input)
     if (!image && data.size > 0) image = imageErrors(fit, data);
 
     const std::string body =
-        headerOf(input, image) + warnings(input) + spheresSection(data, fit) +
+        headerOf(input, image) + warnings(input) + spheresSection(input.material, data, fit) +
         polarSection(input, set) + errorSection(input, set) + mapsSection(input.material) +
         section("Metrics", metricsTable(input, image ? &*image : nullptr)) +
         section("Forms tried", input.trials.empty() ? "" : trialsTable(input.trials)) +

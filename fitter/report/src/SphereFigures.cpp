@@ -68,20 +68,39 @@ double amplificationFor(const SphereImage& fit, const SphereImage& data)
     return chosen;
 }
 
-std::string sphereFigures(const SphereImage& data, const SphereImage& fit)
+Picture inventedPicture(const SphereImage& fit, const InventedSphere& invented)
 {
-    if (data.size == 0)
-        return element("div", "class=\"spheres\"",
-                       figure(pictureOf(fit), "Standard sphere, fit", "Fit"));
-    const double amplification = amplificationFor(fit, data);
-    return element(
-        "div", "class=\"spheres\"",
-        figure(pictureOf(data), "Standard sphere, data", "Data") +
-            figure(pictureOf(fit), "Standard sphere, fit", "Fit") +
-            figure(
-                differencePicture(fit, data, amplification), "Amplified difference of fit and data",
-                fmt::format("Difference \xC3\x97 {:g}: grey where equal, brighter where the fit is",
-                            amplification)));
+    // Magenta is no colour of a grey picture. It keeps some brightness where the fit is black.
+    constexpr Vec3d kMagenta(0.9, 0.1, 0.6);
+    constexpr double kLeastBrightness = 0.35;
+    return covered(fit, [&](size_t i) {
+        const Vec3f& radiance = fit.radiance[i];
+        const double grey = srgbFromLinear(double(radiance.x + radiance.y + radiance.z) / 3.0);
+        return glm::mix(Vec3d(grey), glm::mix(kLeastBrightness, 1.0, grey) * kMagenta,
+                        invented.shares[i]);
+    });
+}
+
+std::string sphereFigures(const SphereImage& data, const SphereImage& fit,
+                          const InventedSphere* invented)
+{
+    std::string figures;
+    if (data.size > 0) figures += figure(pictureOf(data), "Standard sphere, data", "Data");
+    figures += figure(pictureOf(fit), "Standard sphere, fit", "Fit");
+    if (data.size > 0) {
+        const double amplification = amplificationFor(fit, data);
+        figures += figure(
+            differencePicture(fit, data, amplification), "Amplified difference of fit and data",
+            fmt::format("Difference \xC3\x97 {:g}: grey where equal, brighter where the fit is",
+                        amplification));
+    }
+    if (invented)
+        figures +=
+            figure(inventedPicture(fit, *invented), "Standard sphere, what is invented in magenta",
+                   fmt::format(
+                       "Invented: magenta where no sample supports the maps, {:.3g} % of all light",
+                       100.0 * invented->total));
+    return element("div", "class=\"spheres\"", figures);
 }
 
 }  // namespace fbrdf

@@ -1,5 +1,7 @@
-// SphereFigures.h - the standard sphere as data, fit and their amplified difference.
+// SphereFigures.h - the standard sphere as data, fit, their amplified difference, and what of it is
+// invented.
 #pragma once
+#include "Invented.h"
 #include "Picture.h"
 
 #include <fbrdf/metrics/StandardSphere.h>
@@ -19,7 +21,12 @@ Picture differencePicture(const SphereImage& fit, const SphereImage& data, doubl
 /// range.
 double amplificationFor(const SphereImage& fit, const SphereImage& data);
 
-/// Three figures, or the fit alone when `data` has size 0.
-std::string sphereFigures(const SphereImage& data, const SphereImage& fit);
+/// The fit as grey, and magenta by the share of a pixel's light that no sample supports.
+Picture inventedPicture(const SphereImage& fit, const InventedSphere& invented);
+
+/// Figures of the data, the fit, their difference (without data, when `data` has size 0, the fit
+/// alone) and what is invented, unless that is null.
+std::string sphereFigures(const SphereImage& data, const SphereImage& fit,
+                          const InventedSphere* invented);
 
 }  // namespace fbrdf
