@@ -156,6 +156,23 @@ TEST(Klems, BandsAreChoicesAndErrorsListThem)
         EXPECT_EQ(outcomeOf(path + choice).kind, int(ErrorKind::usage)) << choice;
 }
 
+TEST(Klems, OtherBandsAndTransmissionAreNamed)
+{
+    const Source source = read(klems(block("Reflection Front", matrix(3), "Visible") +
+                                     block("Reflection Front", matrix(4), "Solar") +
+                                     block("Reflection Front", matrix(5), "NIR") +
+                                     block("Transmission Front", matrix(6), "Solar")));
+    const auto assumes = [&](const std::string& text) {
+        return std::count(source.assumptions.begin(), source.assumptions.end(), text);
+    };
+    EXPECT_EQ(assumes("the visible band; others are FILE@solar, FILE@nir"), 1);
+    EXPECT_EQ(assumes("the reflection; transmission is not read"), 1);
+    for (const std::string& text : read(klems(block("Reflection Front", matrix(3)))).assumptions)
+        EXPECT_TRUE(text.find("others") == std::string::npos &&
+                    text.find("transm") == std::string::npos)
+            << text;
+}
+
 TEST(Klems, WordsAreComparedWithoutCase)
 {
     std::string text = klems(block("REFLECTION  front", matrix(), "visible"), kRings, " rows\n");

@@ -99,6 +99,27 @@ std::string chooseSide(const KlemsChoice& choice, const std::vector<KlemsBlock>&
     return front ? "front" : "back";
 }
 
+/// Other bands of the side, which a choice takes, and transmission, which none does.
+void sayWhatIsLeft(const KlemsChoice& choice, const std::vector<KlemsBlock>& blocks,
+                   KlemsSelection& selection)
+{
+    std::vector<std::string> bands;
+    bool transmits = false;
+    for (const KlemsBlock& block : blocks) {
+        const std::string side = sideOfReflection(block), band = lowerCase(block.band);
+        transmits |= side.empty();
+        const bool isRead = &block == selection.y || &block == selection.x || &block == selection.z;
+        if (side == selection.side && !isRead &&
+            std::find(bands.begin(), bands.end(), band) == bands.end())
+            bands.push_back(band);
+    }
+    std::string list;
+    for (const std::string& band : bands) list += (list.empty() ? "FILE@" : ", FILE@") + band;
+    if (choice.band.empty() && !list.empty())
+        selection.assumptions.push_back("the visible band; others are " + list);
+    if (transmits) selection.assumptions.emplace_back("the reflection; transmission is not read");
+}
+
 }  // namespace
 
 void parseKlemsXml(const InputFile& file, pugi::xml_document& document)
@@ -220,6 +241,7 @@ KlemsSelection selectBlocks(const FileRequest& request, const KlemsChoice& choic
         selection.x = x;
         selection.z = z;
     }
+    sayWhatIsLeft(choice, blocks, selection);
     return selection;
 }
 
