@@ -165,6 +165,7 @@ std::vector<MinimalFile> minimalFiles()
         {"SpeosAnisotropic", "a.anisotropicbsdf", speosAnisotropic},
         {"Fred", "a.txt", text("type bsdf_data\n1 1\n", "1 1 1\n")},
         {"Lumos", "a.txt", text("# phi_i theta_i phi_o theta_o brdf\n", "1 1 1 1 1\n")},
+        {"Pab", "a.bme", text("#incident_angle 1 1\n#format: theta phi BRDF\n", "1 1 1\n")},
         {"Csv", "a.csv", text("theta_i,phi_i,theta_o,phi_o,value\n", "1,1,1,1,1\n")},
         {"PlanarSpectra", "a.csv", text("Incident_angle,Measure_angle,550nm\n", "1,1,1\n")},
         {"Rt300s", "a.csv", text("stage_deg,theta_i_deg,A_deg,R_deg,brdf\n", "1,1,1,9,1\n")},

@@ -72,6 +72,8 @@ const std::vector<Format>& formats()
         {"speos", " brdf anisotropicbsdf ", "text with the title 'OPTIS - brdf surface file'", true,
          isSpeos, readSpeos, nullptr},
         {"fred", "", "text with 'type bsdf_data'", false, isFred, readFred, nullptr},
+        {"pab", " bme ", "lines #format: theta phi and #incident_angle", true, isPab, readPab,
+         startsWithMark},
         {"zemax", " bsdf ", "text with SpectralContent and ScatterType", false, isZemax, readZemax,
          nullptr},
         {"alta", " alta dat ", "lines #DIM, #PARAM_IN and #PARAM_OUT", false, isAlta, readAlta,

@@ -62,6 +62,8 @@ bool isFred(const InputFile& file);
 Source readFred(const FileRequest& request);
 bool isLumos(const InputFile& file);
 Source readLumos(const FileRequest& request);
+bool isPab(const InputFile& file);
+Source readPab(const FileRequest& request);
 bool isZemax(const InputFile& file);
 Source readZemax(const FileRequest& request);
 bool isAlta(const InputFile& file);

@@ -1,5 +1,6 @@
 #include "Collection.h"
 #include "Formats.h"
+#include "formats/Pab.h"
 #include "SampleSymmetry.h"
 
 #include <fbrdf/base/Error.h>
@@ -42,11 +43,28 @@ bool mustBeFile(const std::string& spec)
     return spec.substr(0, spec.find(':')).find_first_of("./\\") != std::string::npos;
 }
 
+/// What is known of samples alone.
+Source completed(Source source)
+{
+    if (!source.isotropic && !source.evaluate) source.isotropic = hasIsotropicSamples(source);
+    return source;
+}
+
+Source openFolder(const FileSpec& spec)
+{
+    Source source = readPabFolder(spec.path, spec.choice);
+    const std::filesystem::path path = std::filesystem::absolute(spec.path).lexically_normal();
+    if (source.name.empty())
+        source.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+    return completed(std::move(source));
+}
+
 Source openFile(const FileSpec& spec, const SourceOptions& options)
 {
     if (spec.choice.empty())
         if (std::optional<Material> material = readIfMaterial(spec.path))
             return sourceOfMaterial(std::make_shared<const Material>(std::move(*material)));
+    if (isPabFolder(spec.path)) return openFolder(spec);
     const auto file = std::make_shared<const InputFile>(spec.path);
     const Format& format = formatOf(*file);
     if (!spec.choice.empty() && !format.takesChoice)
@@ -57,8 +75,7 @@ Source openFile(const FileSpec& spec, const SourceOptions& options)
     Source source = format.read({file, spec.choice, options});
     source.format = format.name;
     if (source.name.empty()) source.name = file->stem();
-    if (!source.isotropic && !source.evaluate) source.isotropic = hasIsotropicSamples(source);
-    return source;
+    return completed(std::move(source));
 }
 
 }  // namespace
@@ -88,7 +105,8 @@ Source openSource(const std::string& spec, const SourceOptions& options)
 std::vector<std::string> materialsOf(const std::string& spec)
 {
     const FileSpec chosen = fileSpecOf(spec);
-    if (chosen.path.empty() || (chosen.choice.empty() && isMaterialFile(chosen.path)))
+    if (chosen.path.empty() || std::filesystem::is_directory(chosen.path) ||
+        (chosen.choice.empty() && isMaterialFile(chosen.path)))
         return {spec};
     const auto file = std::make_shared<const InputFile>(chosen.path);
     const Format& format = formatOf(*file);

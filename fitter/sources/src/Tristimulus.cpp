@@ -46,6 +46,18 @@ std::string describeWhite(XyzWhite white)
                                   : "white of X, Y, Z is equal energy (X = Y = Z)";
 }
 
+XyzWhite whiteOfXyz(const std::string& chosen, const Vec3d& sums,
+                    std::vector<std::string>& assumptions)
+{
+    if (!chosen.empty()) return chosen == "d65" ? XyzWhite::d65 : XyzWhite::equalEnergy;
+    const XyzWhite white = isGreyUnderD65(sums) ? XyzWhite::d65 : XyzWhite::equalEnergy;
+    assumptions.push_back(describeWhite(white) + ", " +
+                          (white == XyzWhite::d65
+                               ? "as the sums of the table are; FILE@e takes equal energy"
+                               : "as Radiance has it; FILE@d65 takes D65"));
+    return white;
+}
+
 bool isGreyUnderD65(const Vec3d& sums)
 {
     constexpr double kNear = 0.02;

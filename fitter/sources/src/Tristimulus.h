@@ -3,6 +3,7 @@
 #include <fbrdf/brdf/Conventions.h>
 
 #include <string>
+#include <vector>
 
 namespace fbrdf {
 
@@ -18,6 +19,12 @@ Vec3d linearSrgbFromXyz(const Vec3d& xyz, double whiteX, double whiteY);
 
 /// "white of X, Y, Z is D65", and by what it was told: for Source::assumptions.
 std::string describeWhite(XyzWhite white);
+
+/// The white of a data set that Radiance's tools may have written: "d65" or "e" as it was chosen,
+/// or, where `chosen` is empty, that which the sums of X, Y and Z over the data suggest, which is
+/// added to `assumptions`.
+XyzWhite whiteOfXyz(const std::string& chosen, const Vec3d& sums,
+                    std::vector<std::string>& assumptions);
 
 /// Whether sums of X, Y and Z over a data set have the proportions of grey under D65, within 2 %.
 bool isGreyUnderD65(const Vec3d& sums);

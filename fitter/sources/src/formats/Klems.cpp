@@ -114,19 +114,6 @@ std::vector<double> readMatrix(const InputFile& file, const KlemsBlock& block,
     return matrix;
 }
 
-/// The white of X, Y, Z, chosen or as their sums suggest.
-XyzWhite whiteOf(const KlemsChoice& choice, const Vec3d& sums,
-                 std::vector<std::string>& assumptions)
-{
-    if (!choice.white.empty()) return choice.white == "d65" ? XyzWhite::d65 : XyzWhite::equalEnergy;
-    const XyzWhite white = isGreyUnderD65(sums) ? XyzWhite::d65 : XyzWhite::equalEnergy;
-    assumptions.push_back(describeWhite(white) + ", " +
-                          (white == XyzWhite::d65
-                               ? "as the sums of the table are; FILE@e takes equal energy"
-                               : "as Radiance has it; FILE@d65 takes D65"));
-    return white;
-}
-
 KlemsTable readTable(const InputFile& file, const pugi::xml_node& root, Structure structure,
                      const KlemsChoice& choice, KlemsSelection& selection)
 {
@@ -143,7 +130,7 @@ KlemsTable readTable(const InputFile& file, const pugi::xml_node& root, Structur
     const std::vector<double> z = readMatrix(file, *selection.z, table, structure);
     Vec3d sums(0.0);
     for (size_t i = 0; i < y.size(); ++i) sums += Vec3d(x[i], y[i], z[i]);
-    const XyzWhite white = whiteOf(choice, sums, selection.assumptions);
+    const XyzWhite white = whiteOfXyz(choice.white, sums, selection.assumptions);
     for (size_t i = 0; i < y.size(); ++i)
         table.f[i] = Vec3f(linearSrgbFromXyz({x[i], y[i], z[i]}, white));
     return table;
@@ -218,8 +205,9 @@ Source sourceOfTrees(const InputFile& file, int rank, const KlemsChoice& choice,
     trees->x = readTree(file, selection.x, rank);
     trees->z = readTree(file, selection.z, rank);
     if (trees->x)
-        trees->white = whiteOf(choice, {trees->x->mean(), trees->y->mean(), trees->z->mean()},
-                               selection.assumptions);
+        trees->white =
+            whiteOfXyz(choice.white, {trees->x->mean(), trees->y->mean(), trees->z->mean()},
+                       selection.assumptions);
     Source source;
     source.description = "tensor tree of rank " + std::to_string(rank) + ", " +
                          std::to_string(trees->y->size()) + " values";

@@ -14,8 +14,9 @@ struct SourceOptions {
 
 /// Opens a file (recognised by content, then by extension) or an analytic model
 /// "name:key=value,...". A file of several data sets takes a choice after its path:
-/// FILE@0.532 (a wavelength in um), FILE#name or FILE#row (a material of a collection). Materials
-/// (.fbrdf, the 2001 layout) are sources with `evaluate`. Throws Error(usage) for an unknown model
+/// FILE@0.532 (a wavelength in um), FILE#name or FILE#row (a material of a collection). A folder
+/// may be a measurement in many files (pab). Materials (.fbrdf, the 2001 layout) are sources with
+/// `evaluate`. Throws Error(usage) for an unknown model
 /// or a parameter out of range, Error(input) for a file that is missing or invalid.
 Source openSource(const std::string& spec, const SourceOptions& options = {});
 
