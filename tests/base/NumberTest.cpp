@@ -5,6 +5,7 @@
 #include <fbrdf/base/Text.h>
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -26,10 +27,27 @@ std::string printed(const char* format, int precision, double value)
     return text;
 }
 
+/// This thread's locale is C while it lives, whatever that of the program is.
+class LocaleC {
+public:
+    LocaleC() : c_(::newlocale(LC_ALL_MASK, "C", nullptr)), before_(::uselocale(c_)) {}
+    ~LocaleC()
+    {
+        ::uselocale(before_);
+        ::freelocale(c_);
+    }
+    LocaleC(const LocaleC&) = delete;
+    LocaleC& operator=(const LocaleC&) = delete;
+
+private:
+    locale_t c_, before_;
+};
+
 }  // namespace
 
 TEST(Number, IsWhatPrintfWritesInTheLocaleC)
 {
+    const LocaleC c;
     for (const double value : kValues)
         for (const int precision : {1, 6, 9, 17}) {
             EXPECT_EQ(numberText(value, precision), printed("%.*g", precision, value));
