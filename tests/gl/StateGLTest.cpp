@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/gl/Hooks.h"
 #include "support/gl/Scenes.h"
 
 #include <algorithm>
@@ -51,6 +52,24 @@ TEST_P(State, DrawingPutsBackWhatItFindsAndIsNotDisturbedByIt)
                 ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
             }
         }
+}
+
+TEST_P(State, IsPutBackWhereQueriesWithoutAnIndexAreCoarse)
+{
+    Hooks hooks(context().loader());
+    hooks.coarseQueries = true;
+    gl::RendererOptions options = rendererOptions();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    gl::Renderer renderer(options);
+    const auto mesh = renderer.createMesh(sphereMesh(4));
+    const auto material = renderer.createMaterial(testMaterials()[0]);
+    Offscreen offscreen = makeOffscreen(kSize);
+    for (unsigned seed = 0; seed < kSeeds; ++seed)
+        expectKept(seed, [&] {
+            renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                          {{material.get(), mesh.get()}}, testLights(3));
+        });
 }
 
 TEST_P(State, HooksAndNormalMapsPutBackWhatTheyFindAndAreNotDisturbedByIt)

@@ -69,6 +69,21 @@ void setFirst(const Functions& gl, GLenum name, bool on, int indexedSince)
     on ? gl.Enablei(name, 0) : gl.Disablei(name, 0);
 }
 
+// What setFirst changes is asked for with the same index: without one a driver may answer for all
+// buffers together (NVIDIA 580, compatibility profile).
+bool isFirstOn(const Functions& gl, GLenum name, int indexedSince)
+{
+    return gl.version < indexedSince ? isOn(gl, name) : gl.IsEnabledi(name, 0) == GL_TRUE;
+}
+
+GLint firstInteger(const Functions& gl, GLenum name, int indexedSince)
+{
+    if (gl.version < indexedSince) return integer(gl, name);
+    GLint value = 0;
+    gl.GetIntegeri_v(name, 0, &value);
+    return value;
+}
+
 }  // namespace
 
 StateGuard::StateGuard(const Device& device)
@@ -134,15 +149,16 @@ void StateGuard::saveFixed()
                               &colourMasks_[4 * static_cast<size_t>(i)]);
     const GLenum functions[] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                 GL_BLEND_DST_ALPHA};
-    for (int i = 0; i < 4; ++i) blendFunctions_[i] = integer(gl_, functions[i]);
-    blendEquations_[0] = integer(gl_, GL_BLEND_EQUATION_RGB);
-    blendEquations_[1] = integer(gl_, GL_BLEND_EQUATION_ALPHA);
-    blend_ = isOn(gl_, GL_BLEND);
+    for (int i = 0; i < 4; ++i) blendFunctions_[i] = firstInteger(gl_, functions[i], 40);
+    blendEquations_[0] = firstInteger(gl_, GL_BLEND_EQUATION_RGB, 40);
+    blendEquations_[1] = firstInteger(gl_, GL_BLEND_EQUATION_ALPHA, 40);
+    blend_ = isFirstOn(gl_, GL_BLEND, 30);
     depthTest_ = isOn(gl_, GL_DEPTH_TEST);
-    scissor_ = isOn(gl_, GL_SCISSOR_TEST);
+    scissor_ = isFirstOn(gl_, GL_SCISSOR_TEST, 41);
     depthFunction_ = integer(gl_, GL_DEPTH_FUNC);
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
-    gl_.GetFloatv(GL_VIEWPORT, viewport_);
+    gl_.version < 41 ? gl_.GetFloatv(GL_VIEWPORT, viewport_)
+                     : gl_.GetFloati_v(GL_VIEWPORT, 0, viewport_);
     saveDepths();
     // Two values come back where front and back may differ, which a core profile does not allow.
     if (!gl_.es) gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_);
@@ -157,7 +173,9 @@ void StateGuard::saveFixed()
 void StateGuard::saveDepths()
 {
     if (!gl_.es) {
-        gl_.GetDoublev(GL_DEPTH_RANGE, depthRange_);
+        // The range of a viewport is double from 4.1 on, where the one without index may be float.
+        gl_.version < 41 ? gl_.GetDoublev(GL_DEPTH_RANGE, depthRange_)
+                         : gl_.GetDoublei_v(GL_DEPTH_RANGE, 0, depthRange_);
         return gl_.GetDoublev(GL_DEPTH_CLEAR_VALUE, &clearDepth_);
     }
     GLfloat range[2] = {0.0f, 1.0f}, clear = 1.0f;

@@ -1,5 +1,6 @@
 #include "Hooks.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -110,6 +111,30 @@ void GLAD_API_PTR drawElements(GLenum mode, GLsizei n, GLenum type, const void* 
     active->samples.push_back(samples);
 }
 
+GLboolean GLAD_API_PTR isEnabled(GLenum name)
+{
+    const GladGLContext& gl = active->real;
+    const bool indexed = name == GL_BLEND || name == GL_SCISSOR_TEST;
+    if (!active->coarseQueries || !indexed || !gl.VERSION_4_1) return gl.IsEnabled(name);
+    GLboolean any = GL_FALSE;
+    for (GLuint i = 0; i < 2; ++i) any |= gl.IsEnabledi(name, i);
+    return any;
+}
+
+void GLAD_API_PTR getDoublev(GLenum name, GLdouble* values)
+{
+    active->real.GetDoublev(name, values);
+    if (!active->coarseQueries || name != GL_DEPTH_RANGE) return;
+    for (int i = 0; i < 2; ++i) values[i] = static_cast<GLdouble>(static_cast<GLfloat>(values[i]));
+}
+
+void GLAD_API_PTR getFloatv(GLenum name, GLfloat* values)
+{
+    active->real.GetFloatv(name, values);
+    if (!active->coarseQueries || name != GL_VIEWPORT) return;
+    for (int i = 0; i < 4; ++i) values[i] = std::floor(values[i]);
+}
+
 template <class Function>
 void* pointer(Function function)
 {
@@ -138,6 +163,9 @@ void* hooked(const std::string& name)
         {"glCheckFramebufferStatus", pointer(checkFramebufferStatus)},
         {"glGetError", pointer(getError)},
         {"glDrawElements", pointer(drawElements)},
+        {"glIsEnabled", pointer(isEnabled)},
+        {"glGetDoublev", pointer(getDoublev)},
+        {"glGetFloatv", pointer(getFloatv)},
     };
     const auto found = functions.find(name);
     return found == functions.end() ? nullptr : found->second;

@@ -32,6 +32,10 @@ public:
     bool countSamples = false;         ///< measure every draw call
     std::vector<GLuint> samples;       ///< samples that passed, one for each draw call
 
+    /// Queries without an index answer as NVIDIA's compatibility contexts do: for all draw buffers
+    /// and viewports together, and the depth range in float.
+    bool coarseQueries = false;
+
     GladGLContext real{};
 };
 
