@@ -140,6 +140,20 @@ TEST(ReciprocityError, OfAnEighthOfThePairsIsNear)
     EXPECT_NEAR(medianReciprocityError(wrong, 2, 8192), whole, 0.026 * whole);
 }
 
+TEST(MirrorError, IsTheLogarithmBetweenTheTwoSidesOfThePlaneOfIncidence)
+{
+    const auto oneSided = [](const Vec3d& wo, const Vec3d& wi) {
+        const double side = wi.x * wo.y - wi.y * wo.x;
+        return Vec3d(std::exp(side > 0.0 ? 0.3 : -0.3));
+    };
+    EXPECT_NEAR(medianMirrorError(oneSided, 2), 0.6, 1e-6);
+    EXPECT_EQ(medianMirrorError(lambertian(0.8), 2), 0.0);
+    const auto lobe = [](const Vec3d& wo, const Vec3d& wi) {
+        return Vec3d(std::exp(4.0 * glm::dot(wo, wi)) + wo.z);
+    };
+    EXPECT_NEAR(medianMirrorError(lobe, 2), 0.0, 1e-12) << "not reciprocal, but its mirror image";
+}
+
 TEST(PhysicsErrors, OfALambertian)
 {
     const PhysicsErrors errors = physicsErrors(lambertian(0.8), 2);

@@ -129,6 +129,21 @@ TEST(InfoCommand, PrintsWhatAReciprocalFormCanReach)
     EXPECT_TRUE(jsonFrom(runTool({"info", "lambert", "--json"}))["reciprocal_psnr"].is_null());
 }
 
+TEST(InfoCommand, PrintsWhatAFormThatIsItsOwnMirrorImageCanReach)
+{
+    FBRDF_NEEDS_DATA("nbrdf/nbrdf_weights.f32");
+    const std::string grease = test::dataPath("nbrdf/nbrdf_weights.f32") + "#grease-covered-steel";
+    const auto json = jsonFrom(runTool({"info", grease, "--json"}));
+    EXPECT_GT(json["mirror"].get<double>(), 0.1);
+    EXPECT_GT(json["mirror_psnr"].get<double>(), 34.0);
+    EXPECT_LT(json["mirror_psnr"].get<double>(), 38.0);
+    const auto lambert = jsonFrom(runTool({"info", "lambert", "--json"}));
+    EXPECT_EQ(lambert["mirror"], 0.0);
+    EXPECT_TRUE(lambert["mirror_psnr"].is_null());
+    const auto brushed = jsonFrom(runTool({"info", "ward-rolled-brass", "--json"}));
+    EXPECT_TRUE(brushed["mirror"].is_null()) << "an anisotropic one has no such plane";
+}
+
 TEST(InfoCommand, TheTextIsForPeople)
 {
     const TemporaryDir folder;

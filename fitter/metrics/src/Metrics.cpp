@@ -120,6 +120,24 @@ std::vector<Vec3f> evaluatedAt(const std::vector<Sample>& samples, int threads,
     return values;
 }
 
+/// Median |ln f(pair) / f(partner(pair))| over uniform pairs.
+template <class Partner>
+double medianChange(const BrdfFunction& brdf, int threads, size_t pairCount, const Partner& partner)
+{
+    const std::vector<DirectionPair<double>> pairs = uniformPairs(pairCount);
+    std::vector<Vec3d> errors(pairs.size());
+    parallelFor(pairs.size(), threads, [&](size_t i) {
+        const DirectionPair<double> other = partner(pairs[i]);
+        const Vec3d one = brdf(pairs[i].wo, pairs[i].wi), two = brdf(other.wo, other.wi);
+        for (int c = 0; c < 3; ++c) errors[i][c] = reciprocityError(one[c], two[c]);
+    });
+    std::vector<float> counted;
+    for (const Vec3d& error : errors)
+        for (int c = 0; c < 3; ++c)
+            if (!std::isnan(error[c])) counted.push_back(static_cast<float>(error[c]));
+    return medianOf(counted);
+}
+
 }  // namespace
 
 SampleErrors sampleErrors(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitted,
@@ -161,17 +179,16 @@ std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample
 
 double medianReciprocityError(const BrdfFunction& brdf, int threads, size_t pairCount)
 {
-    const std::vector<DirectionPair<double>> pairs = uniformPairs(pairCount);
-    std::vector<Vec3d> errors(pairs.size());
-    parallelFor(pairs.size(), threads, [&](size_t i) {
-        const Vec3d forth = brdf(pairs[i].wo, pairs[i].wi), back = brdf(pairs[i].wi, pairs[i].wo);
-        for (int c = 0; c < 3; ++c) errors[i][c] = reciprocityError(forth[c], back[c]);
+    return medianChange(brdf, threads, pairCount, [](const DirectionPair<double>& pair) {
+        return DirectionPair<double>{pair.wi, pair.wo};
     });
-    std::vector<float> counted;
-    for (const Vec3d& error : errors)
-        for (int c = 0; c < 3; ++c)
-            if (!std::isnan(error[c])) counted.push_back(static_cast<float>(error[c]));
-    return medianOf(counted);
+}
+
+double medianMirrorError(const BrdfFunction& brdf, int threads, size_t pairCount)
+{
+    return medianChange(brdf, threads, pairCount, [](const DirectionPair<double>& pair) {
+        return DirectionPair<double>{mirrored(pair.wo), mirrored(pair.wi)};
+    });
 }
 
 PhysicsErrors physicsErrors(const BrdfFunction& brdf, int threads)

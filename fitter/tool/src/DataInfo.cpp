@@ -34,24 +34,51 @@ void measureSamples(const Source& source, DataInfo& info)
     }
 }
 
-double psnrOfReciprocalMean(const BrdfFunction& brdf, int threads)
-{
-    const auto mean = [&brdf](const Vec3d& wo, const Vec3d& wi) {
-        return 0.5 * (brdf(wo, wi) + brdf(wi, wo));
-    };
-    return imageErrors(renderStandardSphere(mean, 256, threads),
-                       renderStandardSphere(brdf, 256, threads))
-        .psnrLinear;
-}
+/// Compares f, as pictures, with its means with other functions.
+class MeanErrors {
+public:
+    MeanErrors(const BrdfFunction& brdf, int threads) : brdf_(brdf), threads_(threads) {}
+
+    /// PSNR in dB.
+    double psnrWith(const BrdfFunction& partner)
+    {
+        if (whole_.size == 0) whole_ = pictureOf(brdf_);
+        return imageErrors(pictureOf([&](const Vec3d& wo, const Vec3d& wi) {
+                               return 0.5 * (brdf_(wo, wi) + partner(wo, wi));
+                           }),
+                           whole_)
+            .psnrLinear;
+    }
+
+private:
+    SphereImage pictureOf(const BrdfFunction& brdf) const
+    {
+        return renderStandardSphere(brdf, 256, threads_);
+    }
+
+    const BrdfFunction& brdf_;
+    int threads_;
+    SphereImage whole_;
+};
 
 void measureFunction(const Source& source, int threads, DataInfo& info)
 {
-    constexpr double kReciprocal = 1e-3;  // below what any material of ours resolves
-    info.reciprocity = medianReciprocityError(source.evaluate, threads);
+    constexpr double kSymmetric = 1e-3;  // below what any material of ours resolves
+    // Networks, which are slow, differ by less from their mirror images for want of training.
+    constexpr double kOneSided = 0.02;
+    const BrdfFunction& f = source.evaluate;
+    MeanErrors means(f, threads);
+    info.reciprocity = medianReciprocityError(f, threads);
     info.reciprocityNote = "over the uniform set";
-    if (*info.reciprocity > kReciprocal)
-        info.reciprocalPsnr = psnrOfReciprocalMean(source.evaluate, threads);
-    info.albedo = albedoTable(source.evaluate, threads);
+    if (*info.reciprocity > kSymmetric)
+        info.reciprocalPsnr =
+            means.psnrWith([&f](const Vec3d& wo, const Vec3d& wi) { return f(wi, wo); });
+    info.albedo = albedoTable(f, threads);
+    if (!source.isotropic) return;
+    info.mirror = medianMirrorError(f, threads);
+    if (*info.mirror > kOneSided)
+        info.mirrorPsnr = means.psnrWith(
+            [&f](const Vec3d& wo, const Vec3d& wi) { return f(mirrored(wo), mirrored(wi)); });
 }
 
 std::string colourText(const Vec3f& v)
@@ -105,6 +132,14 @@ std::string reciprocityText(const DataInfo& info)
                : text;
 }
 
+std::string mirrorText(const DataInfo& info)
+{
+    const std::string text =
+        fmt::format("{:.3g}  (median |ln f / f mirrored at the plane of incidence|)", *info.mirror);
+    return info.mirrorPsnr ? text + fmt::format("; its mirrored mean: {:.1f} dB", *info.mirrorPsnr)
+                           : text;
+}
+
 std::string assumptionsText(const std::vector<std::string>& assumptions)
 {
     std::string text = "  assumed, as the file does not state it\n";
@@ -143,19 +178,22 @@ Json jsonOf(const DataInfo& info)
     json["reciprocity"] = info.reciprocity ? jsonOf(*info.reciprocity) : Json();
     json["reciprocity_note"] = info.reciprocityNote;
     json["reciprocal_psnr"] = info.reciprocalPsnr ? jsonOf(*info.reciprocalPsnr) : Json();
+    json["mirror"] = info.mirror ? jsonOf(*info.mirror) : Json();
+    json["mirror_psnr"] = info.mirrorPsnr ? jsonOf(*info.mirrorPsnr) : Json();
     if (info.function) json["directional_albedo"] = jsonOf(info.albedo);
     return json;
 }
 
 std::string textOf(const DataInfo& info)
 {
-    std::string text = info.name + "\n" +
-                       alignedTable({Align::left, Align::left},
-                                    {{"format", info.format},
-                                     {"contains", info.description},
-                                     {"values", info.function ? "for any pair" : "at samples only"},
-                                     {"isotropic", info.isotropic ? "yes" : "not known to be"},
-                                     {"reciprocity", reciprocityText(info)}});
+    std::vector<std::vector<std::string>> rows{
+        {"format", info.format},
+        {"contains", info.description},
+        {"values", info.function ? "for any pair" : "at samples only"},
+        {"isotropic", info.isotropic ? "yes" : "not known to be"},
+        {"reciprocity", reciprocityText(info)}};
+    if (info.mirror) rows.push_back({"mirror image", mirrorText(info)});
+    std::string text = info.name + "\n" + alignedTable({Align::left, Align::left}, rows);
     if (!info.assumptions.empty()) text += assumptionsText(info.assumptions);
     if (info.sampled) text += samplesText(info);
     if (info.function) text += textOf(info.albedo);

@@ -23,6 +23,10 @@ struct DataInfo {
     /// PSNR of the standard sphere, in dB, of the mean of f(a, b) and f(b, a): about the best that
     /// a reciprocal form can reach. Absent for samples, and where f is reciprocal.
     std::optional<double> reciprocalPsnr;
+    /// Of an isotropic function: the median |ln f(a, b) / f(a', b')| of pairs and their mirror
+    /// images at the plane of incidence, and the PSNR of the mean of both where they differ by 2 %.
+    /// Tables over angles have one value for both.
+    std::optional<double> mirror, mirrorPsnr;
     std::vector<AlbedoAt> albedo;  ///< of a function
 };
 

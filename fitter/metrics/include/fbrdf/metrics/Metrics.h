@@ -38,6 +38,17 @@ std::vector<Vec3f> evaluateAt(const BrdfFunction& brdf, const std::vector<Sample
 double medianReciprocityError(const BrdfFunction& brdf, int threads,
                               size_t pairCount = kUniformTestPairs);
 
+/// w mirrored at the plane of the normal and x.
+inline Vec3d mirrored(const Vec3d& w)
+{
+    return {w.x, -w.y, w.z};
+}
+
+/// The same of f and its mirror image: of an isotropic f, how unlike each other the two sides of
+/// the plane of incidence are.
+double medianMirrorError(const BrdfFunction& brdf, int threads,
+                         size_t pairCount = kUniformTestPairs);
+
 struct PhysicsErrors {
     /// What medianReciprocityError gives for the whole set.
     double reciprocity = 0;
