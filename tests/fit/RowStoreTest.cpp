@@ -9,10 +9,12 @@
 namespace fbrdf {
 namespace {
 
+constexpr HdioSizes kSizes{16, 6, 6};
+
 struct Rows {
     Dataset dataset;
     DataStatistics statistics;
-    Form form = formHdio({16, 6, 6});
+    Form form = formHdio(kSizes);
     Layout layout{form};
     RowMaker maker{form, layout};
 
