@@ -27,7 +27,8 @@ void describeTool(CLI::App& app)
     app.require_subcommand(1);
     app.footer(
         "SOURCE is a file, or a model as in ggx:alpha=0.1,f0=1/0.8/0.5 (see fbrdf models). Of\n"
-        "pab's gonio-photometer, whose files have one direction of the light each, it is a folder.\n"
+        "pab's gonio-photometer, whose files have one direction of the light each, it is\n"
+        "their folder.\n"
         "Exit codes: 0 done, 1 a check did not hold, 2 bad usage, 3 invalid input, 4 fit failed,\n"
         "5 output could not be written, 6 no usable GL.");
 }
