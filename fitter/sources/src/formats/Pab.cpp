@@ -10,7 +10,8 @@
 // azimuth of the sample's up, which becomes y. Both directions point away from the surface. Where
 // the azimuths of the light lie within a quarter or a half turn, the sample is taken to be its own
 // mirror image, as pabopto2bsdf does. Source: manual page and code of pabopto2bsdf (Ward 2021).
-// Doubtful: the white of X, Y, Z, and single values are photometric by the manual page only.
+// Doubtful are the white of X, Y, Z, and that single values are photometric, which only the manual
+// page says.
 #include "Pab.h"
 
 #include "Formats.h"
