@@ -114,7 +114,7 @@ private:
     double numberAt(const InputFile& file, size_t line, const std::vector<std::string_view>& words,
                     size_t index) const;
     Side chosenSide(const PabChoice& choice) const;
-    size_t countOf(Side in, Side out) const;
+    bool hasReflectionOf(Side side) const;
     void toRgb(const PabChoice& choice, Source& source) const;
 
     PabHeader header_;
@@ -223,18 +223,17 @@ void PabRows::read(const InputFile& file)
             Found("X, Y, Z in one part and single values in another").expected("one colorimetry"));
 }
 
-size_t PabRows::countOf(Side in, Side out) const
+bool PabRows::hasReflectionOf(Side side) const
 {
-    return static_cast<size_t>(std::count_if(rows_.begin(), rows_.end(), [&](const PabRow& row) {
-        return sideOf(row.thetaIn) == in && sideOf(row.thetaOut) == out;
-    }));
+    return std::any_of(rows_.begin(), rows_.end(), [&](const PabRow& row) {
+        return sideOf(row.thetaIn) == side && sideOf(row.thetaOut) == side;
+    });
 }
 
 Side PabRows::chosenSide(const PabChoice& choice) const
 {
     if (!choice.side.empty()) return choice.side == "front" ? Side::front : Side::back;
-    const bool hasFront = countOf(Side::front, Side::front) > 0;
-    return hasFront || countOf(Side::back, Side::back) == 0 ? Side::front : Side::back;
+    return !hasReflectionOf(Side::front) && hasReflectionOf(Side::back) ? Side::back : Side::front;
 }
 
 // Samples hold X, Y, Z until their sums are known.
