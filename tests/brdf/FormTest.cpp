@@ -63,6 +63,7 @@ TEST(Form, NamesOfDirectionsAndAnglesDiffer)
     EXPECT_STREQ(angleName(Angle::theta_o), "theta_o");
     EXPECT_STREQ(angleName(Angle::phi_d), "phi_d");
     EXPECT_STREQ(angleName(Angle::half_phi_d), "half_phi_d");
+    EXPECT_STREQ(angleName(Angle::side_phi_d), "side_phi_d");
 }
 
 struct Fault {

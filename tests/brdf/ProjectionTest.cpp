@@ -310,6 +310,23 @@ TEST(PairGeometry, HalfDifferenceAzimuthTellsLightFromView)
     EXPECT_NEAR(PairGeometry<double>({low, up}).cosine[half], 0.0, kTight);
 }
 
+TEST(PairGeometry, SideDifferenceAzimuthTellsTheSidesOfThePlaneOfIncidenceApart)
+{
+    const auto side = static_cast<size_t>(Angle::side_phi_d);
+    for (int i = 0; i < 1000; ++i) {
+        const auto pair = test::pair(i);
+        const Vec3d flip(1.0, -1.0, 1.0);
+        const PairGeometry<double> g(pair), swapped({pair.wi, pair.wo}),
+            mirrored({flip * pair.wo, flip * pair.wi});
+        const double phi = halfDifferenceFromPair(pair).phi_d;
+        const double angle = 0.5 * (phi < 0.0 ? phi + kPi : phi);
+        EXPECT_NEAR(g.cosine[side], std::cos(angle), 1e-9) << "pair " << i;
+        EXPECT_NEAR(g.complement[side], 1.0 - g.cosine[side], kTight);
+        EXPECT_NEAR(swapped.cosine[side], g.cosine[side], 1e-9) << "reciprocal";
+        EXPECT_NEAR(std::acos(g.cosine[side]) + std::acos(mirrored.cosine[side]), kPi / 2.0, 1e-7);
+    }
+}
+
 TEST(TexelPosition, TakesTheDirectionOrTheAnglesAskedFor)
 {
     const auto pair = test::pair(7);

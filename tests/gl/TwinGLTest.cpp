@@ -233,6 +233,29 @@ TEST_P(Twin, HalfDifferenceAzimuth)
         kRounding);
 }
 
+TEST_P(Twin, SideDifferenceAzimuth)
+{
+    // phi_d means nothing where one of these sines is 0, and in the plane of incidence, where the
+    // sides meet, either will do.
+    compare(
+        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalfVector(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) "
+        "* "
+        "fbrdfDifferenceAngle(a.xyz, b.xyz); result = vec4(abs(dot(n, cross(h, b.xyz))) * "
+        "sqrt(s.y) "
+        "* fbrdfSideDifferenceAzimuth(n, h, b.xyz, a.z, b.z), 0.0, 0.0);",
+        pairs(),
+        [](const Inputs& i) {
+            const auto g = geometryOf(i);
+            const auto at = [](Angle angle) { return static_cast<size_t>(angle); };
+            const float sines =
+                std::sqrt(g.complement[at(Angle::theta_h)] * g.complement[at(Angle::theta_d)]) *
+                std::abs(g.h.x * g.wi.y - g.h.y * g.wi.x);
+            return Vec4(sines * g.cosine[at(Angle::side_phi_d)],
+                        sines * g.complement[at(Angle::side_phi_d)], 0.0f, 0.0f);
+        },
+        kRounding);
+}
+
 TEST_P(Twin, ComplementKeepsItsDigitsNearThePole)
 {
     // 1 - cos of 1e-3 is 5e-7: the difference to 1 would have one digit left.

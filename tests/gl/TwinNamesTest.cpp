@@ -49,14 +49,19 @@ Names twins()
 }
 
 /// Members of PairGeometry.
-const Names kAngles{"fbrdfHalfVector", "fbrdfZenith", "fbrdfDifferenceAngle",
-                    "fbrdfDifferenceAzimuth", "fbrdfHalfDifferenceAzimuth"};
+const Names kAngles{"fbrdfHalfVector",
+                    "fbrdfZenith",
+                    "fbrdfDifferenceAngle",
+                    "fbrdfDifferenceAzimuth",
+                    "fbrdfHalfDifferenceAzimuth",
+                    "fbrdfSideDifferenceAzimuth"};
 
 /// Functions that exist in GLSL alone, and why.
 const std::map<std::string, std::string> kAlone{
     {"fbrdfAngleFromCosine", "a step of every angle"},
     {"fbrdfZenithAbout", "fbrdfZenith without a tangent frame"},
     {"fbrdfHalfZenith", "fbrdfZenith of h without h"},
+    {"fbrdfHalfAngle", "a step of half_phi_d and side_phi_d"},
     {"fbrdfInverseLength", "a step of h and theta_d"},
     {"fbrdfIrradiance", "falloff and coneFactor of one light"},
     {"fbrdfListed", "reads what fbrdfLightList found"},

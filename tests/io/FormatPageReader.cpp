@@ -150,7 +150,11 @@ double cosine(const std::string& angle, const Pair& p)
     if (angle == "theta_d") value = dot(p.wi, p.h);  // |wi + wo| / 2
     const double folded = a + b > 0 ? a / std::hypot(a, b) : 0;
     if (angle == "phi_d") value = folded;
-    if (angle == "half_phi_d") value = std::sqrt((1 + (p.wo[2] >= p.wi[2] ? folded : -folded)) / 2);
+    const bool isViewHigher = p.wo[2] >= p.wi[2];
+    const bool isRight = p.h[0] * p.wi[1] - p.h[1] * p.wi[0] >= 0;
+    if (angle == "half_phi_d") value = std::sqrt((1 + (isViewHigher ? folded : -folded)) / 2);
+    if (angle == "side_phi_d")
+        value = std::sqrt((1 + (isViewHigher == isRight ? folded : -folded)) / 2);
     return std::clamp(value, 0.0, 1.0);
 }
 

@@ -96,7 +96,8 @@ PairGeometry<T>::PairGeometry(const DirectionPair<T>& pair) : wo(pair.wo), wi(pa
     set(Angle::theta_o, wo.z, wo.x * wo.x + wo.y * wo.y);
     // sin theta_h sin theta_d times |cos phi_d| and |sin phi_d|; where both vanish phi_d means
     // nothing and is pi/2.
-    const T along = T(0.5) * std::abs(wo.z - wi.z), across = std::abs(h.x * wi.y - h.y * wi.x);
+    const T side = h.x * wi.y - h.y * wi.x;  // has the sign of phi_d
+    const T along = T(0.5) * std::abs(wo.z - wi.z), across = std::abs(side);
     const T sines = std::sqrt(along * along + across * across);
     const auto phi_d = static_cast<size_t>(Angle::phi_d);
     cosine[phi_d] = sines > T(0) ? along / sines : T(0);
@@ -104,7 +105,11 @@ PairGeometry<T>::PairGeometry(const DirectionPair<T>& pair) : wo(pair.wo), wi(pa
     // cos^2 of half an angle is (1 + cos) / 2, sin^2 is (1 - cos) / 2.
     const bool isViewHigher = wo.z >= wi.z;
     const T near = T(0.5) * (T(1) + cosine[phi_d]), far = T(0.5) * complement[phi_d];
-    set(Angle::half_phi_d, std::sqrt(isViewHigher ? near : far), isViewHigher ? far : near);
+    const auto setHalf = [&](Angle angle, bool isNear) {
+        set(angle, std::sqrt(isNear ? near : far), isNear ? far : near);
+    };
+    setHalf(Angle::half_phi_d, isViewHigher);
+    setHalf(Angle::side_phi_d, isViewHigher == (side >= T(0)));
 }
 
 template <class T>

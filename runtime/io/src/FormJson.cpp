@@ -101,7 +101,7 @@ Angle angleFromName(const JsonField& json)
 {
     for (int i = 0; i < kAngleCount; ++i)
         if (json.text() == angleName(static_cast<Angle>(i))) return static_cast<Angle>(i);
-    json.fail("'theta_h', 'theta_d', 'theta_i', 'theta_o', 'phi_d' or 'half_phi_d'");
+    json.fail("'theta_h', 'theta_d', 'theta_i', 'theta_o', 'phi_d', 'half_phi_d' or 'side_phi_d'");
 }
 
 Argument argumentFromJson(const JsonField& json, bool direction)

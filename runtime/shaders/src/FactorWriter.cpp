@@ -169,7 +169,8 @@ std::set<std::string> variablesUsed(const FragmentContext& c)
             for (const Angle angle : std::get<std::vector<Angle>>(factor.argument))
                 names.insert(angleName(angle));
     });
-    const bool poleIsHalf = names.count("phi_d") || names.count("half_phi_d") || names.count("d");
+    const bool poleIsHalf = names.count("phi_d") || names.count("half_phi_d") ||
+                            names.count("side_phi_d") || names.count("d");
     if (poleIsHalf || (names.count("theta_h") && needsLocalFrame(c))) names.insert("h");
     return names;
 }

@@ -56,6 +56,8 @@ constexpr Variable kPairVariables[] = {
      "fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
     {"vec2", "half_phi_d", "fbrdfHalfDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
      "fbrdfHalfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
+    {"vec2", "side_phi_d", "fbrdfSideDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
+     "fbrdfSideDifferenceAzimuth(n, h, wi, NoV, NoL)"},
     {"vec3", "d", "fbrdfDifferenceVector(h, wi)", "fbrdfDifferenceVector(h, wi)"},
 };
 

@@ -137,12 +137,14 @@ Material directionsMaterial()
     form.tables = {{"u", DiscDomain::fitting(9, 0.5)},
                    {"v", DiscDomain::fitting(8, 1.0)},
                    {"a", GridDomain{{axis(6, 0.5), axis(5, 0.5)}}},
-                   {"b", GridDomain{{axis(6, 0.5), axis(5, 0.5)}}}};
+                   {"b", GridDomain{{axis(6, 0.5), axis(5, 0.5)}}},
+                   {"c", GridDomain{{axis(6, 0.5), axis(5, 0.5)}}}};
     form.terms = {
         {{{0, Direction::d}, {1, Direction::mirror}}},
         {{{1, Direction::combination(0.5, 1.0, 0.5)}, {0, Direction::combination(1.0, 0.0, 1.0)}}},
         {{{2, std::vector<Angle>{Angle::theta_h, Angle::phi_d}},
-          {3, std::vector<Angle>{Angle::theta_h, Angle::half_phi_d}}}}};
+          {3, std::vector<Angle>{Angle::theta_h, Angle::half_phi_d}},
+          {4, std::vector<Angle>{Angle::theta_h, Angle::side_phi_d}}}}};
     Material material = noiseMaterial(form, Storage::half);
     // Signed factors, as those of a singular value decomposition: the first term may be negative.
     for (size_t k = 0; k < 2; ++k) {
@@ -151,9 +153,12 @@ Material directionsMaterial()
         for (float& texel : table.texels) texel *= 0.25f;
     }
     // phi_d means nothing at theta_h = 0, and there the tables must not depend on it.
-    for (const size_t azimuths : {size_t{2}, size_t{3}})
+    for (const size_t azimuths : {size_t{2}, size_t{3}, size_t{4}})
         for (size_t k = 0; k < material.tables[azimuths].texels.size(); ++k)
             if (k / 3 % 6 == 0) material.tables[azimuths].texels[k] = 0.5f;
+    // In the plane of incidence side_phi_d is either end.
+    std::vector<float>& sides = material.tables[4].texels;
+    std::copy(sides.begin(), sides.begin() + 6 * 3, sides.end() - 6 * 3);
     return material;
 }
 

@@ -21,7 +21,7 @@ Material waterlooMaterial();
 /// a texture and in uniforms, one channel.
 Material everythingMaterial();
 
-/// Directions other than wi, wo and h, the azimuth phi_d and its half, and signed tables.
+/// Directions other than wi, wo and h, the azimuth phi_d and its halves, and signed tables.
 Material directionsMaterial();
 
 /// What the image tests draw.

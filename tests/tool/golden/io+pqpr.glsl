@@ -267,13 +267,25 @@ vec2 fbrdfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
     return sines > 0.0 ? vec2(along / sines, across * across / (sines * (sines + along))) : vec2(0.0, 1.0);
 }
 
-// phi_d / 2, phi_d in [0, pi]: cos^2 of half an angle is (1 + cos) / 2, sin^2 is (1 - cos) / 2.
+// Half of a folded angle, or of pi less it: cos^2 of a half is (1 + cos) / 2, sin^2 is (1 - cos) / 2.
+vec2 fbrdfHalfAngle(vec2 folded, bool isNear)
+{
+    vec2 squares = 0.5 * vec2(1.0 + folded.x, folded.y);
+    if (!isNear) squares = squares.yx;
+    return fbrdfAngleFromCosine(sqrt(squares.x), squares.y);
+}
+
+// phi_d / 2, phi_d in [0, pi] by the mirror symmetry.
 vec2 fbrdfHalfDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
 {
-    vec2 folded = fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL);
-    vec2 squares = 0.5 * vec2(1.0 + folded.x, folded.y);
-    if (NoV < NoL) squares = squares.yx;
-    return fbrdfAngleFromCosine(sqrt(squares.x), squares.y);
+    return fbrdfHalfAngle(fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL), NoV >= NoL);
+}
+
+// phi_d / 2, phi_d in [0, pi] by reciprocity.
+vec2 fbrdfSideDifferenceAzimuth(vec3 n, vec3 h, vec3 wi, float NoV, float NoL)
+{
+    bool isNear = (NoV >= NoL) == (dot(n, cross(h, wi)) >= 0.0);
+    return fbrdfHalfAngle(fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL), isNear);
 }
 
 // d: wi in the frame whose pole is h, in the local frame. Twin: differenceVector, Projection.h.

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/metrics/Metrics.h>
 #include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/metrics/SplitMix.h>
 
@@ -47,18 +48,14 @@ bool isIsotropicSource(const Source& source)
 
 bool isReciprocalSource(const Source& source)
 {
-    if (!source.evaluate) return false;
-    constexpr double kSame = 1e-2;  // relative
-    std::vector<double> differences;
-    for (const auto& pair : uniformPairs(kPairs, kPlace)) {
-        const Vec3d a = source.evaluate(pair.wo, pair.wi), b = source.evaluate(pair.wi, pair.wo);
-        const double sum = a.x + a.y + a.z, other = b.x + b.y + b.z;
-        if (sum > 0.0 && other > 0.0) differences.push_back(std::abs(std::log(sum / other)));
-    }
-    if (differences.empty()) return true;
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    return *middle < kSame;
+    constexpr double kSame = 1e-2;
+    return source.evaluate && medianReciprocityError(source.evaluate, 1, kPairs) < kSame;
+}
+
+bool isMirrorSymmetricSource(const Source& source)
+{
+    constexpr double kSame = 5e-2;
+    return !source.evaluate || medianMirrorError(source.evaluate, 1, kPairs) < kSame;
 }
 
 std::vector<Sample> turned(std::vector<Sample> samples)

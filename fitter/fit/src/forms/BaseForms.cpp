@@ -212,17 +212,28 @@ BaseForm baseHdpu()
 
 // Files that interpolate between few slices of theta_i are not reciprocal about highlights at low
 // angles: there light and view must be told apart beside the highlight, which U cannot.
-Form formHdsu(int size)
+Form formWithHalf(const char* name, Angle half, int size)
 {
     const auto axis = [](int knots, double exponent) {
         return Axis{std::max(kMinResolution, knots), {AxisMap::From::oneMinusCosine, exponent}};
     };
     const GridDomain grid{{axis(size, 0.22), axis(9 * size / 32, 0.7), axis(size / 4, 0.5)}};
-    const Form form{
-        "hdsu",
-        {{"V", grid}, zenithPair("U", std::max(kMinResolution, size / 2))},
-        {{{{0, Angles{Angle::theta_h, Angle::theta_d, Angle::half_phi_d}}, {1, kThetaIO}}}}};
-    return unsymmetric(form, "hdsu");
+    const Form form{name,
+                    {{"V", grid}, zenithPair("U", std::max(kMinResolution, size / 2))},
+                    {{{{0, Angles{Angle::theta_h, Angle::theta_d, half}}, {1, kThetaIO}}}}};
+    return unsymmetric(form, name);
+}
+
+Form formHdsu(int size)
+{
+    return formWithHalf("hdsu", Angle::half_phi_d, size);
+}
+
+// MERL's samples differ between the two sides of the plane of incidence where a coat of grease has
+// run, or a ball was brushed.
+Form formHdau(int size)
+{
+    return formWithHalf("hdau", Angle::side_phi_d, size);
 }
 
 BaseForm baseHdsu()
@@ -230,6 +241,14 @@ BaseForm baseHdsu()
     return baseOf({"hdsu", "V(theta_h, theta_d, half_phi_d) U(theta_i, theta_o)",
                    "as hdpu with phi_d over half a turn, which tells light from view", 32},
                   formHdsu);
+}
+
+BaseForm baseHdau()
+{
+    return baseOf(
+        {"hdau", "V(theta_h, theta_d, side_phi_d) U(theta_i, theta_o)",
+         "as hdpu with phi_d over half a turn, which tells the sides of incidence apart", 32},
+        formHdau);
 }
 
 std::vector<BaseForm> makeBaseForms()
@@ -258,6 +277,7 @@ std::vector<BaseForm> makeBaseForms()
         baseHdpio(),
         baseHdpu(),
         baseHdsu(),
+        baseHdau(),
         baseOf({"qdio", "q(h) r(theta_d) T2(theta_i, theta_o)",
                 "anisotropic in h alone, reciprocal; N passes of two look-ups", 32, true},
                formQdio),

@@ -113,6 +113,9 @@ const std::vector<FormLetter>& formLetters()
          "when these change places"},
         {"u", "a table over theta_i and theta_o that does not"},
         {"s", "after hd: half of the angle phi_d, which tells light from view"},
+        {"a",
+         "after hd: half of the angle phi_d, which tells the sides of the plane of incidence "
+         "apart"},
         {"g", "an array over theta_o, used again over theta_i"},
         {"n", "a map over wi + wo + n, a half vector drawn towards the normal n"},
         {"+", "a sum of terms"},

@@ -41,6 +41,7 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
             add(1, {"hdsu"});
             add(2, {"u+hdsu"});
         }
+        if (!isMirrorSymmetricSource(source)) add(1, {"hdau"});
         add(2, {"gg+hdg", "gg+hdpio", "io+hdio"});
         if (!source.evaluate) add(2, {"io+pqpr"});
         add(3, {"gg+hdg+hdio"});

@@ -46,8 +46,10 @@ constexpr bool operator==(const Direction& a, const Direction& b)
 
 /// phi_d is folded to [0, pi/2] by reciprocity and the mirror symmetry of isotropic surfaces:
 /// cos theta_o - cos theta_i = 2 sin theta_h sin theta_d cos phi_d. half_phi_d is phi_d / 2 with
-/// phi_d folded to [0, pi] by the mirror symmetry alone: it tells light from view.
-enum class Angle { theta_h, theta_d, theta_i, theta_o, phi_d, half_phi_d };
+/// phi_d folded to [0, pi] by the mirror symmetry alone: it tells light from view. side_phi_d is
+/// phi_d / 2 with phi_d folded to [0, pi] by reciprocity alone: it tells the two sides of the plane
+/// of incidence apart.
+enum class Angle { theta_h, theta_d, theta_i, theta_o, phi_d, half_phi_d, side_phi_d };
 
 struct AngleInfo {
     Angle angle;
@@ -56,13 +58,14 @@ struct AngleInfo {
 };
 
 /// One row for each angle, in the order of the enumerators.
-inline constexpr std::array<AngleInfo, 6> kAngles{{
+inline constexpr std::array<AngleInfo, 7> kAngles{{
     {Angle::theta_h, "theta_h", true},
     {Angle::theta_d, "theta_d", true},
     {Angle::theta_i, "theta_i", true},
     {Angle::theta_o, "theta_o", false},
     {Angle::phi_d, "phi_d", true},
     {Angle::half_phi_d, "half_phi_d", true},
+    {Angle::side_phi_d, "side_phi_d", true},
 }};
 constexpr int kAngleCount = static_cast<int>(kAngles.size());
 
@@ -126,8 +129,8 @@ bool argumentFits(const Domain& domain, const Argument& argument);
 
 /// What every projection of a pair needs, computed once. `complement` is 1 - cosine without
 /// cancellation. Its twins in angles.glsl are fbrdfHalfVector (h), fbrdfZenith (theta_o, theta_i
-/// and theta_h), fbrdfDifferenceAngle (theta_d), fbrdfDifferenceAzimuth (phi_d) and
-/// fbrdfHalfDifferenceAzimuth (half_phi_d).
+/// and theta_h), fbrdfDifferenceAngle (theta_d), fbrdfDifferenceAzimuth (phi_d),
+/// fbrdfHalfDifferenceAzimuth (half_phi_d) and fbrdfSideDifferenceAzimuth (side_phi_d).
 template <class T>
 struct PairGeometry {
     Vec3<T> wo, wi, h;

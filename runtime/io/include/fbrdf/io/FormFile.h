@@ -5,7 +5,8 @@
 //  [{"size": 24, "from": "cos", "exponent": 0.5}]}}}],
 //  "terms": [[{"table": 0, "argument": "h"}, {"table": 1, "argument": ["theta_i"]}]]}
 // Directions are "wi", "wo", "h", "d", "mirror" and {"norm": [weights of wi, wo, n]}; angles
-// "theta_h", "theta_d", "theta_i", "theta_o", "phi_d", "half_phi_d".
+// "theta_h", "theta_d", "theta_i", "theta_o", "phi_d", "half_phi_d",
+// "side_phi_d".
 #pragma once
 #include <fbrdf/brdf/Form.h>
 
