@@ -221,5 +221,29 @@ TEST(LookUp, HasNames)
     test::expectError(ErrorKind::usage, "expected native", [] { lookUpFromName("dual"); });
 }
 
+TEST(DirectionMapContrast, OfACubeSeesBothSidesOfAnEdge)
+{
+    DirectionMap map = recombined(tableOf(constant, 16, 1.0), {LookUp::cube, 8});
+    EXPECT_EQ(contrast(map), 0.0);
+    // One face higher than the others: within the faces nothing differs.
+    const size_t face = 3 * 8 * 8;
+    for (size_t i = 0; i < face; ++i) map.table.texels[4 * face + i] += 2.0f;
+    EXPECT_EQ(contrast(map), 4.0);
+    // What lies deep below the horizon is never read.
+    map = recombined(tableOf(constant, 16, 1.0), {LookUp::cube, 8});
+    map.table.texels[5 * face + face / 2] += 2.0f;
+    EXPECT_EQ(contrast(map), 0.0);
+    const DirectionMap smoothMap = recombined(tableOf(smooth, 16, 1.0), {LookUp::cube, 32});
+    const DirectionMap finer = recombined(tableOf(smooth, 16, 1.0), {LookUp::cube, 64});
+    EXPECT_LT(contrast(finer), 0.7 * contrast(smoothMap));
+}
+
+TEST(DirectionMapContrast, OfAParabolicMapIsThatOfItsTable)
+{
+    const DirectionMap map = recombined(tableOf(peak, 16, 0.5), {LookUp::parabolic, 32});
+    EXPECT_EQ(contrast(map), contrast(map.table));
+    EXPECT_GT(contrast(map), 0.0);
+}
+
 }  // namespace
 }  // namespace fbrdf

@@ -229,4 +229,24 @@ TEST(Sample, OneChannelIsSharedByAllColours)
     EXPECT_EQ(value.x, value.z);
 }
 
+TEST(Contrast, IsTheSumOverAxesOfTheLargestDifferences)
+{
+    Table table;
+    table.domain = GridDomain{{Axis{3, {}}, Axis{2, {}}, Axis{2, {}}}};
+    table.channels = 1;
+    //             x: 0 to 1 to 5        y: +10        z: +100
+    table.texels = {0, 1, 5, 10, 11, 15, 100, 101, 105, 110, 111, 115};
+    EXPECT_EQ(contrast(table), 4.0 + 10.0 + 100.0);
+    table.texels = std::vector<float>(12, 3.0f);
+    EXPECT_EQ(contrast(table), 0.0);
+}
+
+TEST(Contrast, IsThatOfTheWorstChannel)
+{
+    Table table;
+    table.domain = GridDomain{{Axis{2, {}}, Axis{1, {}}}};
+    table.texels = {0, 0, 0, 1, -7, 2};
+    EXPECT_EQ(contrast(table), 7.0);
+}
+
 }  // namespace

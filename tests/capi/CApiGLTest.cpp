@@ -158,6 +158,14 @@ TEST_P(CApiGL, MapsAreRecombinedOnRequest)
         gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), nullptr),
         FBRDF_RESULT_OK);
     EXPECT_EQ(fbrdf_gpu_material_look_up_error(gpuMaterial.get()), 0.0f);
+    EXPECT_GT(fbrdf_gpu_material_filter_error(gpuMaterial.get()), 0.0f);
+    auto precise = abi::describe<fbrdf_gpu_material_desc>();
+    precise.precise = 1;
+    ASSERT_EQ(
+        gpuMaterial.create(fbrdf_gpu_material_create, renderer.get(), material.get(), &precise),
+        FBRDF_RESULT_OK);
+    EXPECT_EQ(fbrdf_gpu_material_filter_error(gpuMaterial.get()), 0.0f);
+    EXPECT_EQ(fbrdf_gpu_material_filter_error(nullptr), 0.0f);
     EXPECT_STREQ(fbrdf_gpu_material_why_not_recombined(nullptr), "");
     EXPECT_EQ(fbrdf_gpu_material_look_up_error(nullptr), 0.0f);
 }

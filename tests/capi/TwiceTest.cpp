@@ -3,12 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include "support/BuiltFile.h"
+
 #include <dlfcn.h>
 
 #include <filesystem>
 
 namespace fbrdf::test {
 namespace {
+
+std::filesystem::path library()
+{
+    return builtFile("FBRDF_C_LIBRARY", FBRDF_LIBRARY);
+}
 
 /// One loaded copy of the library.
 class Copy {
@@ -54,10 +61,10 @@ TEST(CApiTwice, TwoCopiesLiveSideBySide)
 {
     const std::filesystem::path second =
         std::filesystem::path(::testing::TempDir()) / "libfbrdf-second.so";
-    std::filesystem::copy_file(FBRDF_LIBRARY, second,
+    std::filesystem::copy_file(library(), second,
                                std::filesystem::copy_options::overwrite_existing);
     {
-        const Copy one(FBRDF_LIBRARY);
+        const Copy one(library());
         ASSERT_TRUE(one) << dlerror();
         {
             const Copy two(second);

@@ -40,10 +40,7 @@ protected:
 TEST_P(DepthMatch, EveryPassCoversWhatIsVisible)
 {
     Hooks hooks(context().loader());
-    gl::RendererOptions options = rendererOptions();
-    options.load = Hooks::load;
-    options.loadUser = &hooks;
-    gl::Renderer renderer(options);
+    gl::Renderer renderer(hooked(hooks));
     const auto mesh = renderer.createMesh(knotMesh(96, 12));
     std::mt19937 random(3);
     for (const OffscreenFormat format : {OffscreenFormat::rgba32f, OffscreenFormat::rgba8})

@@ -20,10 +20,7 @@ protected:
         GlTest::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
         hooks_ = std::make_unique<Hooks>(context().loader());
-        gl::RendererOptions options = rendererOptions();
-        options.load = Hooks::load;
-        options.loadUser = hooks_.get();
-        renderer_ = std::make_unique<gl::Renderer>(options);
+        renderer_ = std::make_unique<gl::Renderer>(hooked(*hooks_));
         mesh_ = renderer_->createMesh(sphereMesh(4));
     }
     void TearDown() override

@@ -18,13 +18,6 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 class Fault : public GlTest {
 protected:
-    gl::RendererOptions hooked(Hooks& hooks)
-    {
-        gl::RendererOptions options = rendererOptions();
-        options.load = Hooks::load;
-        options.loadUser = &hooks;
-        return options;
-    }
     gl::DrawStats draw(gl::Renderer& renderer, const gl::Item& item,
                        const std::vector<Light>& lights, const gl::DrawOptions& options = {})
     {
@@ -158,6 +151,7 @@ TEST_P(Fault, OutOfMemoryIsReported)
 {
     Hooks hooks(context().loader());
     gl::Renderer renderer(hooked(hooks));
+    renderer.createMaterial(testMaterials()[0]);  // measures how finely the context filters
     // The error comes where the upload asks for one, after those of the host were looked for.
     hooks.errorAfter = 1;
     hooks.nextError = GL_OUT_OF_MEMORY;

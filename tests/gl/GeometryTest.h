@@ -86,7 +86,7 @@ protected:
     Drawn draw(const Material& material, const Object& object, const gl::View& view = mapView(),
                const gl::DrawOptions& options = {}, std::vector<Light> lights = testLights(6))
     {
-        const auto gpu = renderer_->createMaterial(material);
+        const auto gpu = exactMaterial(*renderer_, material);
         const auto mesh = renderer_->createMesh(object.mesh);
         return drawItems(*renderer_, kSize, view,
                          {{gpu.get(), mesh.get(), object.model, object.hooks, object.normalMap}},

@@ -169,10 +169,7 @@ TEST_P(HostHooks, WhatIsMissingIsReportedAndTheNextDrawWorks)
 TEST_P(HostHooks, PreparedProgramsAreThoseThatDraw)
 {
     Hooks counted(context().loader());
-    gl::RendererOptions options = rendererOptions();
-    options.load = Hooks::load;
-    options.loadUser = &counted;
-    gl::Renderer renderer(options);
+    gl::Renderer renderer(hooked(counted));
     gl::Hooks hooks;
     hooks.vertex =
         "void fbrdfVertexHook(inout vec3 p, inout vec3 n, inout vec4 t) { p.x += 0.1; }\n";

@@ -86,7 +86,7 @@ protected:
 void Image::compareTechniques(const Scene& scene, const std::vector<int>& lightCounts)
 {
     const auto geometry = geometryBuffer(gl(), *offscreen_, scene.mesh, scene.model, scene.view);
-    const auto material = renderer_->createMaterial(scene.material);
+    const auto material = exactMaterial(*renderer_, scene.material);
     const auto mesh = renderer_->createMesh(scene.mesh);
     for (const int count : lightCounts) {
         if (GetParam().legacy && count != 2 && count != 9 && count != 64) continue;
@@ -169,7 +169,7 @@ TEST_P(Image, DirectionsAndSignedTables)
 TEST_P(Image, LightsAddUp)
 {
     const Scene scene = knotScene(testMaterials()[0]);
-    const auto material = renderer_->createMaterial(scene.material);
+    const auto material = exactMaterial(*renderer_, scene.material);
     const auto mesh = renderer_->createMesh(scene.mesh);
     const auto lights = testLights(9);
     for (const Technique technique : {Technique::single, Technique::twoLookup}) {
@@ -189,7 +189,7 @@ TEST_P(Image, LightsAddUp)
 TEST_P(Image, OrderOfLightsDoesNotMatter)
 {
     const Scene scene = sphereScene(testMaterials()[1]);
-    const auto material = renderer_->createMaterial(scene.material);
+    const auto material = exactMaterial(*renderer_, scene.material);
     const auto mesh = renderer_->createMesh(scene.mesh);
     auto lights = testLights(64);
     const auto first = draw(scene, *material, *mesh, lights, {Technique::twoLookup, 8, 0});
@@ -202,7 +202,7 @@ TEST_P(Image, OrderOfLightsDoesNotMatter)
 TEST_P(Image, TwiceTheIntensityIsTwiceTheRadiance)
 {
     const Scene scene = sphereScene(testMaterials()[2]);
-    const auto material = renderer_->createMaterial(scene.material);
+    const auto material = exactMaterial(*renderer_, scene.material);
     const auto mesh = renderer_->createMesh(scene.mesh);
     auto lights = testLights(5);
     auto expected = draw(scene, *material, *mesh, lights, {});
@@ -215,7 +215,7 @@ TEST_P(Image, ReusesProgramsWhenTheNumberOfLightsChanges)
 {
     const Scene scene = sphereScene(testMaterials()[0]);
     const auto geometry = geometryBuffer(gl(), *offscreen_, scene.mesh, scene.model, scene.view);
-    const auto material = renderer_->createMaterial(scene.material);
+    const auto material = exactMaterial(*renderer_, scene.material);
     const auto mesh = renderer_->createMesh(scene.mesh);
     // Down and up again: no light of an earlier draw may stay behind in the uniforms.
     for (const int count : {7, 2, 8, 3, 60, 10}) {
@@ -230,7 +230,7 @@ TEST_P(Image, ReusesProgramsWhenTheNumberOfLightsChanges)
 TEST_P(Image, SeveralItemsShareTheTarget)
 {
     const Scene scene = knotScene(testMaterials()[4]);
-    const auto first = renderer_->createMaterial(scene.material),
+    const auto first = exactMaterial(*renderer_, scene.material),
                second = renderer_->createMaterial(testMaterials()[2]);
     const auto mesh = renderer_->createMesh(scene.mesh);
     const glm::mat4 turned =
@@ -261,7 +261,7 @@ TEST_P(WrongImage, LosingALightIsNoticed)
 {
     const Scene scene = sphereScene(testMaterials()[0]);
     const auto geometry = geometryBuffer(gl(), *offscreen_, scene.mesh, scene.model, scene.view);
-    const auto material = renderer_->createMaterial(scene.material);
+    const auto material = exactMaterial(*renderer_, scene.material);
     const auto mesh = renderer_->createMesh(scene.mesh);
     auto lights = testLights(64);
     const auto reference = referenceImage(scene.material, geometry, lights, scene.view);

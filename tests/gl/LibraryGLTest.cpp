@@ -241,10 +241,7 @@ TEST_P(Library, NothingIsLeftBehind)
 {
     Hooks hooks(context().loader());
     {
-        gl::RendererOptions options = rendererOptions();
-        options.load = Hooks::load;
-        options.loadUser = &hooks;
-        gl::Renderer renderer(options);
+        gl::Renderer renderer(hooked(hooks));
         const auto mesh = renderer.createMesh(sphereMesh(6));
         const auto library =
             renderer.createLibrary(noiseMaterials(formPqp(8, 0.5), Storage::half, 3));

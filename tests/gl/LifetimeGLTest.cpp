@@ -14,13 +14,6 @@ constexpr int kSize = 32;
 
 class Lifetime : public GlTest {
 protected:
-    gl::RendererOptions hooked(Hooks& hooks)
-    {
-        gl::RendererOptions options = rendererOptions();
-        options.load = Hooks::load;
-        options.loadUser = &hooks;
-        return options;
-    }
     static void expectNothingAlive(const Hooks& hooks)
     {
         for (const auto& [kind, count] : hooks.alive) EXPECT_EQ(count, 0) << kind;

@@ -77,8 +77,9 @@ protected:
                                           lights, {technique, 2});
             EXPECT_EQ(drawn.stats.whyReplaced, "");
             EXPECT_LE(drawn.stats.maxLookups, technique == Technique::twoLookup ? 2 : 12);
-            EXPECT_GT(drawn.stats.error.relative, std::exp2(gpu->lookUpError()) - 1.0);
-            EXPECT_LT(drawn.stats.error.relative, std::exp2(gpu->lookUpError()) - 1.0 + 1e-4);
+            const double maps = std::exp2(gpu->lookUpError() + gpu->filterError()) - 1.0;
+            EXPECT_GT(drawn.stats.error.relative, maps);
+            EXPECT_LT(drawn.stats.error.relative, maps + 1e-4);
             const auto deviation = deviationOf(drawn.pixels, exact, drawn.stats.error);
             EXPECT_LE(deviation.share, 1.0)
                 << material.form.name << " " << lookUpName(options.lookUp) << " "

@@ -41,6 +41,15 @@ std::vector<TableEncoding> cubeEncodings(const Material& material)
     return encodings;
 }
 
+/// Encodings in which the shader filters.
+std::vector<TableEncoding> preciseEncodings(const Material& material)
+{
+    std::vector<TableEncoding> encodings = encodingsOf(material);
+    for (size_t i = 0; i < encodings.size(); ++i)
+        encodings[i].precise = !material.form.tables[i].uniform;
+    return encodings;
+}
+
 /// Fragment shaders of all passes that any technique, limit and target leads to.
 void addSources(const Material& material, const std::vector<TableEncoding>& encodings, int glsl,
                 std::map<std::string, std::string>& sources)
@@ -96,6 +105,8 @@ TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
             addSources(material, encodingsOf(material), glsl, sources);
         const Material pqp = test::testMaterials().front();
         addSources(pqp, cubeEncodings(pqp), glsl, sources);
+        for (const Material& material : test::testMaterials())
+            addSources(material, preciseEncodings(material), glsl, sources);
         std::string files = write("surface.vert", vertexSource(glsl));
         for (const auto& [text, name] : sources) files += " " + write(name, text);
         count += sources.size();
@@ -105,6 +116,22 @@ TEST_F(ShaderValidation, AcceptsEveryGeneratedProgram)
         ADD_FAILURE() << "GLSL " << glsl;
     }
     EXPECT_GT(count, 200u);
+}
+
+TEST_F(ShaderValidation, AcceptsTheProbesOfFilters)
+{
+    for (const int glsl : kGlslVersions)
+        for (const ProbedTexture texture : {ProbedTexture::plane, ProbedTexture::cube,
+                                            ProbedTexture::volume, ProbedTexture::array}) {
+            const bool old = glsl == 100 || glsl == 120;
+            // Arrays are probed where there are libraries, volumes where there are any.
+            if (texture == ProbedTexture::array && (old || glsl == 300)) continue;
+            if (texture == ProbedTexture::volume && glsl == 100) continue;
+            EXPECT_EQ(validate(write("probe.vert", filterProbeVertexSource(glsl)) + " " +
+                               write("probe.frag", filterProbeFragmentSource(glsl, texture))),
+                      0)
+                << glsl << " " << static_cast<int>(texture);
+        }
 }
 
 bool fitsEs100(const Form& form)

@@ -58,10 +58,7 @@ TEST_P(State, IsPutBackWhereQueriesWithoutAnIndexAreCoarse)
 {
     Hooks hooks(context().loader());
     hooks.coarseQueries = true;
-    gl::RendererOptions options = rendererOptions();
-    options.load = Hooks::load;
-    options.loadUser = &hooks;
-    gl::Renderer renderer(options);
+    gl::Renderer renderer(hooked(hooks));
     const auto mesh = renderer.createMesh(sphereMesh(4));
     const auto material = renderer.createMaterial(testMaterials()[0]);
     Offscreen offscreen = makeOffscreen(kSize);
@@ -133,6 +130,23 @@ TEST_P(State, MakingThingsPutsBackWhatItFindsAndIsNotDisturbedByIt)
         if (seed == 0) expected = offscreen.readPixels();
         ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
     }
+}
+
+// The filter of a context is measured when the first material is made.
+TEST_P(State, MeasuringPutsBackWhatItFindsAndIsNotDisturbedByIt)
+{
+    double expected = 0.0;
+    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+        renderer_ = std::make_unique<gl::Renderer>(makeRenderer());
+        std::shared_ptr<gl::GpuMaterial> material;
+        expectKept(seed, [&] { material = renderer_->createMaterial(everythingMaterial()); });
+        if (seed == 0) expected = material->filterError();
+        ASSERT_GT(expected, 0.0);
+        ASSERT_EQ(material->filterError(), expected) << "seed " << seed;
+    }
+    EXPECT_TRUE(std::none_of(log.begin(), log.end(), [](const std::string& line) {
+        return line.find("assumed") != std::string::npos;
+    }));
 }
 
 TEST_P(State, CubeMapsPutBackWhatTheyFindAndAreNotDisturbedByIt)

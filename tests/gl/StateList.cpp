@@ -106,6 +106,10 @@ constexpr NamedState kNumbers[] = {FBRDF_BOTH(GL_BLEND_SRC_RGB),
                                    FBRDF_NAMED(GL_UNPACK_LSB_FIRST),
                                    FBRDF_BOTH(GL_PACK_ALIGNMENT),
                                    FBRDF_BOTH(GL_PACK_ROW_LENGTH),
+                                   FBRDF_BOTH(GL_PACK_SKIP_ROWS),
+                                   FBRDF_BOTH(GL_PACK_SKIP_PIXELS),
+                                   FBRDF_NAMED(GL_PACK_SWAP_BYTES),
+                                   FBRDF_NAMED(GL_PACK_LSB_FIRST),
                                    FBRDF_BOTH(GL_LINE_WIDTH)};
 constexpr NamedState kCompatibilityNumbers[] = {
     FBRDF_NAMED(GL_RED_SCALE),       FBRDF_NAMED(GL_GREEN_SCALE),

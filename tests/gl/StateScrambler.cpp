@@ -175,9 +175,13 @@ void StateScrambler::setPixels(Source& source)
     gl_.PixelStorei(GL_UNPACK_SKIP_IMAGES, source.pick({0, 1}));
     gl_.PixelStorei(GL_PACK_ALIGNMENT, source.pick({4, 1}));
     gl_.PixelStorei(GL_PACK_ROW_LENGTH, source.pick({0, 100}));
+    gl_.PixelStorei(GL_PACK_SKIP_ROWS, source.pick({0, 2}));
+    gl_.PixelStorei(GL_PACK_SKIP_PIXELS, source.pick({0, 3}));
     if (es_) return;
     gl_.PixelStorei(GL_UNPACK_SWAP_BYTES, source.pick({0, 1}));
     gl_.PixelStorei(GL_UNPACK_LSB_FIRST, source.pick({0, 1}));
+    gl_.PixelStorei(GL_PACK_SWAP_BYTES, source.pick({0, 1}));
+    gl_.PixelStorei(GL_PACK_LSB_FIRST, source.pick({0, 1}));
     if (core_) return;
     gl_.PixelTransferf(GL_RED_SCALE, source.pick({1.0f, 0.5f}));
     gl_.PixelTransferf(GL_GREEN_SCALE, source.pick({1.0f, 0.0f}));
@@ -205,6 +209,7 @@ void StateScrambler::setBindings(Source& source)
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, source.pick({0u, framebuffers_[1]}));
     gl_.BindRenderbuffer(GL_RENDERBUFFER, source.pick({0u, renderbuffers_[2]}));
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, source.pick({0u, buffers_[2]}));
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, source.pick({0u, buffers_[2]}));
     if (gl_.VERSION_3_1) gl_.BindBuffer(GL_UNIFORM_BUFFER, source.pick({0u, buffers_[3]}));
 }
 

@@ -138,10 +138,7 @@ TEST_P(Targets, ThatCannotBeDrawnToAreRefused)
 TEST_P(Targets, IncompleteFramebuffersAreRefused)
 {
     Hooks hooks(context().loader());
-    gl::RendererOptions options = rendererOptions();
-    options.load = Hooks::load;
-    options.loadUser = &hooks;
-    gl::Renderer renderer(options);
+    gl::Renderer renderer(hooked(hooks));
     GLuint framebuffer = 0, texture = 0;
     gl().GenTextures(1, &texture);
     gl().BindTexture(GL_TEXTURE_2D, texture);
@@ -164,10 +161,7 @@ TEST_P(Targets, IncompleteFramebuffersAreRefused)
 TEST_P(Targets, WithoutAFloatSurfaceAnotherTechniqueIsTaken)
 {
     Hooks hooks(context().loader());
-    gl::RendererOptions options = rendererOptions();
-    options.load = Hooks::load;
-    options.loadUser = &hooks;
-    gl::Renderer renderer(options);
+    gl::Renderer renderer(hooked(hooks));
     const Material pqp = testMaterials()[0];
     const auto exact = draw(renderer, pqp, OffscreenFormat::rgba8, Technique::single, 8).pixels;
     hooks.refuseFramebuffers = true;

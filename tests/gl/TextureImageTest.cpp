@@ -5,6 +5,9 @@
 
 #include "support/gl/Scenes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fbrdf {
 namespace {
 
@@ -121,6 +124,23 @@ TEST(TextureImage, DecodesUniformKnots)
     ASSERT_EQ(knots.size(), 12u);
     for (size_t i = 0; i < knots.size(); ++i)
         for (int c = 0; c < 3; ++c) EXPECT_EQ(knots[i][c], table.texel(static_cast<int>(i), c));
+}
+
+TEST(TextureImage, FilterErrorIsThatOfTheSteepestTexelsAndOfRounding)
+{
+    const Table table = tableOf(Storage::half);
+    const TextureImage halves = textureImage(table, capabilities(true)),
+                       words = textureImage(tableOf(Storage::log8), capabilities(true));
+    EXPECT_EQ(halves.contrast, contrast(table));
+    EXPECT_DOUBLE_EQ(filterError(halves, {0.25, 0.0}), 0.25 * contrast(table));
+    double largest = 0.0;
+    for (const float texel : table.texels)
+        largest = std::max(largest, static_cast<double>(std::abs(texel)));
+    EXPECT_DOUBLE_EQ(filterError(halves, {0.0, 0.5}), 0.5 * largest);
+    // UNORM texels are rounded as parts of their range.
+    EXPECT_DOUBLE_EQ(
+        filterError(words, {0.0, 0.5}),
+        0.5 * static_cast<double>(std::max({words.extent.x, words.extent.y, words.extent.z})));
 }
 
 }  // namespace

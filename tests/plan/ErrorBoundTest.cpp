@@ -35,17 +35,38 @@ TEST(Precision, CountsRecombinedMapsOnce)
     PlanRequest request = twoLookup(4);
     const auto bound = [&request] { return planPasses(formPqp(4, 1.0), request, modern()).error; };
     const ErrorBound native = bound();
-    request.recombination = 0.5;
+    request.maps.recombination = 0.5;
     const double factor = std::sqrt(2.0);
     EXPECT_NEAR(bound().relative, factor * (1.0 + native.relative) - 1.0, 1e-12);
-    EXPECT_EQ(bound().recombination, 0.5);
+    EXPECT_EQ(bound().maps.recombination, 0.5);
     request.transfer = Transfer::srgb;
     const double curved = bound().absolute;
-    request.recombination = 0.0;
+    request.maps.recombination = 0.0;
     // How far the code of some x <= 1 can move in either direction.
     const double up = srgbFromLinear(1.0) - srgbFromLinear(1.0 / factor);
     EXPECT_GE(curved - bound().absolute, up);
     EXPECT_LT(curved - bound().absolute, 1.5 * up);
+}
+
+TEST(Precision, CountsFilteringAsRecombinationAndAddsWhatIsAbsolute)
+{
+    PlanRequest recombined = twoLookup(4), filtered = recombined, absolute = recombined;
+    recombined.maps.recombination = filtered.maps.filtering = 0.25;
+    absolute.maps.absolute = 0.01;
+    const auto bound = [](const PlanRequest& request) {
+        return planPasses(formPqp(4, 1.0), request, modern()).error;
+    };
+    const ErrorBound plain = bound(twoLookup(4));
+    EXPECT_EQ(bound(filtered).relative, bound(recombined).relative);
+    EXPECT_EQ(bound(filtered).maps.filtering, 0.25);
+    EXPECT_EQ(bound(absolute).relative, plain.relative);
+    EXPECT_NEAR(bound(absolute).absolute, plain.absolute + 0.01, 1e-12);
+    absolute.transfer = Transfer::srgb;
+    PlanRequest curved = twoLookup(4);
+    curved.transfer = Transfer::srgb;
+    EXPECT_GE(bound(absolute).absolute, bound(curved).absolute + 0.9 * srgbFromLinear(0.01));
+    filtered.filter = Filter::shader;
+    EXPECT_EQ(planPasses(formPqp(4, 1.0), filtered, modern()).filter, Filter::shader);
 }
 
 TEST(Precision, NothingMultipliesInPlaceWhereFactorsAreClamped)

@@ -403,7 +403,7 @@ TEST(Plan, RefusesRequestsOutOfRange)
     expectUsage(request);
     for (const double error : {-0.1, std::nan("")}) {
         request = {};
-        request.recombination = error;
+        request.maps.recombination = error;
         expectUsage(request);
     }
 }

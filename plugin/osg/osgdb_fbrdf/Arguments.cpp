@@ -82,10 +82,12 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
     } else if (name == "firstTextureUnit") {
         if (!integer(text, 0, number)) return false;
         effect.setFirstTextureUnit(number);
-    } else if (name == "floatTarget" || name == "derivedTangents" || name == "reload") {
+    } else if (name == "floatTarget" || name == "derivedTangents" || name == "preciseFiltering" ||
+               name == "reload") {
         if (text != "0" && text != "1") return false;
         if (name == "floatTarget") effect.setFloatTarget(text == "1");
         if (name == "derivedTangents") effect.setDerivedTangents(text == "1");
+        if (name == "preciseFiltering") effect.setPreciseFiltering(text == "1");
         if (name == "reload") effect.setReloading(text == "1");
     } else {
         known = false;
@@ -126,6 +128,7 @@ std::vector<OptionText> optionTexts()
             {"firstTextureUnit=<n>", "The maps take this unit and those after it; default 0"},
             {"floatTarget=0|1", "1 where the colour buffer is RGBA32F; default 0"},
             {"derivedTangents=0|1", "1 derives tangents along texture coordinate s; default 0"},
+            {"preciseFiltering=0|1", "1 filters maps in the shader, finer than a GPU; default 0"},
             {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
             {"reload=0|1", "1 reads the material again when its file changes; default 0"}};
 }

@@ -63,8 +63,10 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
 }
 
 // Binary files have all properties in a fixed order, so a property that is added later must belong
-// to a later format. Format 2 has materials in the scene itself.
-constexpr int kFormat = 2;
+// to a later format. Format 2 has materials in the scene itself, format 3 PreciseFiltering.
+constexpr int kEmbeddingFormat = 2, kFormat = 3;
+
+thread_local int formatBeingRead = 0;  ///< of the effect whose properties are read
 
 bool checkFormat(const FactorizedBrdf&)
 {
@@ -75,6 +77,7 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
 {
     int format = 0;
     stream >> format;
+    formatBeingRead = format;
     if (format > kFormat)
         OSG_WARN << "osgFbrdf: "
                  << fbrdf::Found("a FactorizedBrdf of format " + std::to_string(format))
@@ -88,7 +91,8 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
 /// they lose something.
 bool writeFormat(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
 {
-    stream << (isEmbedded(effect) ? kFormat : 1) << std::endl;
+    const int format = isEmbedded(effect) ? kEmbeddingFormat : 1;
+    stream << (effect.getPreciseFiltering() ? kFormat : format) << std::endl;
     return true;
 }
 
@@ -120,6 +124,27 @@ bool writeTransfer(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
     stream << std::string(kTransferNames[static_cast<int>(effect.getTransfer())]) << std::endl;
     return true;
 }
+
+/// In binary files it exists only where it is true, and the format says so.
+class PreciseFiltering : public osgDB::PropByValSerializer<FactorizedBrdf, bool> {
+public:
+    PreciseFiltering()
+        : PropByValSerializer("PreciseFiltering", false, &FactorizedBrdf::getPreciseFiltering,
+                              &FactorizedBrdf::setPreciseFiltering)
+    {
+    }
+    bool read(osgDB::InputStream& stream, osg::Object& object) override
+    {
+        const bool exists = !stream.isBinary() || formatBeingRead >= kFormat;
+        return !exists || PropByValSerializer::read(stream, object);
+    }
+    bool write(osgDB::OutputStream& stream, const osg::Object& object) override
+    {
+        const auto& effect = static_cast<const FactorizedBrdf&>(object);
+        const bool exists = !stream.isBinary() || effect.getPreciseFiltering();
+        return !exists || PropByValSerializer::write(stream, object);
+    }
+};
 
 // A technique that the runtime gets later must not take this number, which is in scene files: it
 // needs a table from numbers of files to indices.
@@ -168,4 +193,5 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
     ADD_USER_SERIALIZER(Technique);
     ADD_USER_SERIALIZER(Transfer);
     ADD_BOOL_SERIALIZER(Reloading, false);
+    wrapper->addSerializer(new PreciseFiltering, osgDB::BaseSerializer::RW_BOOL);
 }

@@ -41,6 +41,12 @@ Vec3d valueAt(const Table& table, const Vec3d& direction)
     return sample(table, Vec3d(position, 0.0));
 }
 
+/// Filtering a cube above the horizon reads no direction whose z is below this.
+double nearestOf(int size)
+{
+    return -2.0 / size;
+}
+
 /// Filtering at the horizon also reads texels below it: they continue the table without a kink.
 /// nearest: filtering reads no direction whose z is below that.
 Vec3d continuedAt(const Table& table, const Vec3d& direction, double nearest)
@@ -94,7 +100,8 @@ Table cubeTable(const Table& table, int size)
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
                 append(map.texels,
-                       continuedAt(table, glm::normalize(cubePoint(face, x, y, size)), -2.0 / size),
+                       continuedAt(table, glm::normalize(cubePoint(face, x, y, size)),
+                                   nearestOf(size)),
                        map.channels);
     return map;
 }
@@ -199,6 +206,50 @@ DirectionMap recombinedAt(const Table& table, const DirectionMapRequest& request
     return map;
 }
 
+double contrastOfFace(const DirectionMap& map, int face)
+{
+    const int size = map.size();
+    Table table = emptyMap(map.table, GridDomain{{Axis{size, {}}, Axis{size, {}}}});
+    const auto length = static_cast<std::ptrdiff_t>(map.table.texels.size()) / kFaces;
+    const auto first = map.table.texels.begin() + face * length;
+    table.texels.assign(first, first + length);
+    // What is never read differs from nothing: std::max leaves out what is no number.
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            if (glm::normalize(cubePoint(face, x, y, size)).z < nearestOf(size))
+                for (int c = 0; c < table.channels; ++c)
+                    table.texels[static_cast<size_t>((y * size + x) * table.channels + c)] =
+                        std::numeric_limits<float>::quiet_NaN();
+    return contrast(table);
+}
+
+/// A bound of the contrast where filtering crosses the border of a face: neither of two axes sees
+/// more than the range of the texels that are mixed there.
+double contrastOfBorder(const DirectionMap& map, int face)
+{
+    const int size = map.size();
+    const double low = kInside - 0.5, high = size - 0.5 - kInside;
+    double worst = 0.0;
+    for (int i = 0; i <= size; ++i) {
+        const double along = std::clamp(i - 0.5, low, high);
+        for (const auto& [x, y] : {std::pair{along, low}, std::pair{along, high},
+                                   std::pair{low, along}, std::pair{high, along}}) {
+            const Vec3d direction = glm::normalize(cubePoint(face, x, y, size));
+            if (direction.z < 0.0) continue;
+            for (int c = 0; c < map.table.channels; ++c) {
+                float least = std::numeric_limits<float>::max(), most = -least;
+                for (const int texel : cubeStencil(direction, size, true).texel) {
+                    if (texel < 0) continue;
+                    least = std::min(least, map.table.texel(texel, c));
+                    most = std::max(most, map.table.texel(texel, c));
+                }
+                worst = std::max(worst, 2.0 * static_cast<double>(most - least));
+            }
+        }
+    }
+    return worst;
+}
+
 }  // namespace
 
 const char* lookUpName(LookUp lookUp)
@@ -235,6 +286,16 @@ std::string whyNotRecombined(const Form& form, int table, Storage storage)
                                   .expected("a direction that is never below the horizon");
         }
     return "";
+}
+
+double contrast(const DirectionMap& map)
+{
+    if (map.lookUp != LookUp::cube) return contrast(map.table);
+    // The faces are six tables, not one of three axes.
+    double worst = 0.0;
+    for (int face = 0; face < kFaces; ++face)
+        worst = std::max({worst, contrastOfFace(map, face), contrastOfBorder(map, face)});
+    return worst;
 }
 
 DirectionMap recombined(const Table& table, const DirectionMapRequest& request)

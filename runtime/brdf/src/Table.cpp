@@ -215,4 +215,25 @@ Vec3<T> sample(const Table& table, const Vec3<T>& position)
 template Vec3<float> sample(const Table&, const Vec3<float>&);
 template Vec3<double> sample(const Table&, const Vec3<double>&);
 
+double contrast(const Table& table)
+{
+    const std::array<int, 3> size = domainSize(table.domain);
+    double worst = 0.0;
+    for (int c = 0; c < table.channels; ++c) {
+        double sum = 0.0;
+        int stride = 1;
+        for (const int count : size) {
+            float largest = 0.0f;
+            for (int i = 0; i + stride < texelCount(table.domain); ++i)
+                if (i / stride % count + 1 < count)
+                    largest =
+                        std::max(largest, std::abs(table.texel(i + stride, c) - table.texel(i, c)));
+            sum += static_cast<double>(largest);
+            stride *= count;
+        }
+        worst = std::max(worst, sum);
+    }
+    return worst;
+}
+
 }  // namespace fbrdf

@@ -25,7 +25,7 @@ constexpr size_t kFirstSize = 0;
 FBRDF_FIRST_SIZE(fbrdf_table, storage, reserved);
 FBRDF_FIRST_SIZE(fbrdf_material_desc, name, name);
 FBRDF_FIRST_SIZE(fbrdf_renderer_desc, no_debug_labels, reserved);
-FBRDF_FIRST_SIZE(fbrdf_gpu_material_desc, map_size, map_size);
+FBRDF_FIRST_SIZE(fbrdf_gpu_material_desc, map_size, precise);
 FBRDF_FIRST_SIZE(fbrdf_mesh_desc, indices, reserved);
 FBRDF_FIRST_SIZE(fbrdf_buffer_array, stride, stride);
 FBRDF_FIRST_SIZE(fbrdf_mesh_buffers_desc, tangent_components, tangent_components);

@@ -13,6 +13,7 @@ fbrdf::gl::MaterialOptions optionsOf(const fbrdf_gpu_material_desc& desc)
     // Numbers beyond the largest size, also those that no int can represent, are refused alike.
     options.mapSize = static_cast<int>(
         std::min(desc.map_size, static_cast<uint32_t>(fbrdf::kLargestMapSize + 1)));
+    options.precise = desc.precise != 0;
     return options;
 }
 
@@ -53,6 +54,11 @@ const char* fbrdf_gpu_material_why_not_recombined(const fbrdf_gpu_material* gpu_
 float fbrdf_gpu_material_look_up_error(const fbrdf_gpu_material* gpu_material)
 {
     return gpu_material ? static_cast<float>(gpu_material->gpu->lookUpError()) : 0.0f;
+}
+
+float fbrdf_gpu_material_filter_error(const fbrdf_gpu_material* gpu_material)
+{
+    return gpu_material ? static_cast<float>(gpu_material->gpu->filterError()) : 0.0f;
 }
 
 void fbrdf_gpu_material_release(fbrdf_gpu_material* gpu_material)

@@ -195,6 +195,12 @@ void checkErrors(const Device& device, const std::string& where)
                     .expected("none"));
 }
 
+void discardErrors(const Device& device)
+{
+    for (int i = 0; i < kMostErrors; ++i)
+        if (device.gl.GetError() == GL_NO_ERROR) return;
+}
+
 void discardHostErrors(const Device& device)
 {
     for (int i = 0; i < kMostErrors; ++i) {

@@ -3,6 +3,9 @@
 #pragma once
 #include "Functions.h"
 
+#include <fbrdf/shaders/TextureImage.h>
+
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -25,7 +28,10 @@ struct Device {
     /// Identities of materials and hooks that are gone: the renderer then deletes what only they
     /// needed. Destructors cannot do so themselves, for they may run after the renderer's.
     std::vector<uint64_t> retiredMaterials, retiredHooks;
-    bool alive = true;  ///< false: the context is gone, no GL call may be made
+    /// What was measured (FilterProbe.h), by type of texel and target.
+    std::map<std::pair<TexelType, GLenum>, FilterPrecision> filters;
+    std::string whyFilterAssumed;  ///< the last reason for which nothing was measured; ""
+    bool alive = true;             ///< false: the context is gone, no GL call may be made
 
     void log(Severity severity, const std::string& text) const
     {
@@ -48,6 +54,8 @@ DevicePtr createDevice(const RendererOptions& options);
 
 /// Throws Error(gl) where glGetError reports one. where: what was being done.
 void checkErrors(const Device& device, const std::string& where);
+/// Takes away the errors of what has failed and was reported already.
+void discardErrors(const Device& device);
 /// Takes away, with a warning, the errors that the host left behind, so that they are not taken for
 /// ours.
 void discardHostErrors(const Device& device);

@@ -15,6 +15,11 @@ const std::string& GpuMaterial::whyNotRecombined() const
     return resources_->whyNotRecombined();
 }
 
+double GpuMaterial::filterError() const
+{
+    return resources_->filterError();
+}
+
 double GpuMaterial::lookUpError() const
 {
     return resources_->lookUpError();

@@ -72,8 +72,9 @@ LibraryResources::Group LibraryResources::made(const std::vector<const Material*
     const std::string why = whyNotPacked(first.form);
     if (whyNotPacked_.empty()) whyNotPacked_ = why;
     Group group{layoutOf(first), nullptr, members.size()};
-    group.gpu = why.empty() ? std::make_unique<MaterialResources>(device_, members)
-                            : std::make_unique<MaterialResources>(device_, first, options_);
+    group.gpu = why.empty()
+                    ? std::make_unique<MaterialResources>(device_, members, options_.precise)
+                    : std::make_unique<MaterialResources>(device_, first, options_);
     // Throws while nothing refers to the group yet.
     check(*group.gpu);
     return group;

@@ -1,5 +1,7 @@
 #include "MaterialResources.h"
 
+#include "FilterProbe.h"
+#include "TextureUpload.h"
 #include "UploadGuard.h"
 
 #include <fbrdf/base/Assert.h>
@@ -13,26 +15,6 @@
 namespace fbrdf::gl {
 namespace {
 
-struct Format {
-    GLint internal;
-    GLenum type;
-};
-
-constexpr GLenum kHalfFloatOes = 0x8D61;  // OES_texture_half_float: not GL_HALF_FLOAT
-
-/// ES 2.0 has no sized formats, and ES stores three channels where three are uploaded.
-Format formatOf(TexelType type, const Functions& gl)
-{
-    const bool old = gl.es != 0 && gl.es < 30;
-    switch (type) {
-        case TexelType::unorm16: return {GL_RGB16, GL_UNSIGNED_SHORT};
-        case TexelType::half:
-            return {old ? GL_RGB : GL_RGB16F, old ? kHalfFloatOes : GL_HALF_FLOAT};
-        case TexelType::float32: return {old ? GL_RGB : gl.es ? GL_RGB32F : GL_RGBA32F, GL_FLOAT};
-    }
-    return {};
-}
-
 /// GLSL ES 1.00 cannot index uniforms by a value that varies: there knots become a texture, which
 /// costs one more look-up.
 Form drawnForm(Form form, const Capabilities& capabilities)
@@ -40,12 +22,6 @@ Form drawnForm(Form form, const Capabilities& capabilities)
     for (TableSpec& table : form.tables)
         if (capabilities.glsl == 100) table.uniform = false;
     return form;
-}
-
-const void* texelsOf(const TextureImage& image)
-{
-    return image.type == TexelType::float32 ? static_cast<const void*>(image.floats.data())
-                                            : static_cast<const void*>(image.words.data());
 }
 
 GLenum targetOf(const Table& table, const TextureImage& image)
@@ -79,40 +55,6 @@ void checkTexels(const Capabilities& c, const Table& table, const TextureImage& 
                         .expected("at most " + std::to_string(limit)));
 }
 
-/// Sets linear filtering between texel centres, clamping at the border, and a single level.
-void setSampling(const Functions& gl, GLenum target)
-{
-    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    // ES 2.0 knows neither the third axis nor a largest level.
-    if (!gl.hasVolumes()) return;
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-void upload(const Functions& gl, GLenum target, const TextureImage& image)
-{
-    // Formats without a size (OpenGL ES 2.0) take theirs from the type of what is uploaded.
-    const Format format = formatOf(image.type, gl);
-    const GLsizei width = image.size[0], height = image.size[1];
-    const auto* texels = static_cast<const unsigned char*>(texelsOf(image));
-    const auto upload2d = [&](GLenum face, const void* from) {
-        gl.TexImage2D(face, 0, format.internal, width, height, 0, GL_RGB, format.type, from);
-    };
-    if (target == GL_TEXTURE_3D)
-        return gl.TexImage3D(target, 0, format.internal, width, height, image.size[2], 0, GL_RGB,
-                             format.type, texels);
-    if (target == GL_TEXTURE_2D) return upload2d(target, texels);
-    // The faces follow each other in the image in the order of GL's enumerators.
-    const size_t channel = image.type == TexelType::float32 ? sizeof(float) : sizeof(uint16_t);
-    for (GLenum face = 0; face < 6; ++face)
-        upload2d(
-            GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
-            texels + face * 3 * channel * static_cast<size_t>(width) * static_cast<size_t>(height));
-}
-
 /// A disc of gamma 1 is a parabolic map already.
 bool isParabolic(const Table& table)
 {
@@ -133,24 +75,27 @@ MaterialResources::MaterialResources(DevicePtr device, const Material& material,
 {
     // Validated before the first upload, so that a refusal leaves nothing behind.
     validate(material, "material '" + name_ + "'");
-    const UploadGuard guard(*device_);
-    std::vector<double> errors(material.tables.size(), 0.0);
-    for (size_t i = 0; i < material.tables.size(); ++i) {
-        const Table& table = material.tables[i];
-        if (form_.tables[i].uniform) {
-            encodings_.push_back({isLog(table.storage), false});
-            tables_.emplace_back();
-            tables_.back().knots = uniformKnots(table);
-        } else {
-            const TextureImage image = imageOf(table, static_cast<int>(i), options);
-            errors[i] = image.error;
-            addTexture(table, image);
-        }
-    }
     raisePeaks(material);
-    // Recombined texels may exceed those of the table by as much as the error.
-    for (size_t i = 0; i < errors.size(); ++i) peaks_.tables[i] *= std::exp2(errors[i]);
-    setLookUpError(errors);
+    std::vector<TextureImage> images(material.tables.size());
+    for (size_t i = 0; i < images.size(); ++i) {
+        if (form_.tables[i].uniform) continue;
+        images[i] = imageOf(material.tables[i], static_cast<int>(i), options);
+        // Recombined texels may exceed those of the table by as much as the error.
+        peaks_.tables[i] *= std::exp2(images[i].error);
+        raiseFilterError(i, images[i], targetOf(material.tables[i], images[i]));
+    }
+    setLookUpError(images);
+    const UploadGuard guard(*device_);
+    for (size_t i = 0; i < images.size(); ++i) {
+        const Table& table = material.tables[i];
+        if (!form_.tables[i].uniform) {
+            addTexture(table, images[i]);
+            continue;
+        }
+        encodings_.push_back({isLog(table.storage), false});
+        tables_.emplace_back();
+        tables_.back().knots = uniformKnots(table);
+    }
     checkErrors(*device_, "material '" + name_ + "'");
 }
 
@@ -158,19 +103,27 @@ TextureImage MaterialResources::imageOf(const Table& table, int index,
                                         const MaterialOptions& options)
 {
     const Capabilities& c = device_->capabilities;
+    const auto filtered = [&options](TextureImage image) {
+        image.encoding.precise = options.precise;
+        return image;
+    };
     // Recombining would only add an error to a map that is what was asked for.
     const bool asAsked =
         options.lookUp == LookUp::parabolic && options.mapSize == 0 && isParabolic(table);
-    if (options.lookUp == LookUp::native || asAsked) return textureImage(table, c);
-    const std::string why = fbrdf::whyNotRecombined(form_, index, table.storage);
+    if (options.lookUp == LookUp::native || asAsked) return filtered(textureImage(table, c));
+    const std::string why =
+        options.precise && options.lookUp == LookUp::cube
+            ? "a shader that filters by itself does not know the edges of a cube"
+            : fbrdf::whyNotRecombined(form_, index, table.storage);
     if (why.empty())
-        return textureImage(
+        return filtered(textureImage(
             recombined(table, {options.lookUp, options.mapSize,
                                options.lookUp == LookUp::cube ? c.maxCubeSize : c.maxTextureSize,
                                c.seamlessCubes}),
-            c);
-    whyNotRecombined_ += (whyNotRecombined_.empty() ? "" : "; ") + why;
-    return textureImage(table, c);
+            c));
+    if (whyNotRecombined_.find(why) == std::string::npos)
+        whyNotRecombined_ += (whyNotRecombined_.empty() ? "" : "; ") + why;
+    return filtered(textureImage(table, c));
 }
 
 /// Filtering mixes texels, so none of its results is larger than the largest of them.
@@ -192,14 +145,54 @@ void MaterialResources::raisePeaks(const Material& material)
 
 /// The error of a product is at most the sum of its factors'; that of a sum of positive products is
 /// at most the largest of theirs.
-void MaterialResources::setLookUpError(const std::vector<double>& tableErrors)
+void MaterialResources::setLookUpError(const std::vector<TextureImage>& images)
 {
     for (const Term& term : form_.terms) {
         double sum = 0.0;
         for (const Factor& factor : term.factors)
-            sum += tableErrors[static_cast<size_t>(factor.table)];
+            sum += images[static_cast<size_t>(factor.table)].error;
         lookUpError_ = std::max(lookUpError_, sum);
     }
+}
+
+/// A packed table has the largest error of its layers.
+void MaterialResources::raiseFilterError(size_t table, const TextureImage& image, GLenum target)
+{
+    filterErrors_.resize(form_.tables.size(), 0.0);
+    if (image.encoding.precise) return;
+    filterErrors_[table] =
+        std::max(filterErrors_[table],
+                 fbrdf::filterError(image, filterPrecision(device_, image.type, target)));
+}
+
+Filter MaterialResources::filter() const
+{
+    const bool precise = std::any_of(encodings_.begin(), encodings_.end(),
+                                     [](const TableEncoding& e) { return e.precise; });
+    return precise ? Filter::shader : Filter::hardware;
+}
+
+MapErrors MaterialResources::mapErrors(double irradiance) const
+{
+    MapErrors errors{lookUpError_, 0.0, 0.0};
+    if (filterErrors_.empty()) return errors;
+    double radiance = 0.0;
+    for (size_t t = 0; t < form_.terms.size(); ++t) {
+        // Logs add up; where values multiply, the product moves by at most
+        // prod(peak + error) - prod(peak).
+        double logs = 0.0, exact = peaks_.scales[t], moved = exact;
+        for (const Factor& factor : form_.terms[t].factors) {
+            const auto k = static_cast<size_t>(factor.table);
+            const bool isLog = encodings_[k].logarithmic;
+            if (isLog) logs += filterErrors_[k];
+            exact *= peaks_.tables[k];
+            moved *= peaks_.tables[k] + (isLog ? 0.0 : filterErrors_[k]);
+        }
+        errors.filtering = std::max(errors.filtering, logs);
+        radiance += moved - exact;
+    }
+    errors.absolute = radiance * irradiance;
+    return errors;
 }
 
 void MaterialResources::addTexture(const Table& table, const TextureImage& image)
@@ -213,14 +206,15 @@ void MaterialResources::addTexture(const Table& table, const TextureImage& image
     result.lower = image.lower;
     result.extent = image.extent;
     gl.BindTexture(result.target, result.texture.name());
-    setSampling(gl, result.target);
+    setSampling(gl, result.target, !image.encoding.precise);
     upload(gl, result.target, image);
     label(*device_, ObjectKind::texture, result.texture, name_ + ":" + table.name);
     encodings_.push_back(image.encoding);
     tables_.push_back(std::move(result));
 }
 
-MaterialResources::MaterialResources(DevicePtr device, const std::vector<const Material*>& layers)
+MaterialResources::MaterialResources(DevicePtr device, const std::vector<const Material*>& layers,
+                                     bool precise)
     : device_(std::move(device)),
       id_(device_->nextMaterial++),
       name_("library of " + layers.front()->form.name),
@@ -230,14 +224,24 @@ MaterialResources::MaterialResources(DevicePtr device, const std::vector<const M
       parameters_(device_, GL_RGBA32F, "material parameters")
 {
     FBRDF_ASSERT(parameterLayout(form_).stride, >, 0);
+    measureFilters(*layers.front());
     const UploadGuard guard(*device_);
-    for (const Table& table : layers.front()->tables) addArray(table, layers.size());
+    for (const Table& table : layers.front()->tables) addArray(table, layers.size(), precise);
     for (size_t i = 0; i < layers.size(); ++i) setLayer(i, *layers[i]);
     uploadParameters();
     checkErrors(*device_, name_);
 }
 
-void MaterialResources::addArray(const Table& table, size_t layers)
+/// Measures before the upload begins, for measuring draws.
+void MaterialResources::measureFilters(const Material& material) const
+{
+    for (size_t i = 0; i < material.tables.size(); ++i)
+        if (!form_.tables[i].uniform)
+            filterPrecision(device_, textureImage(material.tables[i], device_->capabilities).type,
+                            GL_TEXTURE_2D_ARRAY);
+}
+
+void MaterialResources::addArray(const Table& table, size_t layers, bool precise)
 {
     tables_.emplace_back();
     if (form_.tables[tables_.size() - 1].uniform) {
@@ -249,13 +253,14 @@ void MaterialResources::addArray(const Table& table, size_t layers)
     checkTexels(device_->capabilities, table, image);
     // One layer may span [0, 1] and the next something else: all take their range from parameters.
     image.encoding.ranged = image.type == TexelType::unorm16;
+    image.encoding.precise = precise;
     encodings_.push_back(image.encoding);
     GpuTable& made = tables_.back();
     made.texture = createObject(device_, ObjectKind::texture);
     made.target = GL_TEXTURE_2D_ARRAY;
     gl.BindTexture(made.target, made.texture.name());
-    setSampling(gl, made.target);
-    const Format format = formatOf(image.type, gl);
+    setSampling(gl, made.target, !precise);
+    const UploadFormat format = formatOf(image.type, gl);
     // Layers are filled one by one, as when a material is replaced later.
     gl.TexImage3D(made.target, 0, format.internal, image.size[0], image.size[1],
                   static_cast<GLsizei>(layers), 0, GL_RGB, format.type, nullptr);
@@ -280,7 +285,9 @@ void MaterialResources::setLayer(size_t layer, const Material& material)
             std::transform(knots.begin(), knots.end(), parameter(layout.tables[k]), opaque);
             continue;
         }
-        const TextureImage image = textureImage(table, device_->capabilities);
+        TextureImage image = textureImage(table, device_->capabilities);
+        image.encoding.precise = encodings_[k].precise;
+        raiseFilterError(k, image, GL_TEXTURE_2D_ARRAY);
         *parameter(layout.tables[k]) = opaque(image.lower);
         *parameter(layout.tables[k] + 1) = opaque(image.extent);
         gl.BindTexture(GL_TEXTURE_2D_ARRAY, tables_[k].texture.name());

@@ -25,7 +25,7 @@ public:
     MaterialResources(DevicePtr device, const Material& material,
                       const MaterialOptions& options = {});
     /// Packs materials, one or more, which are valid and of one layout (sameLayout).
-    MaterialResources(DevicePtr device, const std::vector<const Material*>& layers);
+    MaterialResources(DevicePtr device, const std::vector<const Material*>& layers, bool precise);
 
     ~MaterialResources() { device_->retiredMaterials.push_back(id_); }
     MaterialResources(const MaterialResources&) = delete;
@@ -44,6 +44,12 @@ public:
     /// See Handles.h.
     const std::string& whyNotRecombined() const { return whyNotRecombined_; }
     double lookUpError() const { return lookUpError_; }
+    /// Shader where that filters all maps.
+    Filter filter() const;
+    /// The product of a term may be off by so much, |log2|, because textures are filtered coarsely.
+    double filterError() const { return mapErrors(0.0).filtering; }
+    /// Of what is looked up, under lights whose irradiances (Peaks::lights) add up to `irradiance`.
+    MapErrors mapErrors(double irradiance) const;
     /// The largest values of the tables, without lights; those of all layers that a packed material
     /// has ever had.
     const Peaks& peaks() const { return peaks_; }
@@ -55,8 +61,10 @@ private:
     TextureImage imageOf(const Table& table, int index, const MaterialOptions& options);
     void addTexture(const Table& table, const TextureImage& image);
     void raisePeaks(const Material& material);
-    void setLookUpError(const std::vector<double>& tableErrors);
-    void addArray(const Table& table, size_t layers);
+    void setLookUpError(const std::vector<TextureImage>& images);
+    void raiseFilterError(size_t table, const TextureImage& image, GLenum target);
+    void measureFilters(const Material& material) const;
+    void addArray(const Table& table, size_t layers, bool precise);
     void setLayer(size_t layer, const Material& material);
     void uploadParameters();
 
@@ -67,6 +75,7 @@ private:
     bool hasSigns_ = false;
     std::string whyNotRecombined_;
     double lookUpError_ = 0.0;
+    std::vector<double> filterErrors_;  ///< of each table, in its unit (filterError)
     Peaks peaks_;
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;

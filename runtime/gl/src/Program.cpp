@@ -81,29 +81,6 @@ void bindAttributes(const Functions& gl, GLuint program)
         gl.BindAttribLocation(program, kExtra + k, ("fbrdfExtra" + std::to_string(k)).c_str());
 }
 
-Object linked(const DevicePtr& device, const MaterialResources& material,
-              const Object& vertexShader, const std::string& fragment)
-{
-    const Functions& gl = device->gl;
-    // The program keeps what it needs of the shaders; they may be deleted.
-    const Object fragmentShader = compiledShader(device, GL_FRAGMENT_SHADER, fragment);
-    Object program = createObject(device, ObjectKind::program);
-    gl.AttachShader(program.name(), vertexShader.name());
-    gl.AttachShader(program.name(), fragmentShader.name());
-    bindAttributes(gl, program.name());
-    // Locations are the same in all programs, so that a vertex array fits each of them.
-    gl.LinkProgram(program.name());
-    label(*device, ObjectKind::program, program, material.form().name);
-    GLint ok = GL_FALSE, length = 0;
-    gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
-    if (ok) return program;
-    gl.GetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
-    failShader("found one that does not link: " +
-               infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
-                   gl.GetProgramInfoLog(program.name(), size, written, log);
-               }));
-}
-
 /// Texture units of the samplers that a program uses, from the device's first on. Samplers keep
 /// their units for good.
 class Units {
@@ -186,11 +163,35 @@ Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& 
                }));
 }
 
+Object linkedShaders(const DevicePtr& device, const Object& vertexShader,
+                     const Object& fragmentShader, const std::string& name)
+{
+    const Functions& gl = device->gl;
+    Object program = createObject(device, ObjectKind::program);
+    gl.AttachShader(program.name(), vertexShader.name());
+    gl.AttachShader(program.name(), fragmentShader.name());
+    bindAttributes(gl, program.name());
+    // Locations are the same in all programs, so that a vertex array fits each of them.
+    gl.LinkProgram(program.name());
+    label(*device, ObjectKind::program, program, name);
+    GLint ok = GL_FALSE, length = 0;
+    gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
+    if (ok) return program;
+    gl.GetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
+    failShader("found one that does not link: " +
+               infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+                   gl.GetProgramInfoLog(program.name(), size, written, log);
+               }));
+}
+
 Program linkedProgram(const DevicePtr& device, const MaterialResources& material,
                       const Object& vertexShader, const std::string& fragment)
 {
     Program result;
-    result.object = linked(device, material, vertexShader, fragment);
+    // The program keeps what it needs of the shaders; they may be deleted.
+    result.object =
+        linkedShaders(device, vertexShader, compiledShader(device, GL_FRAGMENT_SHADER, fragment),
+                      material.form().name);
     const GLuint program = result.object.name();
     Units units(*device, program);
     // Uniforms can be set of the current program only.

@@ -31,6 +31,11 @@ struct Program {
 /// Throws Error(gl) with the compiler's log.
 Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& source);
 
+/// The attributes are where meshes have them (Attribute). The shaders may be deleted then. Throws
+/// Error(gl) with the linker's log.
+Object linkedShaders(const DevicePtr& device, const Object& vertexShader,
+                     const Object& fragmentShader, const std::string& name);
+
 /// Compiles the fragment shader, links it with `vertexShader`, which may be deleted then, and finds
 /// the uniforms. Leaves the program current. Throws Error(gl) with the compiler's or the linker's
 /// log.

@@ -3,6 +3,7 @@
 #include <fbrdf/base/Found.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fbrdf::gl {
 namespace {
@@ -28,12 +29,26 @@ void addPlan(DrawStats& stats, const Plan& plan)
     if (passes > stats.passes) {
         stats.accumulation = colourFormatName(plan.accumulation);
         stats.technique = plan.technique;
+        stats.filter = plan.filter;
     }
     stats.error = {std::max(stats.error.relative, plan.error.relative),
                    std::max(stats.error.absolute, plan.error.absolute),
-                   std::max(stats.error.recombination, plan.error.recombination)};
+                   {std::max(stats.error.maps.recombination, plan.error.maps.recombination),
+                    std::max(stats.error.maps.filtering, plan.error.maps.filtering),
+                    std::max(stats.error.maps.absolute, plan.error.maps.absolute)}};
     stats.passes = std::max(stats.passes, passes);
     stats.drawCalls += passes;
+}
+
+/// The irradiance of all lights that may reach an object, at most.
+double irradianceOf(const EyeLights& lights, const Sphere& bounds, const DrawRequest& draw)
+{
+    double sum = 0.0;
+    if (!draw.clusters)
+        for (const double peak : lights.peaks) sum += peak;
+    else
+        for (const Light& light : draw.lights) sum += largestIrradiance(light, bounds);
+    return sum;
 }
 
 }  // namespace
@@ -135,7 +150,7 @@ ReadyPlan Renderer::State::planFor(const MaterialResources& material, const Comp
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
     wanted.signs = material.hasSigns();
-    wanted.recombination = material.lookUpError();
+    wanted.filter = material.filter();
     ReadyPlan ready = planOf(material.form(), wanted, capabilities, draw);
     if (ready.plan.feasible()) return ready;
     // Once for each text, and so for each material and reason: draws come 60 times a second.
@@ -153,6 +168,18 @@ ReadyPlan Renderer::State::planFor(const MaterialResources& material, const Comp
     return ready;
 }
 
+void Renderer::State::prepareFirst(const MaterialResources& material)
+{
+    prepare(material, {}, {}, 1);
+    // Not before: what keeps a filter from being measured most often refuses the material too.
+    const std::string why = std::exchange(device->whyFilterAssumed, "");
+    if (!why.empty())
+        device->logOnce(Severity::warning,
+                        "how finely textures are filtered was not measured, 8 bits between texels "
+                        "are assumed: " +
+                            why);
+}
+
 void Renderer::State::prepare(const MaterialResources& material, const SurfaceOptions& surface,
                               const DrawOptions& options, int lights)
 {
@@ -162,8 +189,9 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
     std::string whyReplaced;
     // An RGBA32F target needs no surfaces, and so no size, which is not known yet.
     const TargetInfo floatTarget{ColourFormat::rgba32f, false, false, Transfer::linear};
-    const ReadyPlan ready = planFor(material, surface.hooks, request(options, lights, floatTarget),
-                                    nullptr, whyReplaced);
+    PlanRequest wanted = request(options, lights, floatTarget);
+    wanted.maps = material.mapErrors(0.0);
+    const ReadyPlan ready = planFor(material, surface.hooks, wanted, nullptr, whyReplaced);
     programsOf(material, surface, ready.plan, isClustered(options, static_cast<size_t>(lights)));
 }
 
@@ -190,6 +218,7 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
         wanted.peaks = material.peaks();
         wanted.peaks->lights = lights.peaks;
     }
+    wanted.maps = material.mapErrors(irradianceOf(lights, bounds, draw));
     ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
     ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters.has_value());
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, ready, lights));

@@ -36,7 +36,7 @@ struct Renderer::State {
     ReadyPlan planFor(const MaterialResources& material, const CompiledHooks* hooks,
                       PlanRequest wanted, const DrawRequest* draw, std::string& whyReplaced);
     /// Builds what every material needs, and so refuses one that GL cannot draw.
-    void prepareFirst(const MaterialResources& material) { prepare(material, {}, {}, 1); }
+    void prepareFirst(const MaterialResources& material);
     /// Builds what a draw will need.
     void prepare(const MaterialResources& material, const SurfaceOptions& surface,
                  const DrawOptions& options, int lights);

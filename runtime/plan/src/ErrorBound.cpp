@@ -13,8 +13,10 @@
 // A pass that reads a UNORM surface scales the steps of that surface by its gain and by the largest
 // value of its parts. A curve turns an absolute error e into at most the code of e, for it is
 // steepest at 0.
-// A recombined map changes a product by a factor of at most 2^e, wherever its factors are
-// multiplied, and so a sum of products: that is a relative error of r = 2^e - 1.
+// A recombined map, or one that is filtered coarsely, changes a product by a factor of at most 2^e,
+// wherever its factors are multiplied, and so a sum of products: that is a relative error of
+// r = 2^e - 1. What filtering does to maps that are not logarithmic is an absolute error of the
+// sum, which nothing of the plan changes but the curve.
 #include <fbrdf/plan/Plan.h>
 
 #include <algorithm>
@@ -24,8 +26,8 @@
 namespace fbrdf {
 namespace {
 
-// The error of float geometry, texture coordinates, exp2 and pow of GL against double, where texels
-// are filtered in float: 6.7e-6 was measured on llvmpipe with tables of noise, which are steeper
+// The error of float geometry, texture coordinates, exp2 and pow of GL against double, without that
+// of filtering (MapErrors): 6.7e-6 was measured on llvmpipe with tables of noise, which are steeper
 // than those of any material. The same formulas in float on the CPU are as far off; the cosine and
 // the half vector in a highlight cause most of it.
 constexpr double kEvaluation = 1e-5;
@@ -46,9 +48,9 @@ ErrorBound writing(ColourFormat format)
 
 }  // namespace
 
-ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombination)
+ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps)
 {
-    const double replaced = std::exp2(recombination) - 1.0;
+    const double replaced = std::exp2(maps.recombination + maps.filtering) - 1.0;
     bool curved = false;
     std::array<ErrorBound, 4> surfaces{};
     for (const Pass& pass : plan.passes) {
@@ -63,7 +65,7 @@ ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombinatio
         if (isCurved(pass.transfer)) {
             curved = true;
             value = {0.0, kCurveSlope * (value.relative + replaced) + kEvaluation +
-                              srgbFromLinear(std::min(1.0, value.absolute))};
+                              srgbFromLinear(std::min(1.0, value.absolute + maps.absolute))};
         }
         if (pass.blend == Blend::replace) content = value;
         if (pass.blend == Blend::add)
@@ -74,8 +76,11 @@ ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombinatio
         content.absolute += rounding.absolute;
     }
     ErrorBound result = surfaces[static_cast<size_t>(Surface::target)];
-    if (!curved) result.relative += replaced * (1.0 + result.relative);
-    result.recombination = recombination;
+    if (!curved) {
+        result.relative += replaced * (1.0 + result.relative);
+        result.absolute += maps.absolute;
+    }
+    result.maps = maps;
     return result;
 }
 

@@ -168,6 +168,11 @@ Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabiliti
 
 }  // namespace
 
+const char* filterName(Filter filter)
+{
+    return filter == Filter::shader ? "shader" : "hardware";
+}
+
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
 {
     int vectors = capabilities.maxUniformVectors - kReservedUniformVectors;
@@ -193,7 +198,8 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     if (mayScale(request, capabilities))
         plan = betterOf(std::move(plan), planScaled(form, request, capabilities), request.target);
     plan.technique = request.technique;
-    plan.error = errorBound(plan, request.target, request.recombination);
+    plan.filter = request.filter;
+    plan.error = errorBound(plan, request.target, request.maps);
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 

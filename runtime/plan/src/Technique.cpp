@@ -57,9 +57,10 @@ void validate(const PlanRequest& request)
     if (request.maxLookups < 0)
         refuse(Found("a limit of " + std::to_string(request.maxLookups) + " look-ups")
                    .expected("0 (none) or more"));
-    if (!(request.recombination >= 0.0))
-        refuse(Found("a recombination error of " + numberText(request.recombination))
-                   .expected("0 or more"));
+    for (const double error :
+         {request.maps.recombination, request.maps.filtering, request.maps.absolute})
+        if (!(error >= 0.0))
+            refuse(Found("an error of maps of " + numberText(error)).expected("0 or more"));
 }
 
 }  // namespace fbrdf

@@ -32,3 +32,4 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
 #endif
+#define FBRDF_TEXTURE_PRECISE fbrdfFiltered

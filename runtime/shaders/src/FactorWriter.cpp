@@ -5,6 +5,7 @@
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
+#include <array>
 
 namespace fbrdf {
 namespace {
@@ -39,9 +40,10 @@ std::string axisCall(const AxisMap& map, Angle angle)
            ", " + name + ".x, " + name + ".y)";
 }
 
-/// The texture coordinate along one axis: (position + 1/2) / size.
-std::string axisCoordinate(const Axis& axis, Angle angle)
+/// The texture coordinate along one axis: (position + 1/2) / size; or the position, in texels.
+std::string axisCoordinate(const Axis& axis, Angle angle, bool precise)
 {
+    if (precise) return axisCall(axis.map, angle) + " * " + number(axis.size - 1.0);
     return axisCall(axis.map, angle) + " * " + number((axis.size - 1.0) / axis.size) + " + " +
            number(0.5 / axis.size);
 }
@@ -62,12 +64,14 @@ std::string directionCoordinate(const DiscDomain& native, const TableEncoding& e
     const DiscDomain disc =
         encoding.lookUp == LookUp::parabolic ? DiscDomain::fitting(encoding.mapSize, 1.0) : native;
     const double size = disc.size;
-    return "(fbrdfDiscPosition(" + number(size) + ", " + number(disc.gamma) + ", " +
-           number(disc.radius) + ", " + directionExpression(direction) + ") + 0.5) * " +
-           number(1.0 / size);
+    const std::string position = "fbrdfDiscPosition(" + number(size) + ", " + number(disc.gamma) +
+                                 ", " + number(disc.radius) + ", " +
+                                 directionExpression(direction) + ")";
+    return encoding.precise ? position : "(" + position + " + 0.5) * " + number(1.0 / size);
 }
 
-/// Texture coordinate of a factor: (position + 1/2) / size.
+/// Texture coordinate of a factor: (position + 1/2) / size; or the position, in texels, where the
+/// shader filters.
 std::string coordinate(const FragmentContext& c, const Factor& factor)
 {
     const TableSpec& table = tableOf(c, factor);
@@ -76,23 +80,39 @@ std::string coordinate(const FragmentContext& c, const Factor& factor)
                                    std::get<Direction>(factor.argument));
     const auto& axes = std::get<GridDomain>(table.domain).axes;
     const auto& angles = std::get<std::vector<Angle>>(factor.argument);
+    const bool precise = encodingOf(c, factor).precise;
     std::string text = axes.size() == 3 ? "vec3(" : "vec2(";
     for (size_t i = 0; i < axes.size(); ++i) {
         const bool ofView = !angleInfo(angles[i]).dependsOnLight && fbrdf::dependsOnLight(factor);
         text += (i ? ", " : "") +
-                (ofView ? viewAxisName(factor, i) : axisCoordinate(axes[i], angles[i]));
+                (ofView ? viewAxisName(factor, i) : axisCoordinate(axes[i], angles[i], precise));
     }
-    return text + (axes.size() == 1 ? ", 0.5)" : ")");
+    return text + (axes.size() > 1 ? ")" : precise ? ", 0.0)" : ", 0.5)");
+}
+
+/// Texels along the axes of what a factor looks up.
+std::string sizeExpression(const FragmentContext& c, const Factor& factor)
+{
+    const TableEncoding& encoding = encodingOf(c, factor);
+    const TableSpec& table = tableOf(c, factor);
+    std::array<int, 3> size = domainSize(table.domain);
+    if (encoding.lookUp == LookUp::parabolic) size = {encoding.mapSize, encoding.mapSize, 1};
+    const bool volume = dimensionCount(table.domain) == 3;
+    return (volume ? "vec3(" : "vec2(") + number(size[0]) + ", " + number(size[1]) +
+           (volume ? ", " + number(size[2]) + ")" : ")");
 }
 
 std::string textureFetch(const FragmentContext& c, const Factor& factor)
 {
-    const char* const fetch = encodingOf(c, factor).lookUp == LookUp::cube ? "FBRDF_TEXTURE_CUBE"
+    const bool precise = encodingOf(c, factor).precise;
+    const char* const fetch = precise ? "FBRDF_TEXTURE_PRECISE"
+                              : encodingOf(c, factor).lookUp == LookUp::cube ? "FBRDF_TEXTURE_CUBE"
                               : dimensionCount(tableOf(c, factor).domain) == 3 ? "FBRDF_TEXTURE3"
                                                                                : "FBRDF_TEXTURE2";
     const std::string at = coordinate(c, factor);
     return std::string(fetch) + "(fbrdfTable" + std::to_string(factor.table) + ", " +
-           (c.packed ? "vec3(" + at + ", float(fbrdfMaterial))" : at) + ").rgb";
+           (c.packed ? "vec3(" + at + ", float(fbrdfMaterial))" : at) +
+           (precise ? ", " + sizeExpression(c, factor) : "") + ").rgb";
 }
 
 std::string parameter(int index)
@@ -184,8 +204,10 @@ std::string viewAxisLines(const FragmentContext& c)
         const auto& angles = std::get<std::vector<Angle>>(factor.argument);
         for (size_t i = 0; i < angles.size(); ++i)
             if (!angleInfo(angles[i]).dependsOnLight)
-                lines.insert("    float " + viewAxisName(factor, i) + " = " +
-                             axisCoordinate(grid->axes[i], angles[i]) + ";\n");
+                lines.insert(
+                    "    float " + viewAxisName(factor, i) + " = " +
+                    axisCoordinate(grid->axes[i], angles[i], encodingOf(c, factor).precise) +
+                    ";\n");
     });
     std::string text;
     for (const std::string& line : lines) text += line;

@@ -63,6 +63,14 @@ const char* vertexInputs(const SurfaceInputs& inputs)
     return inputs.instanced ? "inputs_instanced.glsl" : "inputs_uniform.glsl";
 }
 
+/// What the look-ups of a form need beside FBRDF_TEXTURE2 and the like.
+std::string filterFunctions(const std::vector<TableEncoding>& encodings)
+{
+    const bool precise = std::any_of(encodings.begin(), encodings.end(),
+                                     [](const TableEncoding& e) { return e.precise; });
+    return precise ? joined({"filter.glsl"}) : "";
+}
+
 /// All terms with all factors, and the lights in a loop.
 ProgramSpec wholeSpec(const Form& form, int lights)
 {
@@ -116,8 +124,8 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
                       "projection.glsl", "lights.glsl", "transfer.glsl"}) +
-           (spec.clustered ? joined({"clusters.glsl"}) : "") + inputs.shadowHook + "\n" + uniforms +
-           mainFunction(context);
+           filterFunctions(encodings) + (spec.clustered ? joined({"clusters.glsl"}) : "") +
+           inputs.shadowHook + "\n" + uniforms + mainFunction(context);
 }
 
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
@@ -131,7 +139,28 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
     const std::string uniforms = uniformDeclarations(context);
     return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
                    "transfer.glsl"}) +
-           uniforms + evaluateFunction(local) + radianceFunction(context);
+           filterFunctions(encodings) + uniforms + evaluateFunction(local) +
+           radianceFunction(context);
+}
+
+std::string filterProbeVertexSource(int glsl)
+{
+    return assembled(glsl, {}, {"version.glsl", "filter_probe.vert"});
+}
+
+std::string filterProbeFragmentSource(int glsl, ProbedTexture texture)
+{
+    const char* const fetches[] = {
+        "sampler2D fbrdfMap;\n#define FBRDF_PROBE(at) "
+        "FBRDF_TEXTURE2(fbrdfMap, at.xy)\n",
+        "sampler3D fbrdfMap;\n#define FBRDF_PROBE(at) "
+        "FBRDF_TEXTURE3(fbrdfMap, at)\n",
+        "samplerCube fbrdfMap;\n#define FBRDF_PROBE(at) "
+        "FBRDF_TEXTURE_CUBE(fbrdfMap, vec3(1.0, 1.0 - 2.0 * at.yx))\n",
+        "sampler2DArray fbrdfMap;\n#define FBRDF_PROBE(at) "
+        "FBRDF_TEXTURE2(fbrdfMap, vec3(at.xy, 0.0))\n"};
+    return assembled(glsl, {}, {"version.glsl"}) + "uniform " +
+           fetches[static_cast<size_t>(texture)] + joined({"filter_probe.frag"});
 }
 
 std::string_view shaderSnippet(std::string_view name)

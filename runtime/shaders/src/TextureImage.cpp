@@ -64,6 +64,16 @@ void encodeHalf(TextureImage& image, const Table& table)
     image.words = converted(table, [&](int i, int c) { return halfFromFloat(table.texel(i, c)); });
 }
 
+void setMagnitude(TextureImage& image, const Table& table)
+{
+    image.magnitude =
+        static_cast<double>(std::max({image.extent.x, image.extent.y, image.extent.z}));
+    if (image.type == TexelType::unorm16) return;
+    image.magnitude = 0.0;
+    for (const float texel : table.texels)
+        image.magnitude = std::max(image.magnitude, static_cast<double>(std::abs(texel)));
+}
+
 void encodeFloat(TextureImage& image, const Table& table)
 {
     image.type = TexelType::float32;
@@ -89,6 +99,8 @@ TextureImage textureImage(const Table& table, const Capabilities& capabilities)
     } else {
         encodeFloat(image, table);
     }
+    image.contrast = contrast(table);
+    setMagnitude(image, table);
     return image;
 }
 
@@ -107,11 +119,16 @@ TextureImage textureImage(const DirectionMap& map, const Capabilities& capabilit
             double(std::max({image.extent.x, image.extent.y, image.extent.z})) / double(kWords) / 2;
     } else {
         encodeHalf(image, map.table);
-        float largest = 0.0f;
-        for (const float texel : map.table.texels) largest = std::max(largest, std::abs(texel));
-        image.error += double(largest) * 0x1p-11;
     }
+    image.contrast = contrast(map);
+    setMagnitude(image, map.table);
+    if (image.type == TexelType::half) image.error += image.magnitude * 0x1p-11;
     return image;
+}
+
+double filterError(const TextureImage& image, const FilterPrecision& filter)
+{
+    return filter.weight * image.contrast + filter.rounding * image.magnitude;
 }
 
 std::vector<Vec3f> uniformKnots(const Table& table)

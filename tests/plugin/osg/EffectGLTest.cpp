@@ -248,6 +248,27 @@ osg::ref_ptr<FactorizedBrdf> wrappedSphere(const Material& material, bool derive
     return effect;
 }
 
+TEST_F(Effect, FilteringInTheShaderDrawsTheSame)
+{
+    for (const int index : {0, 4}) {
+        const Material material = testMaterials()[static_cast<size_t>(index)];
+        const auto expected = runtimeImage(material, sphereMesh(24), testLights(9));
+        const auto effect = osgEffect(material, sphereMesh(24));
+        effect->setPreciseFiltering(true);
+        scene(effect, osgLights(testLights(9)));
+        for (int technique = 0; technique < kTechniqueCount; ++technique) {
+            effect->selectTechnique(technique);
+            const auto d = compareImages(view_->frame(), expected);
+            EXPECT_LT(d.maxRelative, kAgainstRuntime) << technique << ": " << describe(d);
+            EXPECT_EQ(effect->lastReport().reason, "");
+        }
+        // And off again: the texture filters once more.
+        if (filtersCoarsely()) continue;
+        effect->setPreciseFiltering(false);
+        EXPECT_LT(compareImages(view_->frame(), expected).maxRelative, kAgainstRuntime);
+    }
+}
+
 TEST_F(Effect, TangentsAreDerivedFromTextureCoordinates)
 {
     const Material material = testMaterials()[0];

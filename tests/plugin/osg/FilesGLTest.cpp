@@ -49,7 +49,7 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_TRUE(osgFbrdf::applyOptions(*effect,
                                        "exposure=2.5 technique=two-lookup lightsPerPass=4 "
                                        "lookupsPerPass=3 firstTextureUnit=2 floatTarget=1 "
-                                       "transfer=tone-map reload=1 "
+                                       "transfer=tone-map reload=1 preciseFiltering=1 "
                                        "somebodyElses=1 word")
                     .empty());
     EXPECT_EQ(effect->getExposure(), 2.5f);
@@ -60,11 +60,12 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_TRUE(effect->getFloatTarget());
     EXPECT_EQ(effect->getTransfer(), Transfer::toneMap);
     EXPECT_TRUE(effect->getReloading());
+    EXPECT_TRUE(effect->getPreciseFiltering());
     const std::string bad =
         "exposure=-1 exposure= technique=best lightsPerPass=0 "
         "lookupsPerPass=2x firstTextureUnit=-1 floatTarget=yes "
-        "transfer=gamma reload=2";
-    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 9u);
+        "transfer=gamma reload=2 preciseFiltering=on";
+    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 10u);
     EXPECT_EQ(effect->getExposure(), 2.5f);
 }
 
@@ -329,6 +330,26 @@ TEST_P(RoundTrip, KeepsEverything)
                     static_cast<double>(expected[i].radius), 1e-4);
     }
     EXPECT_GT(meanOf(imageOf(node), 0), 0.01);
+}
+
+// Files have the property only where it is true, as files of older versions have none.
+TEST_P(RoundTrip, KeepsWhatAddsToTheFormat)
+{
+    for (const bool precise : {true, false}) {
+        const auto before = scene();
+        dynamic_cast<FactorizedBrdf&>(*before->getChild(0)).setPreciseFiltering(precise);
+        const std::string file = path(std::string("precise.") + GetParam());
+        ASSERT_TRUE(osgDB::writeNodeFile(*before, file));
+        const auto node = osgDB::readRefNodeFile(file);
+        ASSERT_TRUE(node);
+        ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
+        const auto* effect = dynamic_cast<FactorizedBrdf*>(node->asGroup()->getChild(0));
+        ASSERT_TRUE(effect && effect->getMaterial());
+        EXPECT_EQ(effect->getPreciseFiltering(), precise);
+        EXPECT_TRUE(effect->getReloading());
+        EXPECT_EQ(dynamic_cast<PointLights*>(node->asGroup()->getChild(1))->getLights().size(),
+                  testLights(64).size());
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, ::testing::Values("osgt", "osgb", "osgx"));

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Error.h>
 
+#include "support/BuiltFile.h"
 #include "support/DataDir.h"
 
 #include <osg/Camera>
@@ -137,7 +138,7 @@ std::unique_ptr<HeadlessContext> OsgTest::newContext()
 void OsgTest::SetUp()
 {
     // A user sets this; it makes OSG check for errors after every change of state.
-    setenv("OSG_LIBRARY_PATH", FBRDF_OSG_LIBRARY_PATH, 1);
+    setenv("OSG_LIBRARY_PATH", builtFile("FBRDF_OSG_LIBRARIES", FBRDF_OSG_LIBRARY_PATH).c_str(), 1);
     setenv("OSG_GL_ERROR_CHECKING", "ONCE_PER_ATTRIBUTE", 1);
     osgDB::Registry::instance()->initLibraryFilePathList();
     try {

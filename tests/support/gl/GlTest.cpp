@@ -1,10 +1,15 @@
 #include "GlTest.h"
 
+#include "CoarseFilter.h"
+#include "Hooks.h"
+#include "Scenes.h"
+
 #include <fbrdf/base/Error.h>
 
 #include "support/DataDir.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace fbrdf::test {
 namespace {
@@ -74,6 +79,9 @@ gl::RendererOptions GlTest::rendererOptions()
 {
     gl::RendererOptions options;
     options.load = context_->loader();
+    // FBRDF_TEST_FILTER_BITS=8 plays a GPU: see CoarseFilter.h.
+    if (const char* bits = std::getenv("FBRDF_TEST_FILTER_BITS"))
+        options.load = coarselyFiltering(context_->options().backend, std::atoi(bits));
     options.log = [this](gl::Severity, const std::string& text) { log.push_back(text); };
     if (!GetParam().legacy && GetParam().backend == Backend::egl) return options;
     Capabilities old = gl::Renderer(options).capabilities();
@@ -96,6 +104,24 @@ Drawn GlTest::drawItems(gl::Renderer& renderer, int size, const gl::View& view,
         renderer.draw({offscreen.framebuffer(), size, size}, view, items, lights, options);
     drawn.pixels = offscreen.readPixels();
     return drawn;
+}
+
+gl::RendererOptions GlTest::hooked(Hooks& hooks)
+{
+    gl::RendererOptions options = rendererOptions();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    return options;
+}
+
+std::shared_ptr<gl::GpuMaterial> GlTest::exactMaterial(gl::Renderer& renderer,
+                                                       const Material& material)
+{
+    constexpr double kCoarse = 1e-4;  // octaves: float arithmetic is a hundred times finer
+    gl::MaterialOptions options;
+    const Material noise = noiseMaterial(formIo(), Storage::half);
+    options.precise = renderer.createMaterial(noise)->filterError() > kCoarse;
+    return renderer.createMaterial(material, options);
 }
 
 Offscreen GlTest::makeOffscreen(int size, OffscreenFormat format)

@@ -33,6 +33,8 @@ struct Drawn {
     gl::DrawStats stats;
 };
 
+class Hooks;
+
 class GlTest : public ::testing::TestWithParam<GlVariant> {
 protected:
     /// Skips where the backend is missing; with CI=true in the environment that fails.
@@ -43,7 +45,13 @@ protected:
     const GladGLContext& gl() const { return gl_; }
     /// Options of a renderer of this variant; its messages go to `log`.
     gl::RendererOptions rendererOptions();
+    /// The same, with the hooks between the renderer and GL.
+    gl::RendererOptions hooked(Hooks& hooks);
     gl::Renderer makeRenderer() { return gl::Renderer(rendererOptions()); }
+    /// A material that is drawn as exactly as floats allow: the shader filters where the context
+    /// does so coarsely.
+    std::shared_ptr<gl::GpuMaterial> exactMaterial(gl::Renderer& renderer,
+                                                   const Material& material);
     Offscreen makeOffscreen(int size = 64, OffscreenFormat format = OffscreenFormat::rgba32f);
 
     /// Draws the items to an RGBA32F target of size x size.

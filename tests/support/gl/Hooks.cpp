@@ -111,6 +111,17 @@ void GLAD_API_PTR drawElements(GLenum mode, GLsizei n, GLenum type, const void* 
     active->samples.push_back(samples);
 }
 
+void GLAD_API_PTR texImage2D(GLenum target, GLint level, GLint internal, GLsizei width,
+                             GLsizei height, GLint border, GLenum format, GLenum type,
+                             const void* texels)
+{
+    const GladGLContext& gl = active->real;
+    gl.TexImage2D(target, level, internal, width, height, border, format, type, texels);
+    if (internal != active->unfilteredFormat || target != GL_TEXTURE_2D) return;
+    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
 GLboolean GLAD_API_PTR isEnabled(GLenum name)
 {
     const GladGLContext& gl = active->real;
@@ -163,6 +174,7 @@ void* hooked(const std::string& name)
         {"glCheckFramebufferStatus", pointer(checkFramebufferStatus)},
         {"glGetError", pointer(getError)},
         {"glDrawElements", pointer(drawElements)},
+        {"glTexImage2D", pointer(texImage2D)},
         {"glIsEnabled", pointer(isEnabled)},
         {"glGetDoublev", pointer(getDoublev)},
         {"glGetFloatv", pointer(getFloatv)},

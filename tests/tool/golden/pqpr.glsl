@@ -46,6 +46,7 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
 #endif
+#define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 
 // Vertex inputs of a program that draws one object: attributes, and matrices in uniforms.
 uniform mat4 fbrdfModelView;
@@ -141,6 +142,7 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
 #endif
+#define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 // The shaded point, in eye space, interpolated from what surface.vert wrote.
 FBRDF_FROM_VERTEX vec3 fbrdfPosition;
 FBRDF_FROM_VERTEX vec3 fbrdfNormal;
@@ -452,6 +454,7 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
 #endif
+#define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 // The shaded point, in eye space, interpolated from what surface.vert wrote.
 FBRDF_FROM_VERTEX vec3 fbrdfPosition;
 FBRDF_FROM_VERTEX vec3 fbrdfNormal;

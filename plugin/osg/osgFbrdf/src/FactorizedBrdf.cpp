@@ -79,6 +79,7 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
       firstTextureUnit_(other.firstTextureUnit_),
       floatTarget_(other.floatTarget_),
       derivedTangents_(other.derivedTangents_),
+      preciseFiltering_(other.preciseFiltering_),
       transfer_(other.transfer_),
       watch_(std::make_unique<FileWatch>(*other.watch_)),
       internals_(new EffectInternals)

@@ -51,16 +51,17 @@ osg::ref_ptr<osg::Image> imageOf(const fbrdf::TextureImage& texels)
     return image;
 }
 
-/// Linear filtering between texel centres, nothing beyond the border, one level.
-osg::ref_ptr<osg::Texture> textureOf(const fbrdf::TextureImage& texels, bool volume)
+/// Filtering between texel centres, nothing beyond the border, one level.
+osg::ref_ptr<osg::Texture> textureOf(osg::Image* image, bool volume,
+                                     osg::Texture::FilterMode filter)
 {
     osg::ref_ptr<osg::Texture> texture;
     if (volume)
-        texture = new osg::Texture3D(imageOf(texels));
+        texture = new osg::Texture3D(image);
     else
-        texture = new osg::Texture2D(imageOf(texels));
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+        texture = new osg::Texture2D(image);
+    texture->setFilter(osg::Texture::MIN_FILTER, filter);
+    texture->setFilter(osg::Texture::MAG_FILTER, filter);
     for (const auto axis : {osg::Texture::WRAP_S, osg::Texture::WRAP_T, osg::Texture::WRAP_R})
         texture->setWrap(axis, osg::Texture::CLAMP_TO_EDGE);
     texture->setResizeNonPowerOfTwoHint(false);
@@ -79,7 +80,7 @@ constexpr size_t kMostPlans = 32;
 std::string keyOf(const PassInputs& inputs)
 {
     return std::to_string(inputs.firstTextureUnit) + (inputs.derivedTangents ? "t" : "") +
-           (inputs.attenuated ? "a" : "");
+           (inputs.preciseFiltering ? "p" : "") + (inputs.attenuated ? "a" : "");
 }
 
 /// The key of all that PassTechnique sets in a request.
@@ -171,8 +172,12 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
         return map;
     }
     const fbrdf::TextureImage texels = fbrdf::textureImage(table, assumedCapabilities());
-    map.texture = textureOf(texels, fbrdf::dimensionCount(table.domain) == 3);
-    map.texture->setName(name_ + ":" + table.name);
+    const bool volume = fbrdf::dimensionCount(table.domain) == 3;
+    const osg::ref_ptr<osg::Image> image = imageOf(texels);
+    map.texture = textureOf(image, volume, osg::Texture::LINEAR);
+    map.unfiltered = textureOf(image, volume, osg::Texture::NEAREST);
+    for (const auto& texture : {map.texture, map.unfiltered})
+        texture->setName(name_ + ":" + table.name);
     if (texels.encoding.ranged)
         map.uniforms = {new osg::Uniform(("fbrdfLower" + k).c_str(), toVec3f(texels.lower)),
                         new osg::Uniform(("fbrdfExtent" + k).c_str(), toVec3f(texels.extent))};
@@ -187,8 +192,10 @@ osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& s
     surface.builtIns = true;
     surface.derivedTangent = inputs.derivedTangents;
     if (inputs.attenuated) surface.shadowHook = fbrdf::osgFbrdfShader("attenuation.glsl");
+    std::vector<fbrdf::TableEncoding> encodings = encodings_;
+    for (const size_t i : textures_) encodings[i].precise = inputs.preciseFiltering;
     const std::string fragment =
-        fbrdf::fragmentSource(form_, encodings_, spec, assumedCapabilities().glsl, surface);
+        fbrdf::fragmentSource(form_, encodings, spec, assumedCapabilities().glsl, surface);
     osg::ref_ptr<osg::Program>& program = programs_[fragment + (inputs.derivedTangents ? "t" : "")];
     if (program) return program;
     program = new osg::Program;
@@ -199,12 +206,13 @@ osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& s
     return program;
 }
 
-void MaterialStates::addMaps(osg::StateSet& state, int firstTextureUnit) const
+void MaterialStates::addMaps(osg::StateSet& state, const PassInputs& inputs) const
 {
     for (size_t i = 0; i < textures_.size(); ++i) {
-        const int unit = firstTextureUnit + static_cast<int>(i);
-        state.setTextureAttribute(static_cast<unsigned int>(unit), maps_[textures_[i]].texture,
-                                  kOurs);
+        const int unit = inputs.firstTextureUnit + static_cast<int>(i);
+        const Map& map = maps_[textures_[i]];
+        state.setTextureAttribute(static_cast<unsigned int>(unit),
+                                  inputs.preciseFiltering ? map.unfiltered : map.texture, kOurs);
         const std::string name = "fbrdfTable" + std::to_string(textures_[i]);
         state.addUniform(new osg::Uniform(name.c_str(), unit), kOurs);
     }
@@ -222,7 +230,7 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
     if (state) return state;
     state = new osg::StateSet;
     state->setAttributeAndModes(programOf(spec, inputs), kOurs);
-    addMaps(*state, inputs.firstTextureUnit);
+    addMaps(*state, inputs);
     setBlend(*state, pass.blend);
     setPlace(*state, pass.depth, bin);
     return state;

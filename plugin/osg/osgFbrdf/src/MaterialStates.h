@@ -26,7 +26,8 @@ fbrdf::Capabilities assumedCapabilities(bool attenuated = false);
 struct PassInputs {
     int firstTextureUnit = 0;
     bool derivedTangents = false;
-    bool attenuated = false;  ///< some lights are, by attenuation.glsl (OsgLights.h)
+    bool preciseFiltering = false;  ///< in the shader
+    bool attenuated = false;        ///< some lights are, by attenuation.glsl (OsgLights.h)
 };
 
 /// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
@@ -61,13 +62,14 @@ protected:
 
 private:
     struct Map {
-        osg::ref_ptr<osg::Texture> texture;  ///< null: knots in uniforms
+        osg::ref_ptr<osg::Texture> texture;     ///< null: knots in uniforms
+        osg::ref_ptr<osg::Texture> unfiltered;  ///< the same image, where a shader filters
         std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     };
     Map mapOf(int index, const fbrdf::Table& table);
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, int bin, const PassInputs& inputs);
     osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassInputs& inputs);
-    void addMaps(osg::StateSet& state, int firstTextureUnit) const;
+    void addMaps(osg::StateSet& state, const PassInputs& inputs) const;
 
     fbrdf::Form form_;
     bool hasSigns_ = false;

@@ -212,6 +212,7 @@ PassInputs PassTechnique::inputs(bool attenuated) const
     PassInputs inputs;
     inputs.firstTextureUnit = effect_.getFirstTextureUnit();
     inputs.derivedTangents = effect_.getDerivedTangents();
+    inputs.preciseFiltering = effect_.getPreciseFiltering();
     inputs.attenuated = attenuated;
     return inputs;
 }

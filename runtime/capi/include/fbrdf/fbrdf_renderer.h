@@ -55,6 +55,7 @@ typedef struct fbrdf_gpu_material_desc {
     uint32_t look_up;  /* fbrdf_look_up of the maps over one direction; other maps stay native */
     uint32_t map_size; /* texels on a side of those maps, even, 2 to 2048; 0: as many as needed,
                           see fbrdf/brdf/DirectionMap.h */
+    uint32_t precise;  /* not 0: filtered in the shader, see fbrdf/gl/MaterialOptions.h */
 } fbrdf_gpu_material_desc;
 
 /* Uploads a material and builds its first program, so that a material that the context cannot draw
@@ -72,6 +73,9 @@ FBRDF_API const char* fbrdf_gpu_material_why_not_recombined(const fbrdf_gpu_mate
 /* How far a product of recombined maps may be from that of the tables, |log2|; draws include it in
  * their error. 0 for NULL. */
 FBRDF_API float fbrdf_gpu_material_look_up_error(const fbrdf_gpu_material* gpu_material);
+/* How far it may be because the context filters textures coarsely, |log2|, as measured; 0 where the
+ * shader filters, and for NULL. */
+FBRDF_API float fbrdf_gpu_material_filter_error(const fbrdf_gpu_material* gpu_material);
 FBRDF_API void fbrdf_gpu_material_release(fbrdf_gpu_material* gpu_material);
 
 /* The triangles of one object: buffers of its own, or those of the host. Lives until it is

@@ -111,6 +111,10 @@ public:
     /// the model has none. True: derived per pixel, towards increasing s of texture coordinates 0.
     void setDerivedTangents(bool derived) { derivedTangents_ = derived; }
     bool getDerivedTangents() const { return derivedTangents_; }
+    /// True: maps are filtered in the shader, 4 fetches for each look-up (8 in a volume), where a
+    /// GPU's own filter, which may know as few as 256 places between two texels, is too coarse.
+    void setPreciseFiltering(bool precise) { preciseFiltering_ = precise; }
+    bool getPreciseFiltering() const { return preciseFiltering_; }
     /// True when the colour buffer is RGBA32F: then passes add up in it. In others (a window's)
     /// they add up in an RGBA32F surface; where the target is multisampled such plans are refused,
     /// with the reason.
@@ -142,7 +146,8 @@ private:
     osg::ref_ptr<MaterialObject> material_;
     float exposure_ = 1.0f;
     int lightsPerPass_ = 8, lookupsPerPass_ = 0, firstTextureUnit_ = 0;
-    bool floatTarget_ = false, derivedTangents_ = false, reloading_ = false;
+    bool floatTarget_ = false, derivedTangents_ = false, preciseFiltering_ = false,
+         reloading_ = false;
     fbrdf::Transfer transfer_ = fbrdf::Transfer::linear;
     std::unique_ptr<FileWatch> watch_;
     osg::ref_ptr<EffectInternals> internals_;

@@ -54,6 +54,9 @@ struct DirectionMap {
     int size() const { return domainSize(table.domain)[0]; }
 };
 
+/// As contrast(map.table); neighbours across the edges of a cube count too.
+double contrast(const DirectionMap& map);
+
 /// Expects a table over a disc, in logs. Throws Error(usage) for a size out of range.
 DirectionMap recombined(const Table& table, const DirectionMapRequest& request);
 

@@ -86,4 +86,9 @@ float texelFromCode(const Table& table, int index, int channel, int code);
 template <class T>
 Vec3<T> sample(const Table& table, const Vec3<T>& position);
 
+/// The largest difference of neighbouring texels along each axis, summed over the axes, of the
+/// channel where that is largest: a filter whose weights are off by w is off by at most w times
+/// this.
+double contrast(const Table& table);
+
 }  // namespace fbrdf

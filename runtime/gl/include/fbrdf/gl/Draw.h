@@ -90,6 +90,7 @@ struct DrawStats {
     /// fetches, those in the light loop times its lights.
     int maxLookups = 0;
     Technique technique = Technique::single;  ///< of the item that needed most passes
+    Filter filter = Filter::hardware;         ///< of the maps of that item
     /// Why another technique than the one asked for was taken, or lists of lights were not; of the
     /// last item where that happened.
     std::string whyReplaced;

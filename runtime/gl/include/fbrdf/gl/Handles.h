@@ -7,8 +7,8 @@
 // Renderer::abandonContext. Nothing refers to the data that a handle was made from.
 //
 // Threads. A handle belongs to the context of its renderer and to the thread on which that is
-// current; nothing is locked. Only whyNotRecombined, lookUpError, name and the like may be called
-// from any thread.
+// current; nothing is locked. Only whyNotRecombined, lookUpError, filterError, name and the like
+// may be called from any thread.
 #pragma once
 #include <fbrdf/plan/LightSelection.h>
 
@@ -42,6 +42,9 @@ public:
     /// How far products may be from those of the tables because maps are recombined, |log2|; 0
     /// where none are.
     double lookUpError() const;
+    /// How far they may be because the context filters textures coarsely, |log2|: as measured, or 0
+    /// where the shader filters (MaterialOptions::precise).
+    double filterError() const;
 
     const MaterialResources& resources() const { return *resources_; }  ///< for the renderer
 

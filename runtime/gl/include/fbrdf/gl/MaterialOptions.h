@@ -12,6 +12,10 @@ struct MaterialOptions {
     LookUp lookUp = LookUp::native;
     /// Texels on a side, as DirectionMapRequest::size; 0: as its error asks for.
     int mapSize = 0;
+    /// Filters in the shader instead of in the texture unit, which may know as few as 256 places
+    /// between two texels: a highlight is then off by up to a percent, see DrawStats::error. A
+    /// look-up becomes 4 fetches, or 8 of a volume. Cube maps stay native then.
+    bool precise = false;
 };
 
 }  // namespace fbrdf::gl

@@ -18,9 +18,10 @@
 //   FRAMEBUFFER_SRGB, primitive restart (both), depth clamp, fragment colour clamp, clip control;
 //   the active unit and, on the units in use, 2D, 3D, array, cube and buffer texture and sampler;
 //   seamless cube maps, where maps are cube maps.
-// createX also touches unpacking, pixel transfer, the unpack buffer and the renderbuffer. In every
-// mode no vertex array of the renderer stays bound. An active transform feedback, conditional
-// rendering and queries are not touched.
+// createX also touches unpacking, pixel transfer, the unpack buffer and the renderbuffer; the first
+// materials, for which filters are measured (FilterPrecision), also packing, the pack buffer and
+// the read framebuffer. In every mode no vertex array of the renderer stays bound. An active
+// transform feedback, conditional rendering and queries are not touched.
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/gl/Draw.h>

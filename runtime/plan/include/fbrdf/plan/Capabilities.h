@@ -2,8 +2,19 @@
 // plain value: the renderer fills it from the context, and a test or a driver workaround may hand
 // in another.
 #pragma once
+#include <optional>
 
 namespace fbrdf {
+
+/// How far a linearly filtered value may be from the exact one. Texel values are in the unit of the
+/// texture: [0, 1] for UNORM.
+struct FilterPrecision {
+    /// The largest error of the weight of a texel along one axis: the value is off by this times
+    /// the difference of neighbours. 2^-9 where weights have 8 bits (OpenGL asks for no more).
+    double weight = 0.0;
+    /// The error that remains however small the difference is: times the largest |texel|.
+    double rounding = 0.0;
+};
 
 struct Capabilities {
     int glMajor = 2, glMinor = 1;
@@ -27,6 +38,8 @@ struct Capabilities {
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
     bool debug = false;           ///< KHR_debug: labels and groups
     bool clipControl = false;     ///< a projection may leave depths in [0, 1] (glClipControl)
+    /// Of all textures; empty: the renderer measures it for each kind that it uses.
+    std::optional<FilterPrecision> filter = {};
 };
 
 }  // namespace fbrdf

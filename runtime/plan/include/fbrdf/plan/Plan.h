@@ -68,6 +68,21 @@ struct Peaks {
     std::vector<double> lights;  ///< irradiance of each light on the object
 };
 
+/// What mixes the texels of a look-up: the texture unit, or the shader from single texels
+/// (MaterialOptions::precise), whose filtering is as fine as floats.
+enum class Filter { hardware, shader };
+const char* filterName(Filter filter);  ///< "hardware", "shader"
+
+/// How far what is looked up may be from the tables.
+struct MapErrors {
+    /// By how much recombined maps (DirectionMap.h) may move the product of any term, |log2|.
+    double recombination = 0.0;
+    /// By how much the context's filter may move it (FilterPrecision), |log2|.
+    double filtering = 0.0;
+    /// By how much that filter may move the radiance through maps that are not logarithmic.
+    double absolute = 0.0;
+};
+
 struct PlanRequest {
     Technique technique = Technique::single;
     int lights = 0;         ///< >= 0
@@ -78,10 +93,9 @@ struct PlanRequest {
     /// edges would read texels that nothing was drawn to.
     bool offscreen = true;
     Transfer transfer = Transfer::linear;  ///< a curve comes after the sum over all passes
-    bool signs = false;  ///< hasSigns(material): no pass but the last may clamp at 0
-    /// How far recombined maps (DirectionMap.h) may move the product of any term from that of its
-    /// tables, |log2|.
-    double recombination = 0.0;
+    bool signs = false;                ///< hasSigns(material): no pass but the last may clamp at 0
+    Filter filter = Filter::hardware;  ///< of the maps: does not change the plan but its error
+    MapErrors maps = {};
     /// A UNORM target in a context that cannot draw to floats may have RGBA8 surfaces if the peaks
     /// are known.
     std::optional<Peaks> peaks = {};
@@ -98,7 +112,7 @@ void validate(const PlanRequest& request);
 /// is in ErrorBound.cpp.
 struct ErrorBound {
     double relative = 0.0, absolute = 0.0;
-    double recombination = 0.0;  ///< PlanRequest::recombination, which `relative` includes
+    MapErrors maps = {};  ///< PlanRequest::maps, which both include
 };
 
 struct Plan {
@@ -107,6 +121,7 @@ struct Plan {
     ColourFormat accumulation = ColourFormat::rgba32f;  ///< format in which the lights add up
     int maxLookups = 0;                                 ///< the largest Pass::lookups
     Technique technique = Technique::single;
+    Filter filter = Filter::hardware;
     ErrorBound error;
     std::string reason;  ///< why there is no plan; empty where there is one
     bool feasible() const { return reason.empty(); }
@@ -117,8 +132,7 @@ struct Plan {
 constexpr double kCoarsestSum = 1.0 / 8.0;
 
 /// The error of a plan that draws into a target of a format; `other` counts as RGBA8.
-/// recombination: see PlanRequest.
-ErrorBound errorBound(const Plan& plan, ColourFormat target, double recombination = 0.0);
+ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps = {});
 
 /// How many lights fit into the uniforms of one pass beside the knots of the form, at least 1.
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);

@@ -35,6 +35,9 @@ struct TableEncoding {
     /// The map that stands for a table over one direction; a samplerCube where it is cube.
     LookUp lookUp = LookUp::native;
     int mapSize = 0;  ///< texels on a side of a parabolic map
+    /// The shader filters from single texels: 4 fetches, or 8 of a volume, stand for one look-up.
+    /// The texture must not filter. Not for cube maps.
+    bool precise = false;
 };
 
 /// What one program computes: a pass without its place in the plan.
@@ -96,6 +99,18 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 /// maxLights >= 1: lights that fit into fbrdfLights. Throws as fragmentSource.
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
+
+/// Kinds of textures whose filter can be measured.
+enum class ProbedTexture { plane, volume, cube, array };
+
+/// Programs that measure how finely a texture of two texels along each axis is filtered. The texel
+/// at (x, y, z) of 0 and 1 has fbrdfRamp.x (low) or fbrdfRamp.y (high) in red by x, in green by y,
+/// in blue by z where there is one and else by x. The fragment at the centre of a pixel receives
+///     red + green / 255 = -log2(e) / 32,   blue = 1
+/// where e is the largest error found along the diagonal, 2^-32 to 1. Uniforms: fbrdfMap, fbrdfRamp
+/// (vec2). Attribute: fbrdfVertex (vec3, in clip space).
+std::string filterProbeVertexSource(int glsl);
+std::string filterProbeFragmentSource(int glsl, ProbedTexture texture);
 
 /// A file of glsl/ by its name, "lights.glsl"; empty where there is none.
 std::string_view shaderSnippet(std::string_view name);

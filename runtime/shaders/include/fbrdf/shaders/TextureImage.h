@@ -1,6 +1,6 @@
-// TextureImage.h - a table as the texels of a texture. Filtering hardware may be as coarse as its
-// texels (llvmpipe mixes 8-bit texels with 8-bit weights), so 8-bit tables become 16-bit ones,
-// which represent them exactly (unorm16Of, Table.h), or floats where a CPU samples.
+// TextureImage.h - a table as the texels of a texture. A filter may round what it mixes to as many
+// bits as the texels have (llvmpipe does so with 8), so 8-bit tables become 16-bit ones, which
+// represent them exactly (unorm16Of, Table.h), or floats where a CPU samples.
 #pragma once
 #include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/brdf/Table.h>
@@ -26,7 +26,12 @@ struct TextureImage {
     TableEncoding encoding;
     Vec3f lower{0.0f}, extent{1.0f};  ///< where encoding.ranged
     double error = 0.0;  ///< |log2| error of a recombined map, the rounding of its texels included
+    double contrast = 0.0;   ///< of the table or the map, see there
+    double magnitude = 0.0;  ///< the largest |texel|, times the extent where ranged
 };
+
+/// By how much a filter may change a value of the image, in the unit of its table (log2 F, or F).
+double filterError(const TextureImage& image, const FilterPrecision& filter);
 
 /// Without float textures, half and float tables become 16-bit ones over their range.
 TextureImage textureImage(const Table& table, const Capabilities& capabilities);
