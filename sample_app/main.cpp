@@ -19,6 +19,10 @@ int run(int argc, char** argv)
         fmt::print("{}", options.help);
         return 0;
     }
+    if (options.listDevices) {
+        fmt::print("{}", viewer::devicesText());
+        return 0;
+    }
     if (!options.out.empty()) requireWritable(options.out);
     if (!options.stats.empty()) requireWritable(options.stats);
 

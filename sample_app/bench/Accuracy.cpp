@@ -26,15 +26,17 @@ struct Version {
     bool floatTargets = true;  ///< false: pretends that only RGBA8 can be drawn to
 };
 
-std::vector<Version> versions()
+std::vector<Version> versions(std::optional<int> device)
 {
     using Profile = HeadlessOptions::Profile;
-    return {{kDesktop, 0},
-            {kDesktop, 0, false},
-            {{Backend::egl, Profile::core, 3, 3}, 330},
-            {{Backend::egl, Profile::compatibility, 2, 1}, 120},
-            {{Backend::egl, Profile::es, 3, 0}, 300},
-            {{Backend::egl, Profile::es, 3, 0}, 100}};
+    std::vector<Version> all{{kDesktop, 0},
+                             {kDesktop, 0, false},
+                             {{Backend::egl, Profile::core, 3, 3}, 330},
+                             {{Backend::egl, Profile::compatibility, 2, 1}, 120},
+                             {{Backend::egl, Profile::es, 3, 0}, 300},
+                             {{Backend::egl, Profile::es, 3, 0}, 100}};
+    for (Version& version : all) version.context.device = device;
+    return all;
 }
 
 struct Format {
@@ -58,9 +60,11 @@ gl::Renderer rendererOf(const HeadlessContext& context, const Version& version)
 }
 
 /// The interpolated geometry, read back from a desktop context: it does not depend on the version.
-truth::GeometryBuffer geometryOf(const Stage& stage)
+truth::GeometryBuffer geometryOf(const Stage& stage, std::optional<int> device)
 {
-    const HeadlessContext context(kDesktop);
+    HeadlessOptions desktop = kDesktop;
+    desktop.device = device;
+    const HeadlessContext context(desktop);
     Offscreen floats(context.loader(), {kSize, kSize});
     return truth::geometryBuffer(viewer::loadGlFunctions(context.loader()), floats, stage.mesh,
                                  glm::mat4(1.0f), stage.view);
@@ -81,13 +85,16 @@ public:
 
     const gl::Renderer& renderer() const { return renderer_; }
 
-    /// form: a form, optionally followed by how its maps are looked up: "pqp cube".
+    /// form: a form, optionally followed by how its maps are looked up: "pqp cube", or by
+    /// "precise".
     void measure(const std::string& form, int count, std::vector<AccuracyRow>& rows)
     {
         const size_t end = form.find(' ');
         const Material material = ggxMaterial(form.substr(0, end));
         gl::MaterialOptions options;
-        if (end != std::string::npos) options.lookUp = lookUpFromName(form.substr(end + 1));
+        const std::string how = end == std::string::npos ? "native" : form.substr(end + 1);
+        options.precise = how == "precise";
+        if (!options.precise) options.lookUp = lookUpFromName(how);
         const auto gpu = renderer_.createMaterial(material, options);
         auto lights = stageLights(count);
         auto radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
@@ -148,13 +155,14 @@ bool Accuracy::holds() const
 
 Accuracy measureAccuracy(const Options& options)
 {
-    const std::vector<std::string> all{"hdio",     "pqp",           "pqpr",     "io+hdio",
-                                       "pqp cube", "pqp parabolic", "pqpr cube"};
+    const std::vector<std::string> all{"hdio",      "pqp",          "pqpr",
+                                       "io+hdio",   "pqp cube",     "pqp parabolic",
+                                       "pqpr cube", "hdio precise", "pqpr precise"};
     const auto& forms = options.only.empty() ? all : options.only;
     const Stage stage = makeStage("sphere", 1.0);
-    const truth::GeometryBuffer geometry = geometryOf(stage);
+    const truth::GeometryBuffer geometry = geometryOf(stage, options.device);
     Accuracy result;
-    for (const Version& version : versions()) {
+    for (const Version& version : versions(options.device)) {
         try {
             Bench bench(version, stage, geometry);
             result.glRenderer = bench.renderer().glRenderer();

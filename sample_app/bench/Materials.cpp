@@ -45,7 +45,7 @@ TableFunction functionOf(const std::string& name, bool isSum)
         return [](const auto& a) { return Vec3d(std::sqrt(visibility(a[0], a[0]))); };
     if (name == "q") return [](const auto& a) { return distribution(a[0]) * kF0; };
     if (name == "r") return [](const auto& a) { return fresnel(a[0]) / kF0; };
-    if (name.rfind("T1", 0) == 0)
+    if (name.rfind("T1", 0) == 0 || name.rfind("V", 0) == 0)
         return [](const auto& a) { return distribution(a[0]) * fresnel(a[1]); };
     if (isSum && name == "T2") return [](const auto&) { return kDiffuse / kPi; };
     return [](const auto& a) { return Vec3d(visibility(a[0], a[1])); };

@@ -21,7 +21,7 @@ constexpr int kMostLights = 65536;
 Options optionsFromArguments(int argc, const char* const* argv)
 {
     Options options;
-    std::string size, mesh, clock;
+    std::string size, mesh, clock, device;
     CLI::App app(
         "Times the runtime against other ways to draw a material, all in one process, frame by "
         "frame in turn: median milliseconds a frame, and the ratio to analytic GGX",
@@ -41,9 +41,10 @@ Options optionsFromArguments(int argc, const char* const* argv)
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--clock", clock,
-                   "wall (default), or cpu: that of the process, steadier where a busy machine "
-                   "draws in software")
-        ->check(CLI::IsMember({"wall", "cpu"}));
+                   "wall (default); cpu: that of the process, steadier where a busy machine draws "
+                   "in software; gpu: timer queries")
+        ->check(CLI::IsMember({"wall", "cpu", "gpu"}));
+    app.add_option("--device", device, viewer::deviceHelp())->type_name("N|list");
     app.add_flag("--accuracy", options.accuracy,
                  "How right the pictures are: every technique, form, format and version against "
                  "double and the bound of its plan; exit code 1 where that is exceeded");
@@ -67,6 +68,9 @@ Options optionsFromArguments(int argc, const char* const* argv)
     }
     if (!mesh.empty()) options.meshes = {mesh};
     if (clock == "cpu") options.clock = Options::Clock::cpu;
+    if (clock == "gpu") options.clock = Options::Clock::gpu;
+    options.listDevices = device == "list";
+    if (!options.listDevices) options.device = viewer::deviceFromText(device);
     return options;
 }
 

@@ -1,5 +1,6 @@
 // Options.h - the command line of fbrdf-bench.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,12 @@ struct Options {
     std::vector<std::string> meshes{"triangle", "sphere"};
     std::vector<std::string> only;  ///< names of variants, or of forms; empty: all
     double frameLimit = 2000.0;     ///< ms; variants that would take longer are left out
-    /// The clock: wall time, or CPU time of the process, which is nearly the same on a software
-    /// renderer and does not depend on other load of the machine.
-    enum class Clock { wall, cpu } clock = Clock::wall;
+    /// The clock: wall time; CPU time of the process, which is nearly the same on a software
+    /// renderer and does not depend on other load of the machine; or the GPU's own (timer queries),
+    /// which leaves out what passes cost before they reach it.
+    enum class Clock { wall, cpu, gpu } clock = Clock::wall;
+    std::optional<int> device;  ///< of headlessDevices(); empty: the surfaceless platform's
+    bool listDevices = false;
     bool accuracy = false;  ///< measure Accuracy.h instead
     bool reach = false;     ///< measure Reach.h instead; lights: how many reach a pixel
     bool json = false;

@@ -53,7 +53,12 @@ std::string meshText(const std::vector<const Table*>& tables)
 
 const char* clockName(Options::Clock clock)
 {
-    return clock == Options::Clock::cpu ? "cpu" : "wall";
+    switch (clock) {
+        case Options::Clock::wall: return "wall";
+        case Options::Clock::cpu: return "cpu";
+        case Options::Clock::gpu: return "gpu";
+    }
+    return "?";
 }
 
 std::string asText(const Measurement& measurement)

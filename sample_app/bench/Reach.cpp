@@ -96,9 +96,10 @@ ReachRow measuredRow(Rig& rig, int reaching, double aspect)
     std::vector<Run> runs;
     runs.push_back({"clustered", drawing(many, listed)});
     runs.push_back({"one list", drawing(few, {})});
-    runs.push_back({"building", [&] {
-                        clusters = lightClusters(vectors, glm::dmat4(many.stage.view.projection));
-                    }});
+    runs.push_back(
+        {"building",
+         [&] { clusters = lightClusters(vectors, glm::dmat4(many.stage.view.projection)); },
+         false});
     time(rig, runs);
     const Averages averages = averagesOf(many, clusters, aspect);
     const auto median = [&](size_t run) { return scene::spreadOf(runs[run].frames).median; };

@@ -1,5 +1,8 @@
 #include "bench/Turns.h"
 
+#include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
+
 #include <ctime>
 
 namespace fbrdf::bench {
@@ -16,6 +19,13 @@ gl::RendererOptions rendererOptions(const HeadlessContext& context)
     return options;
 }
 
+HeadlessOptions contextOptions(const Options& options)
+{
+    HeadlessOptions result;
+    result.device = options.device;
+    return result;
+}
+
 /// The CPU time of all threads of this process.
 double cpuMilliseconds()
 {
@@ -30,12 +40,15 @@ bool wantsMore(const Run& run)
 
 void frame(Rig& rig, Run& run)
 {
+    const bool onGpu = rig.clock == Options::Clock::gpu && run.draws;
     rig.timer.begin();
+    if (onGpu) rig.gpuTimer.begin();
     const double before = cpuMilliseconds();
     rig.offscreen.clear();
     run.draw();
-    const double wall = rig.timer.end(), cpu = cpuMilliseconds() - before;
-    run.frames.push_back(rig.clock == Options::Clock::cpu ? cpu : wall);
+    const double gpu = onGpu ? rig.gpuTimer.end() : 0.0, wall = rig.timer.end(),
+                 cpu = cpuMilliseconds() - before;
+    run.frames.push_back(onGpu ? gpu : rig.clock == Options::Clock::cpu ? cpu : wall);
     run.spent += wall;
 }
 
@@ -52,12 +65,42 @@ bool round(Rig& rig, std::vector<Run>& runs)
 
 }  // namespace
 
+GpuTimer::GpuTimer(const GladGLContext& gl, bool wanted) : gl_(gl)
+{
+    if (!wanted) return;
+    GLint bits = 0;
+    if (gl.VERSION_3_3) gl.GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    if (bits == 0)
+        throw Error(ErrorKind::gl, "--clock gpu",
+                    Found("a context without timer queries").expected("OpenGL 3.3 with them"));
+    gl.GenQueries(1, &query_);
+}
+
+GpuTimer::~GpuTimer()
+{
+    if (query_ != 0) gl_.DeleteQueries(1, &query_);
+}
+
+void GpuTimer::begin() const
+{
+    gl_.BeginQuery(GL_TIME_ELAPSED, query_);
+}
+
+double GpuTimer::end() const
+{
+    gl_.EndQuery(GL_TIME_ELAPSED);
+    GLuint64 nanoseconds = 0;
+    gl_.GetQueryObjectui64v(query_, GL_QUERY_RESULT, &nanoseconds);
+    return 1e-6 * static_cast<double>(nanoseconds);
+}
+
 Rig::Rig(const Options& options)
-    : context(HeadlessOptions{}),
+    : context(contextOptions(options)),
       gl(viewer::loadGlFunctions(context.loader())),
       renderer(rendererOptions(context)),
       offscreen(context.loader(), {options.width, options.height}),
       timer(context.loader()),
+      gpuTimer(gl, options.clock == Options::Clock::gpu),
       clock(options.clock)
 {
 }

@@ -13,6 +13,23 @@
 
 namespace fbrdf::bench {
 
+/// How long the GPU takes, by a timer query.
+class GpuTimer {
+public:
+    /// wanted: false makes a timer that must not be used. Throws Error(gl) for a context that has
+    /// none.
+    GpuTimer(const GladGLContext& gl, bool wanted);
+    ~GpuTimer();
+    GpuTimer(const GpuTimer&) = delete;
+    GpuTimer& operator=(const GpuTimer&) = delete;
+    void begin() const;
+    double end() const;  ///< milliseconds; waits for them
+
+private:
+    const GladGLContext& gl_;
+    GLuint query_ = 0;
+};
+
 /// A context of this program, with a renderer and a target in it.
 struct Rig {
     explicit Rig(const Options& options);
@@ -23,12 +40,14 @@ struct Rig {
     gl::Renderer renderer;
     Offscreen offscreen;
     viewer::FrameTimer timer;
+    GpuTimer gpuTimer;
     Options::Clock clock;
 };
 
 struct Run {
     std::string name;
     Draw draw;
+    bool draws = true;                ///< false: it calls no GL, and no GPU's clock can time it
     std::vector<double> frames = {};  ///< milliseconds of each frame
     double spent = 0.0;
 };

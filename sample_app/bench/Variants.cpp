@@ -15,10 +15,10 @@ struct Drawn {
     std::shared_ptr<gl::GpuMesh> mesh;
 };
 
-Draw drawWithRuntime(const Material& material, LookUp lookUp, const gl::DrawOptions& options,
-                     const Scene& scene)
+Draw drawWithRuntime(const Material& material, const gl::MaterialOptions& uploaded,
+                     const gl::DrawOptions& options, const Scene& scene)
 {
-    const Drawn drawn{scene.renderer.createMaterial(material, {lookUp}),
+    const Drawn drawn{scene.renderer.createMaterial(material, uploaded),
                       scene.renderer.createMesh(scene.stage.mesh)};
     scene.renderer.prepare(*drawn.material, options, static_cast<int>(scene.lights.size()));
     return [drawn, options, &scene] {
@@ -30,16 +30,18 @@ Draw drawWithRuntime(const Material& material, LookUp lookUp, const gl::DrawOpti
     };
 }
 
-Variant runtimeVariant(const std::string& form, Technique technique, LookUp lookUp = LookUp::native)
+Variant runtimeVariant(const std::string& form, Technique technique,
+                       const gl::MaterialOptions& uploaded = {})
 {
     gl::DrawOptions options;
     options.technique = technique;
-    const bool isNative = lookUp == LookUp::native;
-    const std::string name = form + (isNative ? "" : std::string(" ") + lookUpName(lookUp)) + " " +
-                             techniqueName(technique);
+    const bool isNative = uploaded.lookUp == LookUp::native;
+    const std::string name = form +
+                             (isNative ? "" : std::string(" ") + lookUpName(uploaded.lookUp)) +
+                             (uploaded.precise ? " precise " : " ") + techniqueName(technique);
     return {name, techniqueInfo(technique).description,
-            [form, lookUp, options](const Scene& scene) {
-                return drawWithRuntime(ggxMaterial(form), lookUp, options, scene);
+            [form, uploaded, options](const Scene& scene) {
+                return drawWithRuntime(ggxMaterial(form), uploaded, options, scene);
             }};
 }
 
@@ -59,11 +61,15 @@ std::vector<Variant> allVariants()
 {
     std::vector<Variant> variants;
     for (ShaderPeer& peer : shaderPeers()) variants.push_back(peerVariant(std::move(peer)));
-    for (const char* form : {"hdio", "pqp", "pqpr", "io+hdio"})
+    for (const char* form : {"hdio", "hdpio", "hdpu", "hdsu", "pqp", "pqpr", "io+hdio"})
         for (const Technique technique : allTechniques())
             variants.push_back(runtimeVariant(form, technique));
     for (const LookUp lookUp : {LookUp::parabolic, LookUp::cube})
-        variants.push_back(runtimeVariant("pqp", Technique::single, lookUp));
+        variants.push_back(runtimeVariant("pqp", Technique::single, {lookUp}));
+    gl::MaterialOptions precise;
+    precise.precise = true;
+    for (const char* form : {"hdio", "pqp"})
+        variants.push_back(runtimeVariant(form, Technique::single, precise));
     return variants;
 }
 

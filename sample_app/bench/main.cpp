@@ -25,6 +25,10 @@ int run(int argc, char** argv)
         fmt::print("{}", options.help);
         return 0;
     }
+    if (options.listDevices) {
+        fmt::print("{}", viewer::devicesText());
+        return 0;
+    }
     if (options.accuracy) {
         const bench::Accuracy accuracy = bench::measureAccuracy(options);
         print(accuracy, options.json);

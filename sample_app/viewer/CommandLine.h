@@ -1,5 +1,6 @@
 // CommandLine.h - what the programs of this folder share: sizes, and how they end.
 #pragma once
+#include <optional>
 #include <string>
 
 namespace fbrdf::viewer {
@@ -9,6 +10,12 @@ struct Size {
     int width = 0, height = 0;
 };
 Size sizeFromText(const std::string& text);
+
+/// What --device takes: a number of headlessDevices(), or "" for none. Throws Error(usage).
+std::optional<int> deviceFromText(const std::string& text);
+const char* deviceHelp();
+/// One line for each of headlessDevices().
+std::string devicesText();
 
 /// Returns run(argc, argv). Where that throws, prints one line to stderr and returns the exit code
 /// of Error.h, or 1 for any other exception.

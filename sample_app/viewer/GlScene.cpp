@@ -34,11 +34,11 @@ gl::DrawOptions drawOptions(Technique technique)
 
 }  // namespace
 
-GlScene::GlScene(gl::LoadFunction load, World& world, LookUp lookUp)
+GlScene::GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded)
     : renderer_(rendererOptions(load))
 {
     for (MaterialSlot& slot : world.materials)
-        materials_.push_back(renderer_.createMaterial(slot.material(), {lookUp}));
+        materials_.push_back(renderer_.createMaterial(slot.material(), uploaded));
     replaceMesh(world.mesh);
 }
 

@@ -10,7 +10,7 @@ class GlScene {
 public:
     /// Uploads the mesh and every material (fitting what needs it). Belongs to the context that is
     /// current now. Problems that a draw survives are printed to stderr, each once.
-    GlScene(gl::LoadFunction load, World& world, LookUp lookUp);
+    GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded);
 
     const gl::Renderer& renderer() const { return renderer_; }
     void replaceMesh(const scene::Mesh& mesh);

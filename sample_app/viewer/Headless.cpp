@@ -48,8 +48,9 @@ Picture drawHeadless(const Options& options, World& world)
     Picture picture{{}, statsOf(options, world)};
     HeadlessOptions contextOptions;
     contextOptions.backend = options.backend;
+    contextOptions.device = options.device;
     const HeadlessContext context(contextOptions);
-    GlScene scene(context.loader(), world, options.lookUp);
+    GlScene scene(context.loader(), world, {options.lookUp, 0, options.precise});
     Offscreen offscreen(context.loader(), {options.width, options.height});
     FrameTimer timer(context.loader());
     const gl::Target target{offscreen.framebuffer(), options.width, options.height};

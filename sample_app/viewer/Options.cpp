@@ -15,7 +15,7 @@ constexpr int kMostLights = 65536;
 
 /// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
-    std::string backend, technique, lookUp, camera, size;
+    std::string backend, device, technique, lookUp, camera, size;
 };
 
 void describeScene(CLI::App& app, Options& options, Texts& texts)
@@ -46,11 +46,15 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--backend", texts.backend,
                    "How to get GL without a display: egl (default) or osmesa")
         ->needs(headless);
+    app.add_option("--device", texts.device, deviceHelp())->type_name("N|list");
     app.add_option("--technique", texts.technique, scene::viewTechniqueHelp());
     app.add_option(
         "--look-up", texts.lookUp,
         "How maps over one direction are looked up: native (default), or recombined into "
         "parabolic or cube maps");
+    app.add_flag("--precise", options.precise,
+                 "Filter maps in the shader: slower, and as fine as floats where a GPU knows 256 "
+                 "places between two texels");
     app.add_option("--size", texts.size, "Pixels (default 512x512)")->type_name("WxH");
     app.add_option("--exposure", options.exposure,
                    "Factor of the radiance in sRGB files and in the window")
@@ -71,6 +75,11 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
 void understand(const Texts& texts, Options& options)
 {
     if (!texts.backend.empty()) options.backend = backendFromName(texts.backend);
+    if (texts.device == "list") options.listDevices = true;
+    if (!options.listDevices) options.device = deviceFromText(texts.device);
+    if (options.device && (!options.headless || options.backend != Backend::egl))
+        throw Error(ErrorKind::usage, "--device",
+                    Found("it without --headless, or with osmesa").expected("both, with egl"));
     if (!texts.technique.empty()) options.technique = scene::viewTechniqueFromName(texts.technique);
     if (!texts.lookUp.empty()) options.lookUp = lookUpFromName(texts.lookUp);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
@@ -96,6 +105,8 @@ Options optionsFromArguments(int argc, const char* const* argv)
         "fbrdf-viewer");
     describeScene(app, options, texts);
     describePicture(app, options, texts);
+    const auto* devices =
+        app.add_subcommand("list-devices", "Prints what --device can choose, a line each");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -104,6 +115,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
     } catch (const CLI::ParseError& error) {
         throw Error(ErrorKind::usage, "command line", error.what());
     }
+    if (devices->parsed()) texts.device = "list";
     understand(texts, options);
     return options;
 }

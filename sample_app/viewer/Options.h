@@ -15,6 +15,8 @@ namespace fbrdf::viewer {
 struct Options {
     bool headless = false;
     Backend backend = Backend::egl;
+    std::optional<int> device;           ///< of headlessDevices()
+    bool listDevices = false;            ///< nothing else is asked for
     std::vector<std::string> materials;  ///< files or sources; empty: the default material
     std::string form = "auto";           ///< in which sources are fitted
     std::string mesh = "sphere";
@@ -23,6 +25,7 @@ struct Options {
     uint32_t seed = 0;
     scene::ViewTechnique technique = scene::viewTechnique(Technique::single);
     LookUp lookUp = LookUp::native;
+    bool precise = false;  ///< filtered in the shader
     std::optional<scene::Camera> camera;
     int width = 512, height = 512;
     float exposure = 1.0f;

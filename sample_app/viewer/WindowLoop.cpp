@@ -53,7 +53,7 @@ public:
           panel_(window_.handle()),
           timer_(GlfwWindow::loader()),
           toneMapper_(GlfwWindow::loader()),
-          scene_(GlfwWindow::loader(), world, options.lookUp),
+          scene_(GlfwWindow::loader(), world, {options.lookUp, 0, options.precise}),
           stats_(statsOf(options, world))
     {
         window_.setFilter(

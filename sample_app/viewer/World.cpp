@@ -69,7 +69,10 @@ scene::Stats statsOf(const Options& options, const World& world)
 {
     scene::Stats stats;
     stats.technique = viewTechniqueName(options.technique);
-    if (!isOnCpu(options.technique)) stats.lookUp = lookUpName(options.lookUp);
+    if (!isOnCpu(options.technique)) {
+        stats.lookUp = lookUpName(options.lookUp);
+        stats.filter = options.precise ? "shader" : "hardware";
+    }
     stats.mesh = options.mesh;
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
     stats.evaluated = "material";

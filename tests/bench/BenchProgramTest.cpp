@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/BuiltFile.h"
 #include "support/DataDir.h"
 #include "support/TemporaryDir.h"
 
@@ -30,8 +31,9 @@ std::string textOf(const std::string& path)
 Result runBench(const std::string& arguments, const std::string& environment = "")
 {
     const TemporaryDir dir;
-    const std::string command = environment + " '" FBRDF_BENCH_PATH "' " + arguments + " >'" +
-                                dir.file("out") + "' 2>'" + dir.file("err") + "'";
+    const std::string command = environment + " '" + builtFile("FBRDF_BENCH", FBRDF_BENCH_PATH) +
+                                "' " + arguments + " >'" + dir.file("out") + "' 2>'" +
+                                dir.file("err") + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, textOf(dir.file("out")),
             textOf(dir.file("err"))};
@@ -57,7 +59,8 @@ TEST(BenchProgram, TimesEveryVariantOnce)
         for (const char* variant :
              {"ggx", "merl", "nbrdf", "nbrdf-baked", "poulin-fournier", "multipass-osgfx",
               "hdio single", "hdio batched", "hdio two-lookup", "pqp single", "pqpr batched",
-              "io+hdio two-lookup"})
+              "io+hdio two-lookup", "hdpio single", "hdpu batched", "hdsu two-lookup",
+              "hdio precise single"})
             EXPECT_EQ(variants.count(std::string(mesh) + variant), 1u) << mesh << variant;
     EXPECT_TRUE(json["left_out"].empty());
     EXPECT_FALSE(json["renderer"].get<std::string>().empty());
@@ -99,6 +102,21 @@ TEST(BenchProgram, StaysWithinItsBounds)
     EXPECT_GE(versions.size(), 6u);
 }
 
+TEST(BenchProgram, TimesByEveryClock)
+{
+    for (const char* clock : {"wall", "cpu", "gpu"}) {
+        const Result result =
+            runBench("--lights 4 --size 64x64 --mesh triangle --only ggx --json --clock " +
+                     std::string(clock));
+        if (result.err.find("timer queries") != std::string::npos) GTEST_SKIP() << result.err;
+        NEEDS_GL(result);
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        const auto json = nlohmann::json::parse(result.out);
+        EXPECT_EQ(json["clock"], clock);
+        EXPECT_GT(json["results"][0]["milliseconds"], 0.0) << clock;
+    }
+}
+
 TEST(BenchProgram, LeavesOutWhatWouldTakeTooLong)
 {
     const Result result = runBench(
@@ -114,7 +132,7 @@ TEST(BenchProgram, RefusesWhatItDoesNotKnow)
 {
     for (const char* arguments :
          {"--lights 0", "--lights many", "--size 8", "--size 0x8", "--mesh cube", "--clock sun",
-          "--only hidio", "--frame-limit -1", "more"}) {
+          "--device gpu", "--only hidio", "--frame-limit -1", "more"}) {
         const Result result = runBench(arguments);
         if (std::string(arguments) == "--only hidio") NEEDS_GL(result);
         EXPECT_EQ(result.exitCode, 2) << arguments << result.err;

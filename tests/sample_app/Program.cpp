@@ -1,6 +1,7 @@
 #include "Program.h"
 
 #include <fbrdf/scene/TextFile.h>
+#include <support/BuiltFile.h>
 #include <support/TemporaryDir.h>
 #include <sys/wait.h>
 
@@ -27,7 +28,7 @@ ProgramResult runProgram(const std::string& program, const std::string& argument
 
 std::string viewerPath()
 {
-    return FBRDF_VIEWER_PATH;
+    return test::builtFile("FBRDF_VIEWER", FBRDF_VIEWER_PATH);
 }
 
 ProgramResult runViewer(const std::string& arguments, const std::string& prefix)

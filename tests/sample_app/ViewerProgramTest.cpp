@@ -67,9 +67,10 @@ TEST_F(Viewer, HelpNamesEveryOption)
     const ProgramResult result = runViewer("--help");
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err, "");
-    for (const char* option : {"--headless", "--backend", "--material", "--mesh", "--lights",
-                               "--light-count", "--seed", "--technique", "--look-up", "--camera",
-                               "--size", "--exposure", "--out", "--stats", "--frames"})
+    for (const char* option :
+         {"--headless", "--backend", "--material", "--mesh", "--lights", "--light-count", "--seed",
+          "--technique", "--look-up", "--precise", "--device", "list-devices", "--camera", "--size",
+          "--exposure", "--out", "--stats", "--frames"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
@@ -82,6 +83,11 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         {"--look-up dual", "look-up: found 'dual'"},
         {"--headless --backend metal", "metal"},
         {"--backend egl", "--headless"},
+        {"--headless --device gpu", "--device: found 'gpu'"},
+        {"--headless --device -1", "--device"},
+        {"--headless --device 999", "found device 999"},
+        {"--device 0", "--headless"},
+        {"--headless --backend osmesa --device 0", "--device"},
         {"--size 10", "--size: found '10'"},
         {"--size 0x10", "--size: found '0x10'"},
         {"--size 10x10x10", "--size"},
@@ -101,6 +107,28 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         SCOPED_TRACE(arguments);
         expectError(runViewer(arguments), 2, where);
     }
+}
+
+TEST_F(Viewer, DrawsWithADeviceThatItLists)
+{
+    NEEDS(Backend::egl);
+    const ProgramResult list = runViewer("list-devices");
+    EXPECT_EQ(list.exitCode, 0) << list.err;
+    EXPECT_EQ(runViewer("--device list").out, list.out);
+    if (list.out.rfind("0  ", 0) != 0) GTEST_SKIP() << "EGL lists no devices";
+    draw(drawMade() + "--device 0");
+    EXPECT_EQ(list.out.substr(3, list.out.find('\n') - 3), stats_["gl_renderer"]);
+}
+
+TEST_F(Viewer, SaysWhatFiltersTheMaps)
+{
+    NEEDS(Backend::egl);
+    const Image hardware = draw(drawMade());
+    EXPECT_EQ(stats_["filter"], "hardware");
+    const Image shader = draw(drawMade() + "--precise");
+    EXPECT_EQ(stats_["filter"], "shader");
+    EXPECT_LT(stats_["error_bound"]["relative"], 1e-4);
+    EXPECT_LE(compare(shader, hardware).worst, 1e-2);  // a GPU's own filter may be as coarse
 }
 
 TEST_F(Viewer, InputErrorsExitWith3AndLeaveNoPicture)

@@ -35,6 +35,7 @@ std::string statsToJson(const Stats& stats)
         {"gl_version", textOrNull(stats.glVersion)},
         {"technique", stats.technique},
         {"look_up", textOrNull(stats.lookUp)},
+        {"filter", textOrNull(stats.filter)},
         {"technique_drawn", textOrNull(stats.techniqueDrawn)},
         {"why_replaced", textOrNull(stats.whyReplaced)},
         {"error_bound", {{"relative", stats.errorRelative}, {"absolute", stats.errorAbsolute}}},

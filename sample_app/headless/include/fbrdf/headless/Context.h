@@ -2,7 +2,9 @@
 // Used by fbrdf-viewer, fbrdf-bench and the tests; the runtime itself never makes a context.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace fbrdf {
 
@@ -20,7 +22,14 @@ struct HeadlessOptions {
     /// A context of the same backend, with which textures, buffers and programs are shared, but not
     /// framebuffers.
     const HeadlessContext* sharedWith = nullptr;
+    /// A number of headlessDevices() (EGL). Empty: what the environment variable FBRDF_EGL_DEVICE
+    /// says, and without it the device that Mesa's surfaceless platform takes.
+    std::optional<int> device = {};
 };
+
+/// What EGL can draw with on this machine, in EGL's order: the GL_RENDERER of each, or why it has
+/// no OpenGL. Empty where EGL lists none (EGL_EXT_device_enumeration). Leaves no context current.
+std::vector<std::string> headlessDevices();
 
 /// A context. It is current on the thread that made it; makeCurrent() makes it current again.
 class HeadlessContext {

@@ -18,6 +18,7 @@ struct Stats {
     /// The technique that the runtime took, and why it did not take `technique`. Both are empty on
     /// the CPU, and the reason where the technique is the same.
     std::string techniqueDrawn, whyReplaced;
+    std::string filter;  ///< of maps: "hardware", or "shader" where that does it
     std::string lookUp;  ///< the kind that was asked for, for maps over one direction
     double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
     std::vector<std::string> materials;               ///< names
