@@ -71,14 +71,31 @@ Averages averagesOf(const Scene& scene, const LightClusters& clusters, double as
     return {sums.reaching / count, sums.listed / count};
 }
 
+/// A view that depth alone tells from the last one, as if the camera moved: lists are made anew.
+class MovingView {
+public:
+    explicit MovingView(const gl::View& view) : view_(view) {}
+    const gl::View& next()
+    {
+        view_.projection[2][2] *= forward_ ? 1.0f + 1e-6f : 1.0f / (1.0f + 1e-6f);
+        forward_ = !forward_;
+        return view_;
+    }
+
+private:
+    gl::View view_;
+    bool forward_ = true;
+};
+
 Draw drawing(const Scene& scene, const gl::DrawOptions& options)
 {
     const std::shared_ptr<gl::GpuMaterial> material =
         scene.renderer.createMaterial(ggxMaterial("hdio"));
     const std::shared_ptr<gl::GpuMesh> mesh = scene.renderer.createMesh(scene.stage.mesh);
-    return [material, mesh, options, &scene] {
+    const auto view = std::make_shared<MovingView>(scene.stage.view);
+    return [material, mesh, options, view, &scene] {
         const auto stats = scene.renderer.draw(
-            scene.target, scene.stage.view, {{material.get(), mesh.get()}}, scene.lights, options);
+            scene.target, view->next(), {{material.get(), mesh.get()}}, scene.lights, options);
         if (stats.itemsFailed > 0 || !stats.whyReplaced.empty())
             throw Error(ErrorKind::gl, "runtime",
                         "cannot draw lists of lights: " + stats.whyReplaced);
@@ -90,18 +107,17 @@ ReachRow measuredRow(Rig& rig, int reaching, double aspect)
     const Scene many = rig.scene(makeStage("triangle", aspect), spreadLights(reaching, aspect)),
                 few = rig.scene(makeStage("triangle", aspect), stageLights(reaching));
     const auto vectors = inEyeSpace(many);
-    LightClusters clusters;
+    ClusterBuilder builder;
+    MovingView view(many.stage.view);
     gl::DrawOptions listed;
     listed.clustered = true;
     std::vector<Run> runs;
     runs.push_back({"clustered", drawing(many, listed)});
     runs.push_back({"one list", drawing(few, {})});
     runs.push_back(
-        {"building",
-         [&] { clusters = lightClusters(vectors, glm::dmat4(many.stage.view.projection)); },
-         false});
+        {"building", [&] { builder.update(vectors, glm::dmat4(view.next().projection)); }, false});
     time(rig, runs);
-    const Averages averages = averagesOf(many, clusters, aspect);
+    const Averages averages = averagesOf(many, builder.clusters(), aspect);
     const auto median = [&](size_t run) { return scene::spreadOf(runs[run].frames).median; };
     return {reaching, averages.reaching, averages.listed, median(0), median(2), median(1)};
 }

@@ -112,6 +112,34 @@ TEST_P(ManyLights, ScissoredPassesDrawWhatOnePassDraws)
                       kOrder);
 }
 
+TEST_P(ManyLights, ListsFollowLightsThatMove)
+{
+    if (!hasLists()) GTEST_SKIP() << "lists need OpenGL 3.1";
+    gl::Renderer renderer = makeRenderer();
+    const auto material = renderer.createMaterial(testMaterials()[0]);
+    const auto mesh = renderer.createMesh(knotMesh(48, 8));
+    gl::DrawOptions clustered;
+    clustered.clustered = true;
+    auto lights = smallLights(100);
+    const auto drawn = [&](const gl::DrawOptions& options) {
+        return drawItems(renderer, kSize, perspectiveView(), {{material.get(), mesh.get()}}, lights,
+                         options)
+            .pixels;
+    };
+    const auto before = drawn(clustered);
+    EXPECT_EQ(drawn(clustered), before);  // nothing has moved
+    for (Light& light : lights) light.position.x += 0.3f;
+    const auto moved = drawn(clustered);
+    EXPECT_NE(moved, before);
+    EXPECT_LE(compareImages(moved, drawn({})).maxRelative, kOrder);
+    // So few that each fragment looks at all of them.
+    lights.resize(5);
+    const auto few = drawn(clustered);
+    EXPECT_EQ(few, drawn({}));
+    lights = smallLights(100);
+    EXPECT_EQ(drawn(clustered), before);
+}
+
 TEST_P(ManyLights, BatchesOfLightsThatAreNearShadeFewPixels)
 {
     Hooks hooks(context().loader());

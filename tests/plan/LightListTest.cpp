@@ -123,6 +123,19 @@ glm::dmat4 perspective()
     return glm::perspective(0.9, 1.3, 0.1, 50.0);
 }
 
+/// Left and right, or top and bottom, change places.
+glm::dmat4 mirrored(bool sideways)
+{
+    return glm::scale(glm::dmat4(1.0), Vec3d(sideways ? -1.0 : 1.0, sideways ? 1.0 : -1.0, 1.0)) *
+           glm::perspective(0.9, 1.3, 0.1, 50.0);
+}
+
+/// The eye is beside the middle of the picture, as in a headset.
+glm::dmat4 offCentre()
+{
+    return glm::frustum(-0.02, 0.07, -0.05, 0.04, 0.1, 50.0);
+}
+
 glm::dmat4 parallel()
 {
     return glm::ortho(-5.0, 4.0, -3.0, 5.0, 0.1, 50.0);
@@ -133,9 +146,11 @@ TEST(LightClusters, HoldEveryLightThatReachesAPoint)
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0.0, 1.0), depth(0.1, 14.0);
     const auto lights = randomLights(200, random);
-    for (const glm::dmat4& projection : {perspective(), parallel()}) {
+    for (const glm::dmat4& projection :
+         {perspective(), parallel(), mirrored(true), mirrored(false), offCentre()}) {
         const LightClusters clusters = lightClusters(lights, projection);
-        ASSERT_EQ(clusters.lights.size(), lights.size());
+        ASSERT_EQ(clusters.lights.size(), clusters.places.size());
+        EXPECT_LT(clusters.lights.size(), lights.size());  // some are behind the eye
         size_t held = 0, reaching = 0;
         for (int i = 0; i < 4000; ++i) {
             const glm::dvec2 pixel(unit(random), unit(random));
@@ -145,14 +160,108 @@ TEST(LightClusters, HoldEveryLightThatReachesAPoint)
             ASSERT_LE(static_cast<int>(list.size()), clusters.longest);
             held += list.size();
             for (int k = 0; k < static_cast<int>(lights.size()); ++k) {
-                if (!reaches(clusters.lights[static_cast<size_t>(k)], point)) continue;
+                if (!reaches(lights[static_cast<size_t>(k)], point)) continue;
                 ++reaching;
-                ASSERT_NE(std::find(list.begin(), list.end(), k), list.end()) << "light " << k;
+                ASSERT_TRUE(std::any_of(
+                    list.begin(), list.end(),
+                    [&](int listed) { return clusters.places[static_cast<size_t>(listed)] == k; }))
+                    << "light " << k;
             }
         }
         // The lists are useful: not much longer than they must be.
         EXPECT_LT(double(held), 1.6 * double(reaching));
     }
+}
+
+TEST(LightClusters, LeaveOutWhatIsNotSeenAndNothingElse)
+{
+    const auto lightAt = [](float x, float y, float z, float radius) {
+        return lightVectors(pointLight({x, y, z}, radius), glm::dmat4(1.0));
+    };
+    // Behind the eye, beside the picture; then reaching in from there, and one without a radius.
+    const std::vector<LightVectors> lights{
+        lightAt(0.0f, 0.0f, 5.0f, 4.9f),   lightAt(-30.0f, 0.0f, -5.0f, 2.0f),
+        lightAt(0.0f, 30.0f, -5.0f, 2.0f), lightAt(0.0f, 0.0f, 1.0f, 1.5f),
+        lightAt(-6.0f, 0.0f, -5.0f, 5.0f), lightAt(90.0f, 0.0f, 9.0f, 0.0f)};
+    const LightClusters clusters = lightClusters(lights, perspective());
+    EXPECT_EQ(clusters.places, (std::vector<int32_t>{5, 3, 4}));
+    EXPECT_EQ(clusters.everywhere, 1);
+    EXPECT_EQ(lightClusters({lights[0], lights[1]}, perspective()).longest, 0);
+}
+
+TEST(LightClusters, OfManyLightsAreThoseOfOneThread)
+{
+    std::mt19937 random(17);
+    const auto many = randomLights(3000, random);
+    const LightClusters threads = lightClusters(many, perspective());
+    // Lists of a part of the lights are made on one thread; what they hold is in all of them too.
+    const std::vector<LightVectors> few(many.begin(), many.begin() + 300);
+    const LightClusters one = lightClusters(few, perspective(), threads.grid);
+    std::uniform_real_distribution<double> unit(0.0, 1.0), depth(0.1, 14.0);
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec2 at(unit(random), unit(random));
+        const Vec3d point = pointAt(perspective(), at, depth(random));
+        const auto placesOf = [&](const LightClusters& clusters) {
+            std::vector<int> places;
+            for (const int k : lightsAt(clusters, at, -point.z)) {
+                const LightVectors& light = clusters.lights[static_cast<size_t>(k)];
+                if (!reaches(light, point)) continue;
+                const int place = clusters.places[static_cast<size_t>(k)];
+                if (place < 300) places.push_back(place);
+            }
+            return places;
+        };
+        ASSERT_EQ(placesOf(threads), placesOf(one));
+    }
+}
+
+TEST(ClusterBuilder, MakesWhatOneCallMakesWhateverCameBefore)
+{
+    std::mt19937 random(23);
+    ClusterBuilder builder;
+    for (const int count : {300, 20, 0, 4000, 7}) {
+        const auto lights = randomLights(count, random);
+        for (const int most : {0, 5}) {
+            EXPECT_TRUE(builder.update(lights, perspective(), {}, most));
+            const LightClusters once = lightClusters(lights, perspective(), {}, most);
+            const LightClusters& again = builder.clusters();
+            EXPECT_TRUE(again.grid == once.grid);
+            EXPECT_EQ(again.places, once.places);
+            EXPECT_EQ(again.lists, once.lists);
+            EXPECT_EQ(again.indices, once.indices);
+            EXPECT_EQ(again.everywhere, once.everywhere);
+            EXPECT_EQ(again.longest, once.longest);
+            EXPECT_EQ(again.dropped, once.dropped);
+        }
+    }
+}
+
+TEST(ClusterBuilder, SeesThatNothingHasMoved)
+{
+    std::mt19937 random(29);
+    auto lights = randomLights(50, random);
+    ClusterBuilder builder;
+    EXPECT_TRUE(builder.update(lights, perspective()));
+    EXPECT_FALSE(builder.update(lights, perspective()));
+    EXPECT_TRUE(builder.update(lights, parallel()));
+    EXPECT_TRUE(builder.update(lights, parallel(), {4, 4, 4}));
+    EXPECT_TRUE(builder.update(lights, parallel(), {4, 4, 4}, 3));
+    lights[7][1].x *= 2.0f;
+    EXPECT_TRUE(builder.update(lights, parallel(), {4, 4, 4}, 3));
+    EXPECT_FALSE(builder.update(lights, parallel(), {4, 4, 4}, 3));
+    EXPECT_EQ(builder.clusters().lights.size(), builder.clusters().places.size());
+}
+
+TEST(LightClusters, StayFew)
+{
+    std::mt19937 random(19);
+    std::uniform_real_distribution<float> place(-40.0f, 40.0f);
+    std::vector<LightVectors> lights;
+    for (int i = 0; i < 3000; ++i)
+        lights.push_back(
+            lightVectors(pointLight({place(random), place(random), -50.0f + place(random)}, 0.3f),
+                         glm::dmat4(1.0)));
+    EXPECT_LE(lightClusters(lights, perspective()).grid.count(), 32768);
 }
 
 TEST(LightClusters, OfNoLightsWithARadiusAreEmpty)

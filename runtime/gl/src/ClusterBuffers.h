@@ -16,10 +16,14 @@ struct ClusterBuffers {
     }
 
     /// Uploads the lists. lightNumbers: for each light that the lists were made from, its place
-    /// among the lights of the draw. Leaves the array buffer bound. Throws Error(gl) where a buffer
-    /// texture is too small for the lists.
-    void update(const LightClusters& clusters, const std::vector<int32_t>& lightNumbers)
+    /// among the lights of the draw. isNew: false where the clusters are those of the last call.
+    /// Leaves the array buffer bound. Throws Error(gl) where a buffer texture is too small for the
+    /// lists.
+    void update(const LightClusters& clusters, const std::vector<int32_t>& lightNumbers, bool isNew)
     {
+        if (whole_ && !isNew && lightNumbers == lightNumbers_) return;
+        whole_ = false;  // until all of it is uploaded
+        lightNumbers_ = lightNumbers;
         // The lists sort lights, and hooks must find them where the host has them.
         std::vector<int32_t> inOrder;
         for (const int32_t place : clusters.places)
@@ -31,9 +35,14 @@ struct ClusterBuffers {
                        clusters.indices.data());
         lists.update(clusters.lists.size() / 2, clusters.lists.size() * sizeof(int32_t),
                      clusters.lists.data());
+        whole_ = true;
     }
 
     BufferTexture lights, indices, lists, numbers;
+
+private:
+    std::vector<int32_t> lightNumbers_;
+    bool whole_ = false;
 };
 
 }  // namespace fbrdf::gl

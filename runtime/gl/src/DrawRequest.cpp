@@ -6,6 +6,7 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
+#include <fbrdf/base/Parallel.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +16,10 @@
 
 namespace fbrdf::gl {
 namespace {
+
+// Below so many lights, moving them to eye space takes no longer than starting a thread.
+constexpr size_t kManyLights = 2048;
+constexpr int kMostThreads = 4;
 
 bool isFinite(const glm::mat4& m)
 {
@@ -98,15 +103,19 @@ void setLights(DrawRequest& request, const std::vector<Light>& lights)
     const glm::dmat4 toEye(request.view.view);
     // Linear targets store radiance itself, without exposure (Target::exposure).
     const bool exposed = request.target.transfer != Transfer::linear;
-    for (size_t i = 0; i < lights.size(); ++i) {
-        // Numbers stay those of the host's list, invalid lights included: hooks receive them.
-        if (!isValid(lights[i])) continue;
-        Light light = lights[i];
+    // Numbers stay those of the host's list, invalid lights included: hooks receive them.
+    request.eye.numbers.reserve(lights.size());
+    for (size_t i = 0; i < lights.size(); ++i)
+        if (isValid(lights[i])) request.eye.numbers.push_back(static_cast<int32_t>(i));
+    request.lights.resize(request.eye.numbers.size());
+    request.eye.vectors.resize(request.eye.numbers.size());
+    const int threads = lights.size() < kManyLights ? 1 : std::min(threadCount(0), kMostThreads);
+    parallelFor(request.lights.size(), threads, [&](size_t i) {
+        Light& light = request.lights[i];
+        light = lights[static_cast<size_t>(request.eye.numbers[i])];
         if (exposed) light.intensity *= request.target.exposure;
-        request.lights.push_back(light);
-        request.eye.vectors.push_back(lightVectors(light, toEye));
-        request.eye.numbers.push_back(static_cast<int32_t>(i));
-    }
+        request.eye.vectors[i] = lightVectors(light, toEye);
+    });
 }
 
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats)

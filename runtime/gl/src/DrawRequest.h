@@ -28,8 +28,8 @@ struct DrawRequest {
     /// The valid ones. Their intensities are multiplied by the exposure: radiance is linear in
     /// them, so there it costs nothing.
     std::vector<Light> lights;
-    EyeLights eye;                          ///< the same lights in eye space
-    std::optional<LightClusters> clusters;  ///< nothing where lights are not in lists
+    EyeLights eye;                            ///< the same lights in eye space
+    const LightClusters* clusters = nullptr;  ///< null where lights are not in lists
     /// The eye as the shader takes it: see eyeFromProjection.
     glm::vec4 eyePoint{0.0f};
 };

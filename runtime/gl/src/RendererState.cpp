@@ -8,6 +8,8 @@
 namespace fbrdf::gl {
 namespace {
 
+constexpr size_t kFewLights = 8;
+
 std::string noLists()
 {
     return Found("lists of lights asked for")
@@ -220,7 +222,7 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
     }
     wanted.maps = material.mapErrors(irradianceOf(lights, bounds, draw));
     ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
-    ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters.has_value());
+    ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters != nullptr);
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, ready, lights));
     addPlan(stats, ready.plan);
 }
@@ -243,7 +245,8 @@ void Renderer::State::drawObject(Executor& executor, const Drawable& object,
 
 bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
 {
-    if (!options.clustered || lights == 0) return false;
+    // A fragment finds out for itself which of a few lights reach it, sooner than it finds a list.
+    if (!options.clustered || lights <= kFewLights) return false;
     const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
                           device->capabilities.bufferTextures;
     if (!possible) device->logOnce(Severity::warning, noLists() + ": drawing without");
@@ -253,13 +256,16 @@ bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
 void Renderer::State::cluster(DrawRequest& request, DrawStats& stats)
 {
     if (!isClustered(request.options, request.lights.size())) {
-        if (request.options.clustered && !request.lights.empty()) stats.whyReplaced = noLists();
+        if (request.options.clustered && request.lights.size() > kFewLights)
+            stats.whyReplaced = noLists();
         return;
     }
-    request.clusters = lightClusters(request.eye.vectors, glm::dmat4(request.view.projection), {},
-                                     request.options.maxLights);
+    const bool isNew = clusterBuilder.update(
+        request.eye.vectors, glm::dmat4(request.view.projection), {}, request.options.maxLights);
+    request.clusters = &clusterBuilder.clusters();
     stats.lightsDropped += request.clusters->dropped;
-    clusterBuffers.update(*request.clusters, request.eye.numbers);
+    // Where nothing has moved, nothing has to be uploaded.
+    clusterBuffers.update(*request.clusters, request.eye.numbers, isNew);
 }
 
 DrawStats Renderer::State::draw(const Target& target, const View& view,

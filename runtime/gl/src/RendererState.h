@@ -16,6 +16,7 @@ struct Renderer::State {
     DevicePtr device;
     ProgramCache programs;
     SurfacePool surfaces;
+    ClusterBuilder clusterBuilder;
     ClusterBuffers clusterBuffers;
     BufferTexture instances;
 

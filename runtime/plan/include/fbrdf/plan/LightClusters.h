@@ -9,21 +9,27 @@
 #include <fbrdf/plan/LightVectors.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace fbrdf {
 
 /// A number of 0 is chosen from the lights: tiles of a quarter of their mean radius and slices of
-/// two thirds of it, at most 32 x 32 x 24.
+/// two thirds of it, at most 96 x 96 x 24 and 32,768 in all.
 struct ClusterGrid {
     int columns = 0, rows = 0, slices = 0;
     int count() const { return columns * rows * slices; }
+    bool operator==(const ClusterGrid& other) const
+    {
+        return columns == other.columns && rows == other.rows && slices == other.slices;
+    }
 };
 
 struct LightClusters {
     ClusterGrid grid;
     float sliceScale = 0.0f, sliceBias = 0.0f;
-    /// The lights without a radius come first: they reach every cluster and are in no list.
+    /// The lights that can be seen. Those without a radius come first: they reach every cluster and
+    /// are in no list.
     std::vector<LightVectors> lights;
     int everywhere = 0;           ///< number of lights without a radius
     std::vector<int32_t> places;  ///< index of each of `lights` among the lights that were given
@@ -34,9 +40,36 @@ struct LightClusters {
     int dropped = 0;  ///< lights missing from the list that lost most
 };
 
-/// lights: in eye space. projection: perspective or parallel, without a shear between x and y.
-/// mostPerList: the limit of each list, which keeps the lights that can be the strongest in its
-/// cluster; lights without a radius then stand in lists too. 0: no limit.
+/// Makes lists frame after frame, in memory that it keeps. Threads share the work where there are
+/// many lights; the lists do not depend on their number. One thread may use it at a time.
+class ClusterBuilder {
+public:
+    ClusterBuilder();
+    ~ClusterBuilder();
+    ClusterBuilder(ClusterBuilder&&) noexcept;
+    ClusterBuilder& operator=(ClusterBuilder&&) noexcept;
+
+    /// lights: in eye space. projection: perspective or parallel, without a shear between x and y.
+    /// mostPerList: the limit of each list, which keeps the lights that can be the strongest in its
+    /// cluster; lights without a radius then stand in lists too. 0: no limit. Returns false where
+    /// all is as in the last call, and so are the clusters.
+    bool update(const std::vector<LightVectors>& lights, const glm::dmat4& projection,
+                const ClusterGrid& grid = {}, int mostPerList = 0);
+    const LightClusters& clusters() const { return clusters_; }
+
+    struct Scratch;
+
+private:
+    LightClusters clusters_;
+    std::unique_ptr<Scratch> scratch_;
+    bool made_ = false;
+    std::vector<LightVectors> lights_;
+    glm::dmat4 projection_{1.0};
+    ClusterGrid grid_;
+    int mostPerList_ = 0;
+};
+
+/// The clusters of a ClusterBuilder, once.
 LightClusters lightClusters(const std::vector<LightVectors>& lights, const glm::dmat4& projection,
                             const ClusterGrid& grid = {}, int mostPerList = 0);
 
