@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace fbrdf::test {
 namespace {
@@ -121,6 +122,26 @@ constexpr NamedState kCompatibilityNumbers[] = {
 #undef FBRDF_BOTH
 #undef FBRDF_BOTH_SINCE
 
+// Those that a driver here may have; GL's header for tests does not name them.
+constexpr std::pair<const char*, NamedState> kExtensionSwitches[] = {
+    {"GL_EXT_depth_bounds_test", {"GL_DEPTH_BOUNDS_TEST_EXT", 0x8890, 21, kNotInEs}},
+    {"GL_NV_conservative_raster", {"GL_CONSERVATIVE_RASTERIZATION_NV", 0x9346, 21, kNotInEs}}};
+
+bool hasExtension(const GladGLContext& gl, const std::string& name)
+{
+    if (!gl.VERSION_3_0) {
+        const auto* all = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
+        return all && (" " + std::string(all) + " ").find(" " + name + " ") != std::string::npos;
+    }
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (name ==
+            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
+            return true;
+    return false;
+}
+
 bool knows(const GladGLContext& gl, const NamedState& state)
 {
     if (!isEs(gl)) return versionOf(gl) >= state.since;
@@ -231,6 +252,8 @@ std::vector<NamedState> switches(const GladGLContext& gl, bool core)
     if (!core)
         result.insert(result.end(), std::begin(kCompatibilitySwitches),
                       std::end(kCompatibilitySwitches));
+    for (const auto& [extension, state] : kExtensionSwitches)
+        if (hasExtension(gl, extension)) result.push_back(state);
     return result;
 }
 

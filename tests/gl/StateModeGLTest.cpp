@@ -111,8 +111,8 @@ const std::vector<std::string>& published()
         "GL_CURRENT_PROGRAM", "GL_VERTEX_ARRAY_BINDING", "GL_ARRAY_BUFFER",
         "GL_ELEMENT_ARRAY_BUFFER", "GL_DRAW_FRAMEBUFFER", "GL_DRAW_BUFFER0", "GL_RENDERBUFFER",
         "GL_PIXEL_UNPACK_BUFFER", "GL_VIEWPORT", "GL_UNPACK", "GL_READ_", "GL_PIXEL_PACK_BUFFER",
-        "GL_PACK_", "GL_RED_", "GL_GREEN_", "GL_BLUE_", "GL_MAP_COLOR", "GL_CLAMP_FRAGMENT_COLOR",
-        "unit ", "blend", "buffer ", "viewport 0", "attribute ",
+        "GL_PACK_", "GL_CONSERVATIVE", "GL_RED_", "GL_GREEN_", "GL_BLUE_", "GL_MAP_COLOR",
+        "GL_CLAMP_FRAGMENT_COLOR", "unit ", "blend", "buffer ", "viewport 0", "attribute ",
         // These belong to the active unit, which changes:
         "GL_TEXTURE_2D"};
     return names;

@@ -83,7 +83,7 @@ TEST(Pab, KeepsBrdfValuesAndSaysWhatItLeavesOut)
     expectNear(source.samples[0].wo, towards(40.0, 20.0));
     EXPECT_FLOAT_EQ(source.samples[0].f.y, 0.5f);
     EXPECT_EQ(source.report.belowHorizon, 1u);
-    EXPECT_TRUE(assumes(source, "the reflection of the front; 1 rows of transmission"));
+    EXPECT_TRUE(assumes(source, "the reflection of the front; 1 row of transmission"));
 }
 
 TEST(Pab, ReadsXyzUnderEitherWhite)

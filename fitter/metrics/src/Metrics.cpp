@@ -104,7 +104,7 @@ Sums channelSums(const std::vector<Sample>& samples, const std::vector<Vec3f>& f
 }
 
 // |ln a / b|; NaN where both are black, infinite where one is.
-double reciprocityError(double a, double b)
+double logRatio(double a, double b)
 {
     if (a <= 0.0 && b <= 0.0) return kNone;
     if (a <= 0.0 || b <= 0.0) return std::numeric_limits<double>::infinity();
@@ -129,7 +129,7 @@ double medianChange(const BrdfFunction& brdf, int threads, size_t pairCount, con
     parallelFor(pairs.size(), threads, [&](size_t i) {
         const DirectionPair<double> other = partner(pairs[i]);
         const Vec3d one = brdf(pairs[i].wo, pairs[i].wi), two = brdf(other.wo, other.wi);
-        for (int c = 0; c < 3; ++c) errors[i][c] = reciprocityError(one[c], two[c]);
+        for (int c = 0; c < 3; ++c) errors[i][c] = logRatio(one[c], two[c]);
     });
     std::vector<float> counted;
     for (const Vec3d& error : errors)

@@ -113,6 +113,22 @@ Capabilities detected(const Functions& gl)
     return c;
 }
 
+std::vector<GLenum> extensionSwitchesOf(const Functions& gl)
+{
+    constexpr std::pair<GLenum, const char*> kKnown[] = {
+        {0x8890, "GL_EXT_depth_bounds_test"},             // GL_DEPTH_BOUNDS_TEST_EXT
+        {0x9346, "GL_NV_conservative_raster"},            // GL_CONSERVATIVE_RASTERIZATION_NV
+        {0x83FE, "GL_INTEL_conservative_rasterization"},  // GL_CONSERVATIVE_RASTERIZATION_INTEL
+        {0x9563, "GL_NV_shading_rate_image"},             // GL_SHADING_RATE_IMAGE_NV
+        {0x9555, "GL_NV_scissor_exclusive"},              // GL_SCISSOR_TEST_EXCLUSIVE_NV
+        {0x9327, "GL_EXT_raster_multisample"},            // GL_RASTER_MULTISAMPLE_EXT
+    };
+    std::vector<GLenum> found;
+    for (const auto& [name, extension] : kKnown)
+        if (gl.hasExtension(extension)) found.push_back(name);
+    return found;
+}
+
 /// The capabilities that a host asked for, less those that the context does not have.
 Capabilities granted(Capabilities wanted, const Capabilities& found)
 {
@@ -158,6 +174,7 @@ DevicePtr createDevice(const RendererOptions& options)
     device->capabilities = granted(options.capabilities.value_or(found), found);
     check(device->capabilities, device->gl.es != 0);
     device->capabilities.debug = device->capabilities.debug && options.debugLabels;
+    device->extensionSwitches = extensionSwitchesOf(device->gl);
     device->logTo = options.log;
     device->state = options.state;
     // GL sets an error on names that it does not know, so each limit waits for its version.

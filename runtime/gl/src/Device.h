@@ -22,6 +22,8 @@ struct Device {
     int firstTextureUnit = 0;
     int drawBuffers = 1;
     bool wideIndices = true;  ///< indices may have 32 bits
+    /// Switches of extensions that could change or discard a fragment; off in a new context.
+    std::vector<GLenum> extensionSwitches;
     int maxBufferTexels = 0;  ///< texels of the largest buffer texture
     StateMode state = StateMode::restore;
     uint64_t nextMaterial = 1, nextHooks = 1;

@@ -197,6 +197,11 @@ void StateGuard::disableAll()
         if (onInTheEnd) switches_.push_back(s.name);
         if (onInTheEnd || mode_ != StateMode::restore) gl_.Disable(s.name);
     }
+    for (const GLenum name : device_.extensionSwitches) {
+        const bool onInTheEnd = mode_ == StateMode::restore && isOn(gl_, name);
+        if (onInTheEnd) switches_.push_back(name);
+        if (onInTheEnd || mode_ != StateMode::restore) gl_.Disable(name);
+    }
     setFirst(gl_, GL_SCISSOR_TEST, false, 41);
     gl_.Enable(GL_DEPTH_TEST);
 }

@@ -326,8 +326,8 @@ Source PabRows::source(const std::string& path, const PabChoice& choice) const
     }
     if (left > 0)
         source.assumptions.push_back(std::string("the reflection of the ") + name + "; " +
-                                     std::to_string(left) +
-                                     " rows of transmission or of the other side are not read");
+                                     std::to_string(left) + (left == 1 ? " row" : " rows") +
+                                     " of transmission or of the other side not read");
     if (isXyz_)
         toRgb(choice, source);
     else
@@ -404,7 +404,7 @@ Source readPabFolder(const std::string& path, const std::string& choice)
         ++files;
     }
     Source source = rows.source(path, chosen);
-    source.description += ", " + std::to_string(files) + " files";
+    source.description += ", " + std::to_string(files) + (files == 1 ? " file" : " files");
     return source;
 }
 

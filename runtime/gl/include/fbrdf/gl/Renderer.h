@@ -15,9 +15,10 @@
 //   test, function, mask and clear value; blending of draw buffer 0; colour masks; scissor 0;
 //   culling, stencil test, logic op, dither, polygon mode, offset, smooth and stipple, alpha test,
 //   alpha to coverage and to one, sample coverage and mask, clip distances, rasterizer discard,
-//   FRAMEBUFFER_SRGB, primitive restart (both), depth clamp, fragment colour clamp, clip control;
-//   the active unit and, on the units in use, 2D, 3D, array, cube and buffer texture and sampler;
-//   seamless cube maps, where maps are cube maps.
+//   FRAMEBUFFER_SRGB, primitive restart (both), depth clamp, fragment colour clamp, clip control,
+//   and of extensions depth bounds, conservative rasterization, shading rates, exclusive scissor
+//   and raster multisampling; the active unit and, on the units in use, 2D, 3D, array, cube and
+//   buffer texture and sampler; seamless cube maps, where maps are cube maps.
 // createX also touches unpacking, pixel transfer, the unpack buffer and the renderbuffer; the first
 // materials, for which filters are measured (FilterPrecision), also packing, the pack buffer and
 // the read framebuffer. In every mode no vertex array of the renderer stays bound. An active
