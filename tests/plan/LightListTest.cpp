@@ -1,4 +1,5 @@
 // Selections, clusters and pixel bounds: nothing that a light reaches may be lost.
+#include <fbrdf/base/Error.h>
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/LightSelection.h>
 
@@ -250,6 +251,25 @@ TEST(ClusterBuilder, SeesThatNothingHasMoved)
     EXPECT_TRUE(builder.update(lights, parallel(), {4, 4, 4}, 3));
     EXPECT_FALSE(builder.update(lights, parallel(), {4, 4, 4}, 3));
     EXPECT_EQ(builder.clusters().lights.size(), builder.clusters().places.size());
+}
+
+TEST(ClusterBuilder, RefusesWhatNoNumberCanCountAndGoesOn)
+{
+    const LightVectors everywhere = lightVectors(pointLight({}, 0.0f), glm::dmat4(1.0));
+    ClusterBuilder builder;
+    const auto refused = [&](size_t lights, const ClusterGrid& grid) {
+        try {
+            builder.update(std::vector<LightVectors>(lights, everywhere), perspective(), grid, 1);
+            return std::string();
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_NE(refused(70000, {32767, 1, 1}).find("2293690000 entries"), std::string::npos);
+    EXPECT_NE(refused(1, {32768, 1, 1}).find("32768 on a side"), std::string::npos);
+    EXPECT_NE(refused(1, {1, -1, 1}).find("-1 on a side"), std::string::npos);
+    EXPECT_EQ(refused(3, {2, 2, 2}), "");
+    EXPECT_EQ(builder.clusters().indices.size(), 24u);
 }
 
 TEST(LightClusters, StayFew)

@@ -18,8 +18,8 @@
 namespace fbrdf::gl {
 namespace {
 
-// Weights of 8 bits that are cut off instead of rounded, values rounded to half floats: no driver
-// that filters at all is known to be coarser.
+// Weights of 8 bits (what Direct3D 10 asks for) that are cut off instead of rounded, and values
+// rounded to half floats.
 constexpr FilterPrecision kCoarsest{0x1p-8, 0x1p-11};
 // The ramp is looked up at 1021 places, so its largest error may lie between two of them.
 constexpr double kBetweenPlaces = 1.03;

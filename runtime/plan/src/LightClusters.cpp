@@ -1,5 +1,7 @@
 #include "LightReach.h"
 
+#include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/plan/LightClusters.h>
 
@@ -57,6 +59,7 @@ constexpr double kDistanceMargin = 1.0 + 1e-5;
 // slice.
 constexpr size_t kFewLights = 1024;
 constexpr int kMostThreads = 4;
+constexpr int kMostOnASide = std::numeric_limits<int16_t>::max();  // of a span
 
 struct Interval {
     double low = 0.0, high = 0.0;
@@ -317,6 +320,13 @@ void setLists(LightClusters& clusters, const glm::dmat4& projection, const Inter
         of.first = total;
         total += of.total;
     }
+    // Programs read places in the lists as int.
+    constexpr size_t kMost = std::numeric_limits<int32_t>::max();
+    if (total > kMost)
+        throw Error(ErrorKind::usage, "lists of lights",
+                    Found(std::to_string(total) + " entries")
+                        .expected("at most " + std::to_string(kMost) +
+                                  ": fewer lights, or ones with a radius"));
     clusters.lists.resize(2 * static_cast<size_t>(clusters.grid.count()));
     clusters.indices.resize(total);
     parallelTasks(scratch.bands.size(), threads,
@@ -509,6 +519,11 @@ bool ClusterBuilder::update(const std::vector<LightVectors>& lights, const glm::
     if (made_ && lights == lights_ && projection == projection_ && grid == grid_ &&
         mostPerList == mostPerList_)
         return false;
+    for (const int side : {grid.columns, grid.rows, grid.slices})
+        if (side < 0 || side > kMostOnASide)
+            throw Error(ErrorKind::usage, "lists of lights",
+                        Found("a grid with " + std::to_string(side) + " on a side")
+                            .expected("0 to " + std::to_string(kMostOnASide)));
     made_ = false;  // until all of it is
     lights_ = lights;
     projection_ = projection;

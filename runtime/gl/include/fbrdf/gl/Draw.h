@@ -72,8 +72,9 @@ struct DrawOptions {
     int maxLights = 0;
     /// Technique::single only: builds lists of the lights that reach each part of the view, so that
     /// the cost follows the lights that reach a pixel, and uniforms set no limit. The CPU builds
-    /// them for each draw. They need OpenGL 3.1; without it lights are drawn as if this were false,
-    /// with a warning.
+    /// them, with up to four threads, for each draw in which a light or a matrix has changed. They
+    /// need OpenGL 3.1; without it lights are drawn as if this were false, with a warning. Up to 8
+    /// lights are drawn without lists, which is faster.
     bool clustered = false;
 };
 

@@ -52,7 +52,8 @@ public:
     /// lights: in eye space. projection: perspective or parallel, without a shear between x and y.
     /// mostPerList: the limit of each list, which keeps the lights that can be the strongest in its
     /// cluster; lights without a radius then stand in lists too. 0: no limit. Returns false where
-    /// all is as in the last call, and so are the clusters.
+    /// all is as in the last call, and so are the clusters. Throws Error(usage) for a grid of more
+    /// than 32767 on a side, and for lists of more than 2^31 - 1 lights together.
     bool update(const std::vector<LightVectors>& lights, const glm::dmat4& projection,
                 const ClusterGrid& grid = {}, int mostPerList = 0);
     const LightClusters& clusters() const { return clusters_; }
