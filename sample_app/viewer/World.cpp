@@ -1,5 +1,7 @@
 #include "World.h"
 
+#include <fbrdf/plan/Plan.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -71,7 +73,7 @@ scene::Stats statsOf(const Options& options, const World& world)
     stats.technique = viewTechniqueName(options.technique);
     if (!isOnCpu(options.technique)) {
         stats.lookUp = lookUpName(options.lookUp);
-        stats.filter = options.precise ? "shader" : "hardware";
+        stats.filter = filterName(options.precise ? Filter::shader : Filter::hardware);
     }
     stats.mesh = options.mesh;
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());

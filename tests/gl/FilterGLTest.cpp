@@ -289,6 +289,21 @@ TEST_P(Bounds, ThatAreAbsoluteGrowWithTheLights)
     EXPECT_GT(absolute(4), absolute(1));
 }
 
+// A log may stand for a value that no double holds: the bound must not become what is no number.
+TEST_P(Bounds, OfTablesWithoutALargestValueAreNumbers)
+{
+    gl::Renderer renderer(coarse(8));
+    const auto mesh = renderer.createMesh(mesh_);
+    Material material = ramp(Storage::float32);
+    material.tables[0].texels[0] = 1100.0f;
+    const auto gpu = renderer.createMaterial(material);
+    const Drawn found =
+        drawItems(renderer, kSize, perspectiveView(), {{gpu.get(), mesh.get()}}, testLights(3));
+    EXPECT_EQ(found.stats.itemsFailed, 0);
+    EXPECT_GE(found.stats.error.relative, 0.0);
+    EXPECT_EQ(found.stats.error.maps.absolute, 0.0);
+}
+
 TEST_P(Filtering, OfCubesByTheShaderIsNotDoneAndSaysWhy)
 {
     gl::Renderer renderer(rendererOptions());

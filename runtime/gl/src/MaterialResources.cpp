@@ -181,17 +181,20 @@ MapErrors MaterialResources::mapErrors(double irradiance) const
         // Logs add up; where values multiply, the product moves by at most
         // prod(peak + error) - prod(peak).
         double logs = 0.0, exact = peaks_.scales[t], moved = exact;
+        bool multiplies = false;
         for (const Factor& factor : form_.terms[t].factors) {
             const auto k = static_cast<size_t>(factor.table);
             const bool isLog = encodings_[k].logarithmic;
             if (isLog) logs += filterErrors_[k];
+            multiplies = multiplies || !isLog;
             exact *= peaks_.tables[k];
             moved *= peaks_.tables[k] + (isLog ? 0.0 : filterErrors_[k]);
         }
         errors.filtering = std::max(errors.filtering, logs);
-        radiance += moved - exact;
+        if (multiplies) radiance += std::isfinite(moved) ? moved - exact : moved;
     }
-    errors.absolute = radiance * irradiance;
+    // Neither factor need be finite, and 0 times infinity would be no number.
+    if (radiance > 0.0 && irradiance > 0.0) errors.absolute = radiance * irradiance;
     return errors;
 }
 

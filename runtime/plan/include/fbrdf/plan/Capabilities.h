@@ -10,7 +10,7 @@ namespace fbrdf {
 /// texture: [0, 1] for UNORM.
 struct FilterPrecision {
     /// The largest error of the weight of a texel along one axis: the value is off by this times
-    /// the difference of neighbours. 2^-9 where weights have 8 bits (OpenGL asks for no more).
+    /// the difference of neighbours. 2^-9 where weights have 8 bits (OpenGL asks for nothing).
     double weight = 0.0;
     /// The error that remains however small the difference is: times the largest |texel|.
     double rounding = 0.0;
