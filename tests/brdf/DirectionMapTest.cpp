@@ -1,8 +1,8 @@
+#include <fbrdf/brdf/CubeFaces.h>
 #include <fbrdf/brdf/DirectionMap.h>
 
 #include <gtest/gtest.h>
 
-#include "CubeFaces.h"
 #include "support/ExpectError.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "CubeFaces.h"
+#include <fbrdf/brdf/CubeFaces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,31 +7,20 @@ namespace fbrdf {
 namespace {
 
 // OpenGL 4.6, table 8.19, solved for the direction: axis + s S + t T with s, t in [-1, 1].
-constexpr int kFrames[kFaces][3][3] = {
+constexpr double kFrames[kFaces][3][3] = {
     {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
     {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
     {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
 
 Vec3d vectorOf(int face, int which)
 {
-    const int* v = kFrames[face][which];
+    const double* v = kFrames[face][which];
     return {v[0], v[1], v[2]};
 }
 
-struct FacePosition {
-    int face;
-    double x, y;
-};
-
-FacePosition facePosition(const Vec3d& direction, int size)
+double texelOf(double place, int size)
 {
-    const Vec3d a = glm::abs(direction);
-    const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-    const int face = 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
-    const auto texel = [&](int which) {
-        return 0.5 * size * (glm::dot(direction, vectorOf(face, which)) / a[axis] + 1.0) - 0.5;
-    };
-    return {face, texel(1), texel(2)};
+    return 0.5 * size * (place + 1.0) - 0.5;
 }
 
 int texelAt(int face, int x, int y, int size)
@@ -39,11 +28,11 @@ int texelAt(int face, int x, int y, int size)
     const bool beyondX = x < 0 || x >= size, beyondY = y < 0 || y >= size;
     if (beyondX && beyondY) return -1;
     if (!beyondX && !beyondY) return (face * size + y) * size + x;
-    const FacePosition at = facePosition(cubePoint(face, x, y, size), size);
+    const CubePlace at = cubePlace(cubePoint(face, x, y, size));
     const auto nearest = [size](double p) {
-        return std::clamp(static_cast<int>(std::lround(p)), 0, size - 1);
+        return std::clamp(static_cast<int>(std::lround(texelOf(p, size))), 0, size - 1);
     };
-    return (at.face * size + nearest(at.y)) * size + nearest(at.x);
+    return (at.face * size + nearest(at.t)) * size + nearest(at.s);
 }
 
 }  // namespace
@@ -56,11 +45,28 @@ Vec3d cubePoint(int face, double x, double y, int size)
            std::clamp(t, -1.0, 1.0) * vectorOf(face, 2);
 }
 
+CubePlace cubePlace(const Vec3d& direction)
+{
+    const Vec3d a = glm::abs(direction);
+    const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    const int face = 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
+    const auto along = [&](int which) {
+        const double place = glm::dot(direction, vectorOf(face, which)) / a[axis];
+        return place >= -1.0 && place <= 1.0 ? place : 0.0;  // 0 where it is not a number
+    };
+    return {face, along(1), along(2)};
+}
+
 CubeStencil cubeStencil(const Vec3d& direction, int size, bool seamless)
 {
-    const FacePosition at = facePosition(direction, size);
-    const double left = std::floor(at.x), top = std::floor(at.y);
-    const double x = at.x - left, y = at.y - top;
+    return cubeStencilAt(cubePlace(direction), size, seamless);
+}
+
+CubeStencil cubeStencilAt(const CubePlace& place, int size, bool seamless)
+{
+    const double atX = texelOf(place.s, size), atY = texelOf(place.t, size);
+    const double left = std::floor(atX), top = std::floor(atY);
+    const double x = atX - left, y = atY - top;
     CubeStencil stencil;
     stencil.weight = {(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y};
     for (int k = 0; k < 4; ++k) {
@@ -69,7 +75,7 @@ CubeStencil cubeStencil(const Vec3d& direction, int size, bool seamless)
             column = std::clamp(column, 0, size - 1);
             row = std::clamp(row, 0, size - 1);
         }
-        const int texel = texelAt(at.face, column, row, size);
+        const int texel = texelAt(place.face, column, row, size);
         stencil.texel[static_cast<size_t>(k)] = texel;
         stencil.isWhole = stencil.isWhole && texel >= 0;
     }

@@ -2,7 +2,7 @@
 // within d / 2 of a sample, and exceeds that sample by at most f'' d^2 / 8; an interpolation over
 // texels h apart is off by f'' h^2 / 8. So with d = h / 4 the peaks are at most a sixteenth higher
 // than the largest sample.
-#include "CubeFaces.h"
+#include <fbrdf/brdf/CubeFaces.h>
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>

@@ -95,6 +95,7 @@ void validate(const Material& material, const std::string& where)
                                 .expected("finite numbers >= 0"));
     for (size_t k = 0; k < material.tables.size(); ++k)
         validateTable(material.tables[k], material.form.tables[k], where);
+    validate(material.lobes, where);
 }
 
 template <class T>

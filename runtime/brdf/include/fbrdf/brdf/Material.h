@@ -2,6 +2,7 @@
 // evaluation.
 #pragma once
 #include <fbrdf/brdf/Form.h>
+#include <fbrdf/brdf/LobeTable.h>
 #include <fbrdf/brdf/Table.h>
 
 #include <map>
@@ -20,6 +21,8 @@ struct Material {
     std::map<std::string, std::string> notes;
     /// Errors of the fit by the names that docs/method.md, section Errors, defines.
     std::map<std::string, double> errors;
+    /// How it reflects environments; empty where nobody has fitted that (LobeFit.h).
+    LobeTable lobes = {};
 };
 
 /// Bytes of all tables: texels x channels x bytes a channel.

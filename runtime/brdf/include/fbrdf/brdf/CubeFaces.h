@@ -12,6 +12,14 @@ constexpr int kFaces = 6;  ///< +x -x +y -y +z -z
 /// of the face is folded over its edge.
 Vec3d cubePoint(int face, double x, double y, int size);
 
+/// Where a direction meets the cube: s and t of OpenGL in [-1, 1].
+struct CubePlace {
+    int face;
+    double s, t;
+};
+/// The direction need not be unit; one that is 0 or not a number gives some place of some face.
+CubePlace cubePlace(const Vec3d& direction);
+
 /// The texels that linear filtering mixes, face after face, and their weights.
 struct CubeStencil {
     std::array<int, 4> texel{};  ///< -1 beyond a corner of the cube, where there is no texel
@@ -21,5 +29,6 @@ struct CubeStencil {
 
 /// seamless: filters across the edges of faces; otherwise a face is read as if its border went on.
 CubeStencil cubeStencil(const Vec3d& direction, int size, bool seamless);
+CubeStencil cubeStencilAt(const CubePlace& place, int size, bool seamless);
 
 }  // namespace fbrdf
