@@ -32,6 +32,20 @@ TEST(ExrMaterial, RoundTripsEveryFormAndStorageBitForBit)
         }
 }
 
+TEST(ExrMaterial, RoundTripsLobesBitForBit)
+{
+    const TemporaryDir folder;
+    Material material = test::testMaterial(formPqp(8, 0.5), Storage::log8);
+    for (const LobeAxes axes : {LobeAxes::tilted, LobeAxes::bent})
+        for (const char* name : {"m.fbrdf", "m.json"}) {
+            material.lobes = test::testLobes(axes);
+            writeMaterial(material, folder.file(name));
+            EXPECT_EQ(test::firstDifference(readMaterial(folder.file(name)), material), "") << name;
+            material.lobes = {};
+            EXPECT_EQ(test::firstDifference(readMaterial(folder.file(name)), material), "lobes");
+        }
+}
+
 TEST(ExrMaterial, ComparisonSeesASingleBit)  // the tester itself
 {
     const Material a = test::testMaterial(formPqp(9, 0.5), Storage::float32);

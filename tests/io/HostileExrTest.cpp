@@ -86,7 +86,9 @@ bool scans(const std::string& bytes)
 TEST(HostileExr, EveryPrefixIsRefused)
 {
     const TemporaryDir folder;
-    const std::string bytes = bytesOf(test::testMaterial(formPqpr(8, 0.5, 5), Storage::log8));
+    Material material = test::testMaterial(formPqpr(8, 0.5, 5), Storage::log8);
+    material.lobes = test::testLobes(LobeAxes::tilted);
+    const std::string bytes = bytesOf(material);
     for (size_t size = 0; size < bytes.size(); ++size)
         EXPECT_FALSE(readsOrRefuses(bytes.substr(0, size))) << size;
     EXPECT_TRUE(readsOrRefuses(bytes));
@@ -151,7 +153,8 @@ TEST(HostileExr, EachFieldIsCheckedByItself)
 {
     const TemporaryDir folder;
     const std::string path = folder.file("m.fbrdf");
-    const Material material = test::testMaterial(formPqp(8, 0.5), Storage::log8);
+    Material material = test::testMaterial(formPqp(8, 0.5), Storage::log8);
+    material.lobes = test::testLobes(LobeAxes::tilted);
     const std::string bytes = bytesOf(material);
     const int huge[4] = {0, 0, 4095, 4095}, broad[4] = {0, 0, 4095, 15},
               endless[4] = {0, 0, 1 << 30, 1 << 30}, negative[4] = {5, 5, -5, -5},
@@ -164,6 +167,13 @@ TEST(HostileExr, EachFieldIsCheckedByItself)
         {"fbrdf:form", "}", "not JSON"},
         {"fbrdf:scales", raw(-1.0f), "a scale that is negative or not finite"},
         {"fbrdf:scales", raw(NAN), "a scale that is negative or not finite"},
+        {"fbrdf:lobes", "}", "not JSON"},
+        {"fbrdf:lobes", R"({"axes":"tiltes)", "'tilted' or 'bent'"},
+        {"fbrdf:lobes", R"({"axes":"tilted","lobes":3)", "numbers of knots, not 52"},
+        {"fbrdf:lobes", R"({"axes":"tilted","lobes":0)", "expected 1 to 7"},
+        {"fbrdf:lobes", R"({"axes":"tilted","lobes":2,"thetas":5)", "65 numbers of knots, not 52"},
+        {"fbrdf:lobe_knots", raw(-1.0f), "knot 0 of the lobes out of range"},
+        {"fbrdf:lobe_knots", raw(NAN), "knot 0 of the lobes out of range"},
         {"fbrdf:storage", "log9", "found 'log9', expected log8, half, float, linear8 or signed"},
         {"fbrdf:lower", raw(NAN), "found a range that is not finite"},
         {"fbrdf:stride", raw(0), "found stride 0, expected 1 to 65535"},

@@ -64,6 +64,23 @@ std::string tableDifference(const Table& a, const Table& b)
     return sameFloats(a.texels, b.texels) ? "" : "texels";
 }
 
+bool sameKnots(const LobeKnot& a, const LobeKnot& b)
+{
+    return a.cosine == b.cosine && std::equal(a.lobes.begin(), a.lobes.end(), b.lobes.begin(),
+                                              [](const Lobe& x, const Lobe& y) {
+                                                  return x.weight == y.weight &&
+                                                         x.level == y.level && x.tilt == y.tilt;
+                                              });
+}
+
+bool sameLobes(const LobeTable& a, const LobeTable& b)
+{
+    return a.axes == b.axes && a.lobes == b.lobes && a.thetas == b.thetas &&
+           a.azimuths == b.azimuths && a.spread == b.spread && a.acrossTangent == b.acrossTangent &&
+           a.error == b.error &&
+           std::equal(a.knots.begin(), a.knots.end(), b.knots.begin(), b.knots.end(), sameKnots);
+}
+
 }  // namespace
 
 std::vector<Form> testForms()
@@ -103,6 +120,34 @@ Material testMaterial(const Form& form, Storage storage, unsigned seed)
     return material;
 }
 
+LobeTable testLobes(LobeAxes axes)
+{
+    LobeTable table;
+    table.axes = axes;
+    const bool isBent = axes == LobeAxes::bent;
+    table.lobes = isBent ? 3 : 2;
+    table.thetas = 4;
+    table.azimuths = isBent ? 3 : 1;
+    table.spread = isBent ? 0.125f : 0.0f;
+    table.acrossTangent = isBent;
+    table.error = 0.0125;
+    float number = 0.01f;
+    const auto next = [&] { return number += 0.013f; };
+    for (int i = 0; i < table.thetas * table.azimuths; ++i) {
+        LobeKnot knot;
+        knot.cosine = {next(), next(), next()};
+        const float common = next();
+        for (size_t k = 0; k < static_cast<size_t>(table.lobes); ++k) {
+            Lobe& lobe = knot.lobes[k];
+            lobe.weight = {next(), next(), next()};
+            lobe.level = isBent ? common : next();
+            lobe.tilt = isBent ? 0.0f : -next();
+        }
+        table.knots.push_back(knot);
+    }
+    return table;
+}
+
 std::string firstDifference(const Material& a, const Material& b)
 {
     if (a.form.name != b.form.name || describe(a.form) != describe(b.form)) return "form";
@@ -119,7 +164,7 @@ std::string firstDifference(const Material& a, const Material& b)
         const std::string difference = tableDifference(a.tables[k], b.tables[k]);
         if (!difference.empty()) return difference + " of table " + std::to_string(k);
     }
-    return "";
+    return sameLobes(a.lobes, b.lobes) ? "" : "lobes";
 }
 
 }  // namespace fbrdf::test

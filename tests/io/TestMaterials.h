@@ -15,6 +15,9 @@ std::vector<Form> testForms();
 /// Tables of channels 3 and 1 in turn, all of one storage, texels in [-20, 4] (log) or [0, 1].
 Material testMaterial(const Form& form, Storage storage, unsigned seed = 1);
 
+/// A table of lobes whose numbers all differ: 2 tilted ones, or 3 about bent normals.
+LobeTable testLobes(LobeAxes axes);
+
 /// Empty when every field is equal bit for bit, otherwise the first field that differs.
 std::string firstDifference(const Material& a, const Material& b);
 

@@ -3,7 +3,7 @@
 #include "Codes.h"
 #include "ExrHeader.h"
 #include "ExrPixels.h"
-#include "FormJson.h"
+#include "LobeJson.h"
 #include "Printable.h"
 
 #include <fbrdf/base/Error.h>
@@ -22,7 +22,8 @@ constexpr char kVersionName[] = "fbrdf:version", kForm[] = "fbrdf:form", kScales
                kNote[] = "fbrdf:note:", kError[] = "fbrdf:error:", kStorage[] = "fbrdf:storage",
                kLower[] = "fbrdf:lower", kUpper[] = "fbrdf:upper", kStride[] = "fbrdf:stride",
                kOffset[] = "fbrdf:offset", kStart[] = "fbrdf:start",
-               kUnsupported[] = "fbrdf:unsupported";
+               kUnsupported[] = "fbrdf:unsupported", kLobes[] = "fbrdf:lobes",
+               kLobeKnots[] = "fbrdf:lobe_knots";
 constexpr char kUnitsValue[] = "1/sr", kColorSpaceValue[] = "lin_rec709";
 // OpenEXR allows names of 255 bytes.
 constexpr size_t kMaxKey = 200;
@@ -77,6 +78,10 @@ Attributes materialAttributes(const Material& material, const std::string& where
     }
     for (const auto& [key, number] : material.errors)
         attributes.emplace_back(keyedName(kError, key, where), number);
+    if (!material.lobes.isEmpty()) {
+        attributes.emplace_back(kLobes, jsonFromLobes(material.lobes).dump());
+        attributes.emplace_back(kLobeKnots, lobeNumbers(material.lobes));
+    }
     return attributes;
 }
 
@@ -143,6 +148,14 @@ public:
         const ExrAttribute& a = attribute(name, {"int"}, 4);
         if (a.size != 4) fail(a, Found(std::to_string(a.size) + " bytes").expected("4"));
         return value<int>(a.offset);
+    }
+    /// A floatvector of any length.
+    std::vector<float> floats(const char* name) const
+    {
+        const ExrAttribute& a = attribute(name, {"floatvector"}, 4);
+        std::vector<float> numbers(a.size / 4);
+        for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = value<float>(a.offset + 4 * i);
+        return numbers;
     }
     /// Reads a floatvector, or one of the types that the first fbrdf wrote for three and nine
     /// floats: v3f and m33f.
@@ -237,6 +250,17 @@ void readDescription(const std::string& bytes, const PartReader& reader, Materia
     }
 }
 
+void readLobes(const PartReader& reader, Material& material)
+{
+    if (!reader.part().find(kLobes)) return;
+    const std::string where = reader.where() + ": " + kLobes, text = reader.text(kLobes);
+    if (text.size() > kMaxForm)
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(text.size()) + " bytes").expected("at most 2^20"));
+    const Json json = parseJson(text, where);
+    material.lobes = lobesFromJson(JsonField(json, where), reader.floats(kLobeKnots));
+}
+
 Table readTable(ExrPixels& pixels, size_t index, const TableSpec& spec, const PartReader& reader)
 {
     const auto size = domainSize(spec.domain);
@@ -312,6 +336,7 @@ Material readExrMaterial(const std::string& bytes, const std::string& where)
     checkVersion(first);
     Material material;
     readDescription(bytes, first, material);
+    readLobes(first, material);
     if (parts.size() != material.form.tables.size())
         throw Error(ErrorKind::input, where,
                     Found(std::to_string(parts.size()) + " parts")

@@ -2,7 +2,7 @@
 
 #include "Codes.h"
 #include "Files.h"
-#include "FormJson.h"
+#include "LobeJson.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
@@ -172,6 +172,10 @@ Json describe(const Material& material)
     json["maps"] = Json::array();
     json["notes"] = Json(material.notes);
     json["errors"] = Json(material.errors);
+    if (!material.lobes.isEmpty()) {
+        json["lobes"] = jsonFromLobes(material.lobes);
+        json["lobes"]["knots"] = lobeNumbers(material.lobes);
+    }
     return json;
 }
 
@@ -262,6 +266,16 @@ void readNotes(const JsonField& json, Material& material)
                                 : JsonField(value, json.where() + "/errors/" + key).number();
 }
 
+void readLobes(const JsonField& json, Material& material)
+{
+    if (!json.has("lobes")) return;
+    const JsonField lobes = json.at("lobes"), knots = lobes.at("knots");
+    std::vector<float> numbers;
+    for (size_t i = 0; i < knots.size(); ++i)
+        numbers.push_back(static_cast<float>(knots.at(i).number()));
+    material.lobes = lobesFromJson(lobes, numbers);
+}
+
 }  // namespace
 
 bool looksLikeManifest(const std::string& beginning)
@@ -292,6 +306,7 @@ Material readManifest(const std::string& text, const std::string& path)
     for (size_t k = 0; k < maps.size(); ++k)
         material.tables.push_back(tableFromMap(maps.at(k), material.form.tables[k], path));
     readNotes(json, material);
+    readLobes(json, material);
     validate(material, path);
     return material;
 }
