@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,7 +17,10 @@ namespace {
 constexpr const char* kJpegCompression = "jpeg:95";
 constexpr const char* kJpegSubsampling = "4:4:4";
 /// Far above any picture that the program takes, far below what a hostile header could ask for.
-constexpr int kMostMegabytes = 1024, kMostChannels = 64;
+constexpr int kMostMegabytes = 4096, kMostChannels = 64;
+/// Rows that are decoded at once, and fewer where they are long: blocks of OpenEXR have 1 to 256,
+/// and it keeps the last one.
+constexpr int kRowsAtOnce = 64, kSamplesAtOnce = 1 << 22;
 
 /// What a codec reports, as one line.
 std::string oneLine(std::string text)
@@ -105,19 +109,101 @@ float* memoryFor(const OIIO::ImageSpec& spec, fbrdf_give_memory give, void* cont
     return memory;
 }
 
-void decode(const char* format, const void* bytes, size_t size, fbrdf_give_memory give,
-            void* context)
+std::unique_ptr<OIIO::ImageInput> opened(const char* format, OIIO::Filesystem::IOProxy& proxy)
 {
-    const auto input = OIIO::ImageInput::create(format);
+    auto input = OIIO::ImageInput::create(format);
     if (!input) throw std::runtime_error(OIIO::geterror());
-    OIIO::Filesystem::IOMemReader proxy(const_cast<void*>(bytes), size);  // which only reads
     if (!input->supports("ioproxy") || !input->set_ioproxy(&proxy))
         throw std::runtime_error("this format cannot be read from memory");
     OIIO::ImageSpec spec;
     require(input->open(std::string("memory.") + format, spec), input);
+    return input;
+}
+
+void decode(const char* format, const void* bytes, size_t size, fbrdf_give_memory give,
+            void* context)
+{
+    OIIO::Filesystem::IOMemReader proxy(const_cast<void*>(bytes), size);  // which only reads
+    const auto input = opened(format, proxy);
+    const OIIO::ImageSpec spec = input->spec();
     if (spec.deep || spec.depth > 1) throw std::runtime_error("it is no flat image");
     float* pixels = memoryFor(spec, give, context);
     require(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels), input);
+}
+
+/// The part of a picture that an image of a file is, for `choose`.
+struct Part {
+    explicit Part(const OIIO::ImageSpec& spec)
+        : names(joined(spec.channelnames)),
+          colours(spec.get_string_attribute("oiio:ColorSpace")),
+          type(spec.format.c_str()),
+          plain{{spec.width, spec.height, spec.nchannels, names.c_str(), colours.c_str(),
+                 type.c_str()},
+                spec.x - spec.full_x,
+                spec.y - spec.full_y,
+                spec.full_width,
+                spec.full_height,
+                spec.tile_width > 0,
+                spec.tile_width,
+                spec.tile_height}
+    {
+    }
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+
+    std::string names, colours, type;
+    fbrdf_picture_part plain;
+};
+
+/// Channels of an image that are read.
+struct Chosen {
+    int image, first, count;
+};
+
+Chosen chosenPart(OIIO::ImageInput& input, fbrdf_choose_part choose, void* context)
+{
+    for (int image = 0; input.seek_subimage(image, 0); ++image) {
+        const OIIO::ImageSpec& spec = input.spec();
+        if (spec.deep || spec.depth > 1) continue;
+        const Part part(spec);
+        int first = 0;
+        const int count = choose(context, &part.plain, &first);
+        if (count < 0) throw std::runtime_error("the picture was refused");
+        if (count > 0) return {image, first, count};
+    }
+    throw std::runtime_error("no image of the file is one that can be used");
+}
+
+void decodeRows(OIIO::ImageInput& input, const Chosen& chosen, fbrdf_take_rows take, void* context)
+{
+    const OIIO::ImageSpec spec = input.spec();
+    const int few = std::max(1, kSamplesAtOnce / chosen.count / spec.width);
+    const int step = spec.tile_width > 0 ? spec.tile_height : std::min(kRowsAtOnce, few);
+    const int last = chosen.first + chosen.count, end = spec.y + spec.height;
+    std::vector<float> pixels;
+    for (int y = spec.y; y < end; y += step) {
+        const int rows = std::min(step, end - y);
+        pixels.resize(size_t(rows) * size_t(spec.width) * size_t(chosen.count));
+        const bool done =
+            spec.tile_width > 0
+                ? input.read_tiles(chosen.image, 0, spec.x, spec.x + spec.width, y, y + rows,
+                                   spec.z, spec.z + 1, chosen.first, last, OIIO::TypeDesc::FLOAT,
+                                   pixels.data())
+                : input.read_scanlines(chosen.image, 0, y, y + rows, spec.z, chosen.first, last,
+                                       OIIO::TypeDesc::FLOAT, pixels.data());
+        if (!done) throw std::runtime_error(input.geterror());
+        if (take(context, pixels.data(), rows) != 0) throw std::runtime_error("it was refused");
+    }
+}
+
+int decodePictureRows(const char* format, const void* bytes, size_t size, fbrdf_choose_part choose,
+                      fbrdf_take_rows take, void* context, char* why, size_t whySize)
+{
+    return guarded(why, whySize, [&] {
+        OIIO::Filesystem::IOMemReader proxy(const_cast<void*>(bytes), size);  // which only reads
+        const auto input = opened(format, proxy);
+        decodeRows(*input, chosenPart(*input, choose, context), take, context);
+    });
 }
 
 int encodePicture(const char* format, const fbrdf_picture_to_write* picture, fbrdf_take_bytes take,
@@ -145,6 +231,6 @@ fbrdf_open_picture_module()
     OIIO::attribute("limits:imagesize_MB", kMostMegabytes);
     OIIO::attribute("limits:channels", kMostChannels);
     static constexpr fbrdf_picture_module module = {FBRDF_PICTURE_MODULE_VERSION, encodePicture,
-                                                    decodePicture};
+                                                    decodePicture, decodePictureRows};
     return &module;
 }

@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 /* Raised by every change of this file; a module of another version is refused. */
-#define FBRDF_PICTURE_MODULE_VERSION 1
+#define FBRDF_PICTURE_MODULE_VERSION 2
 #define FBRDF_PICTURE_MODULE_FUNCTION "fbrdf_open_picture_module"
 
 struct fbrdf_picture_to_write {
@@ -37,6 +37,23 @@ struct fbrdf_picture_found {
  * throw. */
 typedef float* (*fbrdf_give_memory)(void* context, const struct fbrdf_picture_found* found);
 
+/* An image of a file, and its place: a file may store a part of the picture that it is of. */
+struct fbrdf_picture_part {
+    struct fbrdf_picture_found found; /* of what is stored */
+    int x, y;                         /* of its first column and row within the picture */
+    int pictureWidth, pictureHeight;
+    int isTiled, tileWidth, tileHeight;
+};
+
+/* Returns 0 to try the next image of the file, or the number of channels to decode, which begin at
+ * *firstChannel; negative to refuse the file. Must not throw. */
+typedef int (*fbrdf_choose_part)(void* context, const struct fbrdf_picture_part* part,
+                                 int* firstChannel);
+
+/* Takes the next rows of the part, rows x width x chosen channels floats, valid during the call.
+ * Returns 0, or something else to stop. Must not throw. */
+typedef int (*fbrdf_take_rows)(void* context, const float* pixels, int rows);
+
 struct fbrdf_picture_module {
     int version; /* FBRDF_PICTURE_MODULE_VERSION of the module */
     /* `format` is a name of OpenImageIO's: "jpeg", "tiff", ... */
@@ -46,6 +63,10 @@ struct fbrdf_picture_module {
      * undone. */
     int (*decode)(const char* format, const void* bytes, size_t size, fbrdf_give_memory give,
                   void* context, char* why, size_t whySize);
+    /* The same for pictures that need not fit into memory: calls `choose` for the flat images of
+     * the file until one is chosen, then `take` until it has all rows. */
+    int (*decodeRows)(const char* format, const void* bytes, size_t size, fbrdf_choose_part choose,
+                      fbrdf_take_rows take, void* context, char* why, size_t whySize);
 };
 
 typedef const struct fbrdf_picture_module* (*fbrdf_picture_module_function)(void);
