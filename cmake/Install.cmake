@@ -1,5 +1,5 @@
 # What `cmake --install` leaves: programs, libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg).
-# Without components it gives brdf, plan, shaders, runtime and c; io needs OpenEXR and libpng, osg OpenSceneGraph.
+# Without components it gives brdf, environment, plan, shaders, runtime and c; io needs OpenEXR and libpng, osg OpenSceneGraph.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(FBRDF_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fbrdf)
@@ -16,12 +16,12 @@ function(fbrdf_export set)
   install(EXPORT fbrdf${set}Targets NAMESPACE fbrdf:: DESTINATION ${FBRDF_PACKAGE_DIR})
 endfunction()
 
-fbrdf_export(Core fbrdf_base fbrdf_brdf fbrdf_plan fbrdf_shaders fbrdf_runtime fbrdf_c)
+fbrdf_export(Core fbrdf_base fbrdf_brdf fbrdf_environment fbrdf_plan fbrdf_shaders fbrdf_runtime fbrdf_c)
 fbrdf_export(Io fbrdf_pictures fbrdf_io)
 if(TARGET osgFbrdf)
   fbrdf_export(Osg osgFbrdf fbrdf_osg)
 endif()
-foreach(part base brdf io plan shaders gl)
+foreach(part base brdf environment io plan shaders gl)
   install(DIRECTORY runtime/${part}/include/fbrdf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
 

@@ -4,6 +4,7 @@
 
 #include "support/DataDir.h"
 #include "support/ExpectError.h"
+#include "support/gl/EnvironmentReference.h"
 #include "support/gl/Reference.h"
 
 #include <algorithm>
@@ -324,6 +325,56 @@ TEST_F(Es, HasNoListsNorArraysAndSaysSo)
     EXPECT_EQ(stats.itemsFailed, 0);
     EXPECT_EQ(stats.drawCalls, 2);
     EXPECT_NE(stats.whyReplaced, "");
+}
+
+/// A picture under an environment that the renderer makes itself.
+std::vector<float> underEnvironment(gl::Renderer& renderer, HeadlessContext& context,
+                                    const Material& material, bool floats)
+{
+    const auto environment = renderer.createEnvironment(testPanorama(32), {16, floats});
+    EXPECT_EQ(environment->whyNotOnGpu(), "");
+    const auto gpu = renderer.createMaterial(material);
+    const auto mesh = renderer.createMesh(sphereMesh(12));
+    Offscreen offscreen(context.loader(), {kSize, kSize, OffscreenFormat::rgba8});
+    offscreen.clear();
+    gl::DrawOptions options;
+    options.environment.map = environment.get();
+    options.environment.intensity = Vec3f(0.2f);
+    const auto stats = renderer.draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                                     {{gpu.get(), mesh.get()}}, {}, options);
+    EXPECT_EQ(stats.itemsWithoutEnvironment, 0) << stats.whyNoEnvironment;
+    return offscreen.readPixels();
+}
+
+TEST_F(Es, DrawsEnvironmentsAsTheDesktopDoesOrSaysWhyNot)
+{
+    gl::Renderer renderer(options());
+    if (renderer.capabilities().glMajor < 3) {
+        expectError(ErrorKind::gl, "ES 2.0", [&] {
+            renderer.createEnvironment(testPanorama(32), {16, false});
+        });
+        return;
+    }
+    constexpr double kStep = 1.0 / 255.0 + 1e-6;  // rounding may fall to either side
+    for (const LobeAxes axes : {LobeAxes::tilted, LobeAxes::bent})
+        for (const bool floats : {false, true}) {
+            const Material material = withLobes(testMaterials()[0], testLobes(axes, 3));
+            es_->makeCurrent();
+            const auto found = underEnvironment(renderer, *es_, material, floats);
+            desktop_->makeCurrent();
+            gl::RendererOptions full;
+            full.load = desktop_->loader();
+            gl::Renderer other(full);
+            const auto expected = underEnvironment(other, *desktop_, material, floats);
+            ASSERT_EQ(found.size(), expected.size());
+            float largest = 0.0f;
+            for (size_t i = 0; i < found.size(); ++i) {
+                ASSERT_NEAR(found[i], expected[i], kStep) << i;
+                if (i % 4 != 3) largest = std::max(largest, found[i]);
+            }
+            EXPECT_GT(largest, 0.2f);
+        }
+    es_->makeCurrent();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Every program that the test materials can need, in every version, through glslangValidator.
 #include <fbrdf/base/Error.h>
+#include <fbrdf/shaders/PrefilterSource.h>
 #include <fbrdf/shaders/ShaderSource.h>
 #include <fbrdf/shaders/TextureImage.h>
 
@@ -213,6 +214,10 @@ TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
                 const std::vector<TableEncoding> encodings(form.tables.size(), {true, ranged});
                 ProgramSpec spec{{{0, {0, 1}, true}}, 4, true, false};
                 if (form.terms[0].factors.size() > 3) spec.parts[0].factors.push_back(3);
+                if (ranged)
+                    spec.lobes = {{LobeAxes::bent, 5, 12, 7}, 1, 3, false};
+                else
+                    spec.lobes = {{LobeAxes::tilted, 3, 24, 1}, 1, 2, false};
                 const std::string fragment = fragmentSource(form, encodings, spec, glsl, inputs);
                 EXPECT_EQ(validate("-l " + write("surface.vert", vertexSource(glsl, inputs)) + " " +
                                    write("surface.frag", fragment)),
@@ -220,6 +225,38 @@ TEST_F(ShaderValidation, AcceptsInstancesAndArrays)
                     << fragment;
             }
     for (const int glsl : {120, 100, 300}) EXPECT_THROW(vertexSource(glsl, inputs), Error);
+}
+
+TEST_F(ShaderValidation, AcceptsLobesAndWhatPrefiltersThem)
+{
+    const LobeLayout tilted{LobeAxes::tilted, 3, 24, 1}, bent{LobeAxes::bent, 5, 12, 7};
+    for (const int glsl : {120, 140, 150, 330, 450, 300}) {
+        std::string files = write("surface.vert", vertexSource(glsl));
+        int count = 0;
+        const auto add = [&](const std::string& text) {
+            files += " " + write("lobes" + std::to_string(count++) + ".frag", text);
+        };
+        // Forms with a local frame and without, lights or none, all lobes or one.
+        for (const Form& form : {formPqp(8, 0.5), formHdio({8, 8, 8})})
+            for (const int lights : {0, 4})
+                for (const LobeShare& share : {LobeShare{tilted, 0, 3, true},
+                                               {tilted, 2, 1, false},
+                                               {bent, 0, 5, true},
+                                               {bent, 1, 2, false}}) {
+                    ProgramSpec spec;
+                    if (lights > 0) spec = {{{0, {0, 1}, true}}, lights, true, false};
+                    spec.lobes = share;
+                    add(fragmentSource(form, std::vector<TableEncoding>(form.tables.size()), spec,
+                                       glsl));
+                }
+        for (const bool fromCube : {false, true}) add(prefilterSourceFragment(glsl, fromCube));
+        add(prefilterLobeFragment(glsl));
+        EXPECT_EQ(validate(files), 0) << glsl;
+    }
+    ProgramSpec spec;
+    spec.lobes = {tilted, 0, 3, true};
+    const Form form = formPqp(8, 0.5);
+    EXPECT_THROW(fragmentSource(form, std::vector<TableEncoding>(2), spec, 100), Error);
 }
 
 TEST_F(ShaderValidation, AcceptsHooksNormalMapsAndDerivedTangents)

@@ -4,6 +4,7 @@
 
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/environment/Prefilter.h>
 #include <fbrdf/plan/LightVectors.h>
 #include <fbrdf/plan/Transfer.h>
 
@@ -58,6 +59,9 @@ std::string twinFragment(const std::string& statements)
     for (const char* file : {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl",
                              "lights.glsl", "transfer.glsl"})
         text += embeddedShader(file);
+    // The output of these programs has another name.
+    text += "#undef FBRDF_COLOUR_OUTPUT\n#define FBRDF_COLOUR_OUTPUT\n" +
+            std::string(embeddedShader("prefilter.glsl"));
     return text +
            "uniform sampler2D inputs;\nout vec4 result;\nvoid main()\n{\n"
            "    vec4 a = texelFetch(inputs, ivec2(int(gl_FragCoord.x), 0), 0);\n"
@@ -254,6 +258,20 @@ TEST_P(Twin, SideDifferenceAzimuth)
                         sines * g.complement[at(Angle::side_phi_d)], 0.0f, 0.0f);
         },
         kRounding);
+}
+
+TEST_P(Twin, LobeFrame)
+{
+    std::vector<Inputs> inputs = pairs();
+    for (size_t i = 0; i < inputs.size(); i += 2) inputs[i].a = -inputs[i].a;
+    for (const int column : {0, 1})
+        compare(
+            "result = vec4(fbrdfLobeFrame(a.xyz)[" + std::to_string(column) + "], 0.0);", inputs,
+            [column](const Inputs& i) {
+                const LobeFrame frame = lobeFrame(Vec3d(Vec3f(i.a)));
+                return Vec4(column ? Vec3f(frame.y) : Vec3f(frame.x), 0.0f);
+            },
+            kRounding);
 }
 
 TEST_P(Twin, ComplementKeepsItsDigitsNearThePole)

@@ -3,6 +3,7 @@
 // the shader snippets was forgotten.
 #include <fbrdf/brdf/Projection.h>
 #include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/environment/Prefilter.h>
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/Transfer.h>
 #include <fbrdf/shaders/ShaderSource.h>
@@ -44,6 +45,7 @@ Names twins()
             FBRDF_TWIN(&falloff<float>),
             FBRDF_TWIN(&coneFactor),
             FBRDF_TWIN(&lightList),
+            FBRDF_TWIN(&lobeFrame),
             FBRDF_TWIN(&srgbFromLinear<float>),
             FBRDF_TWIN(&toneMapped<float>)};
 }
@@ -64,6 +66,14 @@ const std::map<std::string, std::string> kAlone{
     {"fbrdfHalfAngle", "a step of half_phi_d and side_phi_d"},
     {"fbrdfInverseLength", "a step of h and theta_d"},
     {"fbrdfIrradiance", "falloff and coneFactor of one light"},
+    {"fbrdfFromLocal", "the inverse of fbrdfLocal"},
+    {"fbrdfThetaPosition", "a step of lobesAt, which EnvironmentGLTest.cpp compares by pictures"},
+    {"fbrdfAzimuthPosition", "a step of lobesAt"},
+    {"fbrdfLobeKnot", "a step of lobesAt"},
+    {"fbrdfTiltedAxis", "a step of lobesAt"},
+    {"fbrdfBentAxis", "a step of lobesAt"},
+    {"fbrdfFacePoint", "EnvironmentMakingGLTest.cpp compares the cube"},
+    {"fbrdfStorable", "what a format can store"},
     {"fbrdfListed", "reads what fbrdfLightList found"},
     {"fbrdfReaches", "skips lights of a list"},
 };
@@ -73,7 +83,7 @@ Names definedFunctions()
     const std::regex definition("\n[A-Za-z0-9]+ (fbrdf[A-Za-z]+)\\(");
     Names names;
     for (const char* file : {"angles.glsl", "clusters.glsl", "frame.glsl", "lights.glsl",
-                             "projection.glsl", "transfer.glsl"}) {
+                             "lobes.glsl", "prefilter.glsl", "projection.glsl", "transfer.glsl"}) {
         const std::string text(shaderSnippet(file));
         EXPECT_FALSE(text.empty()) << file;
         for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)

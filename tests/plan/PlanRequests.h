@@ -24,4 +24,15 @@ inline PlanRequest twoLookup(int lights)
     return request;
 }
 
+/// The lobes of a material as the fitter makes them.
+inline LobeLayout tiltedLobes(int lobes)
+{
+    return {LobeAxes::tilted, lobes, 24, 1};
+}
+
+inline LobeLayout bentLobes(int lobes)
+{
+    return {LobeAxes::bent, lobes, 12, 7};
+}
+
 }  // namespace fbrdf

@@ -45,6 +45,15 @@ double valueOf(const Pass& pass, const SimulatedFragment& fragment)
     return sum;
 }
 
+double lobesOf(const Pass& pass, const SimulatedFragment& fragment)
+{
+    // .at throws for a wrong plan, which adds a lobe that there is not.
+    double sum = pass.lobes.cosine ? fragment.lobes.at(0) : 0.0;
+    for (int k = 0; k < pass.lobes.count; ++k)
+        sum += fragment.lobes.at(static_cast<size_t>(1 + pass.lobes.first + k));
+    return sum;
+}
+
 double stored(ColourFormat format, double value)
 {
     if (format == ColourFormat::rgba8)
@@ -71,7 +80,8 @@ double simulatedScale(int term)
     return 1.5 + term;
 }
 
-SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed)
+SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed,
+                                    int lobes)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> value(0.5, 2.0);
@@ -88,6 +98,7 @@ SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, 
         }
     }
     for (int i = 0; i < lights; ++i) fragment.irradiance.push_back(value(random));
+    for (int i = 0; lobes > 0 && i <= lobes; ++i) fragment.lobes.push_back(value(random));
     return fragment;
 }
 
@@ -102,6 +113,7 @@ double expectedValue(const Form& form, const SimulatedFragment& fragment)
                                    static_cast<int>(light));
             sum += product;
         }
+    for (const double lobe : fragment.lobes) sum += lobe;
     return sum;
 }
 
@@ -119,7 +131,7 @@ SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& 
             if (pass.depth == Depth::write) depth = fragment.depth;
             double value = valueOf(pass, fragment);
             if (pass.reads) value *= surface[static_cast<size_t>(*pass.reads)];
-            value *= pass.gain;
+            value = (value + lobesOf(pass, fragment)) * pass.gain;
             if (isCurved(pass.transfer)) value = transferred(pass.transfer, 1.0, value);
             double& held = surface[static_cast<size_t>(pass.writes)];
             const ColourFormat into = pass.writes == Surface::target ? format : plan.surfaces;

@@ -14,19 +14,22 @@ struct SimulatedFragment {
     /// [term][factor][light]; a factor that does not depend on the light has one value.
     std::vector<std::vector<std::vector<double>>> factor;
     std::vector<double> irradiance;  ///< [light], cosine included
+    /// What an environment adds: the cosine, then each lobe; empty where there is none.
+    std::vector<double> lobes = {};
 };
 
 struct SimulatedPixel {
     double value = 0.0, depth = 1.0;
 };
 
-/// A fragment with factors that no two terms, lights or seeds share; 0.5 to 2.
-SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed);
+/// A fragment with factors that no two terms, lights, lobes or seeds share; 0.5 to 2.
+SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed,
+                                    int lobes = 0);
 
 /// The scale of a term in the simulation.
 double simulatedScale(int term);
 
-/// The sum over lights and terms by the definition.
+/// The sum over lights and terms, and over lobes, by the definition.
 double expectedValue(const Form& form, const SimulatedFragment& fragment);
 
 /// Draws the fragments in the order given, once for each pass, over the content of the target. The

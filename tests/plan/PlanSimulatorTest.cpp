@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace fbrdf {
 namespace {
@@ -50,6 +51,49 @@ TEST_F(WrongPlan, ForgettingTheLastFactorFails)
 TEST_F(WrongPlan, LosingALightFails)
 {
     plan_.passes.erase(plan_.passes.begin() + 1);
+    EXPECT_FALSE(passes(plan_));
+}
+
+class WrongLobes : public ::testing::Test {
+protected:
+    static PlanRequest request()
+    {
+        PlanRequest request = twoLookup(2);
+        request.environment = tiltedLobes(3);
+        return request;
+    }
+    bool passes(const Plan& plan) const
+    {
+        const auto fragment = simulatedFragment(form_, 2, 0.3, 1, 3);
+        const double expected = expectedValue(form_, fragment);
+        const SimulatedPixel pixel = simulate(plan, {fragment}, {123.0, 1.0});
+        return std::abs(pixel.value - expected) < kRounding * expected;
+    }
+    Form form_ = formPqp(8, 1.0);
+    Plan plan_ = planPasses(form_, request(), modern());
+};
+
+TEST_F(WrongLobes, RightOnesPass)
+{
+    EXPECT_TRUE(passes(plan_));
+}
+
+TEST_F(WrongLobes, LosingOneFails)
+{
+    --plan_.passes.back().lobes.count;
+    EXPECT_FALSE(passes(plan_));
+}
+
+TEST_F(WrongLobes, AddingOneTwiceFails)
+{
+    plan_.passes.back().lobes.cosine = true;
+    EXPECT_FALSE(passes(plan_));
+}
+
+TEST_F(WrongLobes, MultiplyingThemAsWellFails)
+{
+    std::swap(plan_.passes[1], plan_.passes[2]);
+    std::swap(plan_.passes[2], plan_.passes[3]);
     EXPECT_FALSE(passes(plan_));
 }
 

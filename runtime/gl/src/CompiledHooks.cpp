@@ -21,13 +21,13 @@ SurfaceInputs SurfaceOptions::inputs(bool instanced) const
     return inputs;
 }
 
-SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
+SurfaceOptions surfaceOptions(const MeshResources& mesh, const MaterialResources& material,
                               const CompiledHooks* hooks, GLuint normalMap)
 {
     if (normalMap != 0 && !mesh.has(kTextureCoordinate))
         throw Error(ErrorKind::usage, "item",
                     Found("a normal map on a mesh without texture coordinates").expected("them"));
-    const bool needsFrame = normalMap != 0 || !isIsotropic(form);
+    const bool needsFrame = normalMap != 0 || material.isAnisotropic();
     return {hooks, normalMap, needsFrame && !mesh.hasTangents() && mesh.has(kTextureCoordinate)};
 }
 

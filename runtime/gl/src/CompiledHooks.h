@@ -1,5 +1,6 @@
 // CompiledHooks.h - the host's code in our programs, and what else differs from object to object.
 #pragma once
+#include "MaterialResources.h"
 #include "MeshResources.h"
 
 #include <fbrdf/shaders/ShaderSource.h>
@@ -38,9 +39,9 @@ struct SurfaceOptions {
     SurfaceInputs inputs(bool instanced) const;
 };
 
-/// The options of an object with this form. Throws Error(usage) where the mesh lacks what a normal
-/// map needs.
-SurfaceOptions surfaceOptions(const MeshResources& mesh, const Form& form,
+/// The options of an object of this material. Throws Error(usage) where the mesh lacks what a
+/// normal map needs.
+SurfaceOptions surfaceOptions(const MeshResources& mesh, const MaterialResources& material,
                               const CompiledHooks* hooks, GLuint normalMap);
 
 /// The capabilities less the uniforms that the hooks take.

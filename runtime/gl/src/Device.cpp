@@ -95,8 +95,9 @@ Capabilities detected(const Functions& gl)
     c.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
     c.max3dTextureSize = gl.hasVolumes() ? integer(gl, GL_MAX_3D_TEXTURE_SIZE) : 0;
     c.maxCubeSize = integer(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE);
-    c.seamlessCubes = gl.has(32, 30);
+    c.seamlessCubes = gl.has(32, 30) || gl.hasExtension("GL_ARB_seamless_cube_map");
     c.maxUniformVectors = uniformVectors(gl);
+    c.textureLod = gl.version >= 30 || gl.hasExtension("GL_ARB_shader_texture_lod");
     c.coreProfile = isCoreProfile(gl);
     c.framebufferObjects = gl.has(30, 20) || gl.ARB_framebuffer_object;
     c.floatTextures = hasFloatTextures(gl);
@@ -138,6 +139,7 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     wanted.debug = wanted.debug && found.debug;
     wanted.clipControl = wanted.clipControl && found.clipControl;
     wanted.seamlessCubes = wanted.seamlessCubes && found.seamlessCubes;
+    wanted.textureLod = wanted.textureLod && found.textureLod;
     wanted.bufferTextures = wanted.bufferTextures && found.bufferTextures && wanted.glsl >= 140;
     wanted.maxArrayLayers = std::min(wanted.maxArrayLayers, found.maxArrayLayers);
     wanted.coreProfile = found.coreProfile;

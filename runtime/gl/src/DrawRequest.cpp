@@ -39,6 +39,17 @@ void checkView(const View& view)
         fail(Found("a singular projection").expected("an invertible one"));
 }
 
+/// True where the columns are orthonormal but for what rounding leaves of a product of rotations.
+bool isRotation(const glm::mat3& m)
+{
+    constexpr float kRounding = 1e-3f;
+    const glm::mat3 squared = glm::transpose(m) * m;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            if (!(std::abs(squared[c][r] - (c == r ? 1.0f : 0.0f)) <= kRounding)) return false;
+    return true;
+}
+
 bool passes(float depth, DepthTest test, float stored)
 {
     switch (test) {
@@ -116,6 +127,36 @@ void setLights(DrawRequest& request, const std::vector<Light>& lights)
         if (exposed) light.intensity *= request.target.exposure;
         request.eye.vectors[i] = lightVectors(light, toEye);
     });
+}
+
+void setEnvironment(DrawRequest& request, const Device& device)
+{
+    const EnvironmentLight& light = request.options.environment;
+    const auto fail = [](const std::string& what) {
+        throw Error(ErrorKind::usage, "environment", what);
+    };
+    if (!light.map) return;
+    const EnvironmentResources& map = light.map->resources();
+    if (map.device() != &device) fail(Found("one of another renderer").expected("one of this"));
+    for (int c = 0; c < 3; ++c)
+        if (!std::isfinite(light.intensity[c]) || light.intensity[c] < 0.0f)
+            fail(Found("intensity " + numberText(double(light.intensity[c])))
+                     .expected("a finite number, 0 or more"));
+    if (!isRotation(light.rotation))
+        fail(Found("a matrix that is no rotation").expected("orthonormal columns"));
+    if (light.lobes < 0)
+        fail(Found(std::to_string(light.lobes) + " lobes").expected("0 (all) or more"));
+    if (light.intensity == Vec3f(0.0f)) return;
+    const bool exposed = request.target.transfer != Transfer::linear;
+    request.environment.map = &map;
+    // Both matrices are rigid, so that their inverses are their transposes.
+    request.environment.fromEye =
+        glm::mat3(glm::transpose(glm::dmat3(light.rotation)) *
+                  glm::transpose(glm::dmat3(glm::dmat4(request.view.view))));
+    request.environment.scale =
+        glm::vec4(light.intensity * (exposed ? request.target.exposure : 1.0f),
+                  static_cast<float>(map.levels() - kLobeLevels));
+    request.environment.lobes = light.lobes;
 }
 
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats)

@@ -1,11 +1,13 @@
 // DrawRequest.h - what one call of Renderer::draw or drawBatch is about, checked.
 #pragma once
+#include "EnvironmentResources.h"
 #include "TargetInfo.h"
 
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/LightSelection.h>
 #include <fbrdf/plan/LightVectors.h>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec4.hpp>
 
 #include <optional>
@@ -17,6 +19,14 @@ struct EyeLights {
     std::vector<LightVectors> vectors;
     std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
     std::vector<double> peaks;     ///< largestIrradiance on the item; may be empty
+};
+
+/// Light from everywhere as the shader takes it.
+struct EyeEnvironment {
+    const EnvironmentResources* map = nullptr;  ///< null: there is none, or it is black
+    glm::mat3 fromEye{1.0f};                    ///< eye space to that of the environment
+    glm::vec4 scale{0.0f};                      ///< fbrdfEnvironmentScale
+    int lobes = 0;                              ///< as EnvironmentLight
 };
 
 /// What one call of draw() is about, and all of its items share.
@@ -32,6 +42,7 @@ struct DrawRequest {
     const LightClusters* clusters = nullptr;  ///< null where lights are not in lists
     /// The eye as the shader takes it: see eyeFromProjection.
     glm::vec4 eyePoint{0.0f};
+    EyeEnvironment environment = {};
 };
 
 /// Throws Error(gl) for a target that cannot be drawn to, Error(usage) for such a view.
@@ -39,6 +50,9 @@ void checkRequest(const Device& device, const Target& target, const View& view);
 bool isInvertible(const glm::mat4& model);
 /// Fills in lights and eye from those that are valid.
 void setLights(DrawRequest& request, const std::vector<Light>& lights);
+/// Fills in the environment. Throws Error(usage) for one of another renderer, a rotation that is
+/// none, or an intensity that is negative or not finite.
+void setEnvironment(DrawRequest& request, const Device& device);
 /// Returns the lights that reach the bounds, or the strongest of them, and counts the others.
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats);
 

@@ -3,6 +3,7 @@
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/shaders/LobeRows.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -68,6 +69,7 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
             state_.bindTexture(program.readUnit, GL_TEXTURE_2D, surfaces_->texture(*pass.reads));
         if (program.gain >= 0) gl_.Uniform1f(program.gain, static_cast<float>(pass.gain));
         setLights(pass, program);
+        if (program.lobes.rows >= 0) setLobes(*ready.lobes, pass, program);
         setScissor(pass);
         item.mesh.draw(item.instances.count);
         maxLookups = std::max(
@@ -129,6 +131,7 @@ void Executor::useProgram(const Drawable& item, const Program& program)
         state_.bindTexture(program.parametersUnit, GL_TEXTURE_BUFFER, item.material.parameters());
     if (program.normalMapUnit >= 0)
         state_.bindTexture(program.normalMapUnit, GL_TEXTURE_2D, item.surface.normalMap);
+    setEnvironment(item.material, program);
     // After ours and with the program in use: the host sets its own by plain glUniform.
     if (item.surface.hooks && item.surface.hooks->get().setUniforms)
         item.surface.hooks->get().setUniforms(program.object.name());
@@ -191,6 +194,29 @@ void Executor::setClusters(const Program& program)
     gl_.Uniform1i(program.lightCount, clusters.everywhere);
 }
 
+void Executor::setEnvironment(const MaterialResources& material, const Program& program)
+{
+    const EyeEnvironment& environment = request_.environment;
+    if (program.lobes.mapUnit < 0) return;
+    state_.bindTexture(program.lobes.mapUnit, GL_TEXTURE_CUBE_MAP, environment.map->texture());
+    state_.filterAcrossEdges();
+    if (program.lobes.rowsUnit >= 0)
+        state_.bindTexture(program.lobes.rowsUnit, GL_TEXTURE_BUFFER, material.lobeRows());
+    gl_.UniformMatrix3fv(program.lobes.toEnvironment, 1, GL_FALSE,
+                         glm::value_ptr(environment.fromEye));
+    gl_.Uniform4fv(program.lobes.scale, 1, glm::value_ptr(environment.scale));
+}
+
+/// Passes that share a program add different lobes.
+void Executor::setLobes(const LobeTable& table, const Pass& pass, const Program& program)
+{
+    const std::vector<glm::vec4> rows = lobeRows(table, pass.lobes);
+    gl_.Uniform4fv(program.lobes.rows, static_cast<GLsizei>(rows.size()),
+                   glm::value_ptr(rows.front()));
+    const glm::vec2 bend = lobeBend(table);
+    if (program.lobes.bend >= 0) gl_.Uniform2f(program.lobes.bend, bend.x, bend.y);
+}
+
 int Executor::lightsOf(const Pass& pass, const Program& program) const
 {
     return program.clusters.listsUnit >= 0 ? request_.clusters->longest : pass.lightCount;
@@ -202,7 +228,7 @@ void Executor::setScissor(const Pass& pass)
 {
     const int width = request_.target.width, height = request_.target.height;
     const bool mayLeaveOut = pass.lit && pass.lightCount > 0 && pass.blend == Blend::add &&
-                             !pass.reads && !request_.clusters;
+                             !pass.reads && pass.lobes.isEmpty() && !request_.clusters;
     if (!mayLeaveOut) return state_.setScissor(nullptr);
     PixelRect rect;
     for (int i = 0; i < pass.lightCount; ++i)

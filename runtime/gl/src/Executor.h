@@ -29,6 +29,7 @@ struct ReadyPlan {
     Plan plan;
     const Surfaces* surfaces = nullptr;    ///< where a pass writes any but the target
     std::vector<const Program*> programs;  ///< one for each pass
+    const LobeTable* lobes = nullptr;      ///< where a pass adds lobes
 };
 
 class Executor {
@@ -52,6 +53,8 @@ private:
     void bindTables(const MaterialResources& material, const Program& program);
     void setLights(const Pass& pass, const Program& program);
     void setClusters(const Program& program);
+    void setEnvironment(const MaterialResources& material, const Program& program);
+    void setLobes(const LobeTable& table, const Pass& pass, const Program& program);
     void setScissor(const Pass& pass);
     int lightsOf(const Pass& pass, const Program& program) const;
 

@@ -1,5 +1,6 @@
 #include "FilterProbe.h"
 
+#include "CubePainter.h"
 #include "MeshResources.h"
 #include "Program.h"
 #include "StateGuard.h"
@@ -105,16 +106,6 @@ Ramp rampOf(TexelType type, GLenum target, float low, float high)
         }
     }
     return ramp;
-}
-
-/// One triangle that covers all of a target.
-MeshData coveringTriangle()
-{
-    MeshData mesh;
-    mesh.positions = {{-1.0f, -1.0f, 0.0f}, {3.0f, -1.0f, 0.0f}, {-1.0f, 3.0f, 0.0f}};
-    mesh.normals.assign(3, {0.0f, 0.0f, 1.0f});
-    mesh.indices = {0, 1, 2};
-    return mesh;
 }
 
 /// A target of one pixel, a program and a texture.

@@ -13,11 +13,12 @@ namespace {
 void checkMaterial(const Material& material, size_t index)
 {
     validate(material, "material " + std::to_string(index) + " of a library");
+    validate(material.lobes, "material " + std::to_string(index) + " of a library");
 }
 
 Material layoutOf(const Material& material)
 {
-    Material layout{material.form, {}, material.scales, material.name, {}, {}};
+    Material layout{material.form, {}, material.scales, material.name, {}, {}, material.lobes};
     for (const Table& table : material.tables) {
         layout.tables.emplace_back();
         layout.tables.back().storage = table.storage;
@@ -34,7 +35,7 @@ LibraryResources::LibraryResources(DevicePtr device, const std::vector<Material>
     std::vector<std::vector<const Material*>> members;
     for (size_t i = 0; i < materials.size(); ++i) {
         checkMaterial(materials[i], i);
-        const size_t room = capacity(materials[i].form);
+        const size_t room = capacity(materials[i]);
         const auto fits = [&](const std::vector<const Material*>& group) {
             return group.size() < room && sameLayout(*group.front(), materials[i]);
         };
@@ -57,12 +58,14 @@ std::string LibraryResources::whyNotPacked(const Form& form) const
     return fbrdf::whyNotPacked(form, device_->capabilities);
 }
 
-/// The number of materials of the form that fit into one group.
-size_t LibraryResources::capacity(const Form& form) const
+/// The number of materials of the layout that fit into one group.
+size_t LibraryResources::capacity(const Material& material) const
 {
-    if (!whyNotPacked(form).empty()) return 1;
-    return static_cast<size_t>(std::min(device_->capabilities.maxArrayLayers,
-                                        device_->maxBufferTexels / parameterLayout(form).stride));
+    if (!whyNotPacked(material.form).empty()) return 1;
+    const int texels = std::max(parameterLayout(material.form).stride,
+                                packedLobeStride(fbrdf::layoutOf(material.lobes)));
+    return static_cast<size_t>(
+        std::min(device_->capabilities.maxArrayLayers, device_->maxBufferTexels / texels));
 }
 
 LibraryResources::Group LibraryResources::made(const std::vector<const Material*>& members,

@@ -38,7 +38,7 @@ private:
     };
     Group made(const std::vector<const Material*>& members, const Check& check);
     std::string whyNotPacked(const Form& form) const;
-    size_t capacity(const Form& form) const;
+    size_t capacity(const Material& material) const;
 
     DevicePtr device_;
     MaterialOptions options_;

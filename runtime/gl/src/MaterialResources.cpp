@@ -71,10 +71,12 @@ MaterialResources::MaterialResources(DevicePtr device, const Material& material,
       name_(material.name.empty() ? material.form.name : material.name),
       form_(drawnForm(material.form, device_->capabilities)),
       hasSigns_(fbrdf::hasSigns(material)),
-      scales_(material.scales)
+      scales_(material.scales),
+      lobes_(material)
 {
     // Validated before the first upload, so that a refusal leaves nothing behind.
     validate(material, "material '" + name_ + "'");
+    validate(material.lobes, "material '" + name_ + "'");
     raisePeaks(material);
     std::vector<TextureImage> images(material.tables.size());
     for (size_t i = 0; i < images.size(); ++i) {
@@ -165,6 +167,12 @@ void MaterialResources::raiseFilterError(size_t table, const TextureImage& image
                  fbrdf::filterError(image, filterPrecision(device_, image.type, target)));
 }
 
+bool MaterialResources::isAnisotropic() const
+{
+    return !isIsotropic(form_) || lobes_.areBent() ||
+           (packedLobes_.lobes > 0 && packedLobes_.axes == LobeAxes::bent);
+}
+
 Filter MaterialResources::filter() const
 {
     const bool precise = std::any_of(encodings_.begin(), encodings_.end(),
@@ -224,7 +232,10 @@ MaterialResources::MaterialResources(DevicePtr device, const std::vector<const M
       form_(layers.front()->form),
       hasSigns_(fbrdf::hasSigns(*layers.front())),
       packed_(layers.size() * static_cast<size_t>(parameterLayout(form_).stride)),
-      parameters_(device_, GL_RGBA32F, "material parameters")
+      parameters_(device_, GL_RGBA32F, "material parameters"),
+      packedLobes_(layoutOf(layers.front()->lobes)),
+      packedRows_(layers.size() * static_cast<size_t>(packedLobeStride(packedLobes_))),
+      lobeRows_(device_, GL_RGBA32F, "lobes")
 {
     FBRDF_ASSERT(parameterLayout(form_).stride, >, 0);
     measureFilters(*layers.front());
@@ -299,11 +310,20 @@ void MaterialResources::setLayer(size_t layer, const Material& material)
     }
     std::transform(material.scales.begin(), material.scales.end(), parameter(layout.scales),
                    opaque);
+    if (packedLobes_.lobes == 0) return;
+    const std::vector<glm::vec4> rows = packedLobeRows(material.lobes);
+    FBRDF_ASSERT((layer + 1) * rows.size(), <=, packedRows_.size());
+    std::copy(rows.begin(), rows.end(),
+              packedRows_.begin() + static_cast<std::ptrdiff_t>(layer * rows.size()));
+    lobeError_ = std::max(lobeError_, material.lobes.error);
 }
 
 void MaterialResources::uploadParameters()
 {
     parameters_.update(packed_.size(), packed_.size() * sizeof packed_[0], packed_.data());
+    if (!packedRows_.empty())
+        lobeRows_.update(packedRows_.size(), packedRows_.size() * sizeof packedRows_[0],
+                         packedRows_.data());
 }
 
 void MaterialResources::replaceLayer(size_t layer, const Material& material)

@@ -2,6 +2,7 @@
 // layout, as texture arrays and a buffer (PackedParameters.h).
 #pragma once
 #include "BufferTexture.h"
+#include "MaterialLobes.h"
 
 #include <fbrdf/plan/Plan.h>
 #include <fbrdf/shaders/TextureImage.h>
@@ -56,6 +57,14 @@ public:
     const std::vector<TableEncoding>& encodings() const { return encodings_; }
     const std::vector<GpuTable>& tables() const { return tables_; }
     const std::vector<Vec3f>& scales() const { return scales_; }
+    /// True where it looks different when the tangents turn.
+    bool isAnisotropic() const;
+    /// How it reflects environments; what is fitted on demand is no part of what others see of it.
+    MaterialLobes& lobes() const { return lobes_; }
+    /// Of a packed material: the lobes of each layer, their rows, and the largest of their errors.
+    const LobeLayout& packedLobes() const { return packedLobes_; }
+    GLuint lobeRows() const { return lobeRows_.texture(); }
+    double lobeError() const { return lobeError_; }
 
 private:
     TextureImage imageOf(const Table& table, int index, const MaterialOptions& options);
@@ -80,8 +89,13 @@ private:
     std::vector<TableEncoding> encodings_;
     std::vector<GpuTable> tables_;
     std::vector<Vec3f> scales_;
+    mutable MaterialLobes lobes_;
     std::vector<glm::vec4> packed_;  ///< the contents of parameters_: layers x stride
     BufferTexture parameters_;
+    LobeLayout packedLobes_;
+    std::vector<glm::vec4> packedRows_;  ///< the contents of lobeRows_
+    double lobeError_ = 0.0;
+    BufferTexture lobeRows_;
 };
 
 }  // namespace fbrdf::gl

@@ -123,6 +123,10 @@ void findLocations(const Functions& gl, Program& result)
     result.lightNumbers = location("fbrdfLightNumbers");
     result.readScale = location("fbrdfReadScale");
     result.gain = location("fbrdfGain");
+    result.lobes.toEnvironment = location("fbrdfToEnvironment");
+    result.lobes.scale = location("fbrdfEnvironmentScale");
+    result.lobes.rows = location("fbrdfLobes");
+    result.lobes.bend = location("fbrdfLobeBend");
     result.clusters.grid = location("fbrdfClusterGrid");
     result.clusters.scale = location("fbrdfClusterScale");
 }
@@ -136,6 +140,8 @@ void assignUnits(Units& units, Program& result, size_t tables)
     result.clusters.indicesUnit = units.next("fbrdfLightIndices");
     result.clusters.listsUnit = units.next("fbrdfLightLists");
     result.clusters.numbersUnit = units.next("fbrdfLightNumbers");
+    result.lobes.rowsUnit = units.next("fbrdfLobeRows");
+    result.lobes.mapUnit = units.next("fbrdfEnvironment");
     result.instancesUnit = units.next("fbrdfInstances");
     result.parametersUnit = units.next("fbrdfParameters");
     for (size_t i = 0; i < tables; ++i)

@@ -25,7 +25,11 @@ struct Program {
     MaterialUniforms material;
     std::vector<int> tableUnits;  ///< of each table of the form, as readUnit
     size_t extraArrays = 0;       ///< of a mesh that the vertex hook reads
-    LookupCount lookups;          ///< counted from what the linker left active
+    struct LobeUniforms {
+        int mapUnit = -1, rowsUnit = -1;  ///< rows of a packed material
+        GLint toEnvironment = -1, scale = -1, rows = -1, bend = -1;
+    } lobes;
+    LookupCount lookups;  ///< counted from what the linker left active
 };
 
 /// Throws Error(gl) with the compiler's log.

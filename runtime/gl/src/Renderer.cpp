@@ -1,3 +1,4 @@
+#include "EnvironmentMaker.h"
 #include "RendererState.h"
 
 #include <fbrdf/base/Found.h>
@@ -58,6 +59,37 @@ std::shared_ptr<GpuMesh> Renderer::createMesh(const MeshBuffers& mesh)
     state_->checkAlive();
     discardHostErrors(*state_->device);
     return std::make_shared<GpuMesh>(std::make_shared<MeshResources>(state_->device, mesh));
+}
+
+std::shared_ptr<GpuEnvironment> Renderer::createEnvironment(const Panorama& panorama,
+                                                            const EnvironmentOptions& options)
+{
+    state_->checkAlive();
+    validate(panorama, "environment");
+    discardHostErrors(*state_->device);
+    const EnvironmentFormat format = environmentFormat(*state_->device, options);
+    return std::make_shared<GpuEnvironment>(makeEnvironment(state_->device, panorama, format));
+}
+
+std::shared_ptr<GpuEnvironment> Renderer::createEnvironment(const HostEnvironment& source,
+                                                            const EnvironmentOptions& options)
+{
+    state_->checkAlive();
+    discardHostErrors(*state_->device);
+    const EnvironmentFormat format = environmentFormat(*state_->device, options);
+    return std::make_shared<GpuEnvironment>(makeEnvironment(state_->device, source, format));
+}
+
+std::shared_ptr<GpuEnvironment> Renderer::createEnvironment(const CubeImage& prefiltered,
+                                                            const EnvironmentOptions& options)
+{
+    state_->checkAlive();
+    discardHostErrors(*state_->device);
+    EnvironmentOptions asMade = options;
+    if (asMade.size == 0) asMade.size = prefiltered.size;
+    const EnvironmentFormat format = environmentFormat(*state_->device, asMade);
+    return std::make_shared<GpuEnvironment>(
+        std::make_shared<EnvironmentResources>(state_->device, prefiltered, format, ""));
 }
 
 std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)

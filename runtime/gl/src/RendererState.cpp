@@ -38,8 +38,33 @@ void addPlan(DrawStats& stats, const Plan& plan)
                    {std::max(stats.error.maps.recombination, plan.error.maps.recombination),
                     std::max(stats.error.maps.filtering, plan.error.maps.filtering),
                     std::max(stats.error.maps.absolute, plan.error.maps.absolute)}};
+    stats.environmentError = std::max(stats.environmentError, plan.environmentError);
     stats.passes = std::max(stats.passes, passes);
     stats.drawCalls += passes;
+}
+
+/// The lobes by which an item reflects an environment.
+struct ItemLobes {
+    LobeLayout layout = {};            ///< no lobes: there is none
+    const LobeTable* table = nullptr;  ///< null where they are packed
+    double error = 0.0;
+    std::string whyNot = {};  ///< why an item has none although there is an environment
+};
+
+ItemLobes packedLobesOf(const MaterialResources& material)
+{
+    ItemLobes lobes{material.packedLobes(), nullptr, material.lobeError()};
+    if (lobes.layout.lobes == 0)
+        lobes.whyNot = Found("materials of a packed library without lobes").expected("fitted ones");
+    return lobes;
+}
+
+ItemLobes lobesOf(const MaterialResources& material, int most)
+{
+    if (material.isPacked()) return packedLobesOf(material);
+    const LobeTable* const table = material.lobes().find(most);
+    if (table) return {layoutOf(*table), table, table->error};
+    return {{}, nullptr, 0.0, material.lobes().whyNot()};
 }
 
 /// The irradiance of all lights that may reach an object, at most.
@@ -85,11 +110,7 @@ Drawable Renderer::State::drawableOf(const Item& item) const
     checkOwner(material.device());
     checkOwner(mesh.device());
     if (hooks) checkOwner(hooks->device());
-    return {material,
-            mesh,
-            surfaceOptions(mesh, material.form(), hooks, item.normalMap),
-            item.model,
-            {}};
+    return {material, mesh, surfaceOptions(mesh, material, hooks, item.normalMap), item.model, {}};
 }
 
 void checkModel(const glm::mat4& model)
@@ -118,11 +139,11 @@ std::vector<const Program*> Renderer::State::programsOf(const MaterialResources&
                                                         const Plan& plan, bool clustered)
 {
     // What hooks of the host need of units and uniforms is not left for lights.
-    const int maxLights =
-        maxLightsInUniforms(material.form(), remaining(device->capabilities, surface.hooks));
+    const Capabilities capabilities = remaining(device->capabilities, surface.hooks);
     std::vector<const Program*> result;
     for (const Pass& pass : plan.passes) {
-        ProgramSpec spec = programSpec(pass, maxLights);
+        ProgramSpec spec =
+            programSpec(pass, maxLightsInUniforms(material.form(), capabilities, pass.lobes));
         spec.clustered = clustered && pass.lit;
         result.push_back(&programs.find(material, spec, surface));
     }
@@ -147,19 +168,31 @@ ReadyPlan Renderer::State::planOf(const Form& form, PlanRequest& wanted,
 }
 
 ReadyPlan Renderer::State::planFor(const MaterialResources& material, const CompiledHooks* hooks,
-                                   PlanRequest wanted, const DrawRequest* draw,
-                                   std::string& whyReplaced)
+                                   PlanRequest wanted, const DrawRequest* draw, PlanNotes& notes)
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
     wanted.signs = material.hasSigns();
     wanted.filter = material.filter();
     ReadyPlan ready = planOf(material.form(), wanted, capabilities, draw);
     if (ready.plan.feasible()) return ready;
+    if (wanted.environment.lobes > 0) {
+        // The lights are drawn as asked for where even one pass cannot have the environment.
+        PlanRequest single = wanted;
+        single.technique = Technique::single;
+        single.maxLookups = 0;
+        const ReadyPlan together = planOf(material.form(), single, capabilities, draw);
+        if (!together.plan.feasible()) {
+            notes.whyNoEnvironment = together.plan.reason;
+            wanted.environment = {};
+            ready = planOf(material.form(), wanted, capabilities, draw);
+            if (ready.plan.feasible()) return ready;
+        }
+    }
     // Once for each text, and so for each material and reason: draws come 60 times a second.
     device->logOnce(Severity::warning, "material '" + material.name() +
                                            "': " + techniqueName(wanted.technique) +
                                            " replaced by single: " + ready.plan.reason);
-    whyReplaced = ready.plan.reason;
+    notes.whyReplaced = ready.plan.reason;
     // `single` without a limit has a plan for every form, unless its tables need too many units.
     wanted.technique = Technique::single;
     wanted.maxLookups = 0;
@@ -188,12 +221,16 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
     programs.evict();
     // Linking sets samplers, for which the program has to be current: state changes here too.
     const StateGuard guard(*device);
-    std::string whyReplaced;
+    PlanNotes notes;
     // An RGBA32F target needs no surfaces, and so no size, which is not known yet.
     const TargetInfo floatTarget{ColourFormat::rgba32f, false, false, Transfer::linear};
     PlanRequest wanted = request(options, lights, floatTarget);
     wanted.maps = material.mapErrors(0.0);
-    const ReadyPlan ready = planFor(material, surface.hooks, wanted, nullptr, whyReplaced);
+    if (options.environment.map) {
+        if (!material.isPacked()) material.lobes().wait();
+        wanted.environment = lobesOf(material, options.environment.lobes).layout;
+    }
+    const ReadyPlan ready = planFor(material, surface.hooks, wanted, nullptr, notes);
     programsOf(material, surface, ready.plan, isClustered(options, static_cast<size_t>(lights)));
 }
 
@@ -203,7 +240,7 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
     const MaterialResources& material = item.material;
     const DebugGroup group(*device, "fbrdf item " + material.name());
     // An arbitrary frame is invisible in an isotropic material only.
-    if (!isIsotropic(material.form()) && !item.mesh.hasTangents() && !item.surface.derivedTangent)
+    if (material.isAnisotropic() && !item.mesh.hasTangents() && !item.surface.derivedTangent)
         device->logOnce(Severity::warning,
                         "material '" + material.name() +
                             "' is anisotropic, the mesh has neither tangents nor texture "
@@ -221,10 +258,29 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
         wanted.peaks->lights = lights.peaks;
     }
     wanted.maps = material.mapErrors(irradianceOf(lights, bounds, draw));
-    ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, stats.whyReplaced);
+    ItemLobes lobes;
+    if (draw.environment.map) lobes = lobesOf(material, draw.environment.lobes);
+    wanted.environment = lobes.layout;
+    wanted.environmentError = lobes.error;
+    PlanNotes notes{"", lobes.whyNot};
+    ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, notes);
+    ready.lobes = lobes.table;
+    if (!notes.whyReplaced.empty()) stats.whyReplaced = notes.whyReplaced;
+    if (!notes.whyNoEnvironment.empty())
+        leaveEnvironmentOut(material, notes.whyNoEnvironment, std::max(1, item.instances.count),
+                            stats);
     ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters != nullptr);
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, ready, lights));
     addPlan(stats, ready.plan);
+}
+
+void Renderer::State::leaveEnvironmentOut(const MaterialResources& material, const std::string& why,
+                                          int objects, DrawStats& stats)
+{
+    stats.itemsWithoutEnvironment += objects;
+    stats.whyNoEnvironment = why;
+    device->logOnce(Severity::warning,
+                    "material '" + material.name() + "' drawn without the environment: " + why);
 }
 
 void Renderer::State::drawItem(Executor& executor, const Item& item, const DrawRequest& request,
@@ -277,9 +333,10 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     // Between draws nothing of ours is in use, so what no material needs any more can go.
     programs.evict();
     surfaces.evict(target);
-    DrawRequest request{target, view, options, {}, {}, {}, {}, {}};
+    DrawRequest request{target, view, options, {}, {}, {}, {}, {}, {}};
     request.eyePoint = glm::vec4(eyeFromProjection(glm::dmat4(view.projection)));
     setLights(request, lights);
+    setEnvironment(request, *device);
     DrawStats stats;
     stats.lightsGiven = static_cast<int>(lights.size());
     stats.lightsUsed = static_cast<int>(request.lights.size());

@@ -12,6 +12,11 @@
 
 namespace fbrdf::gl {
 
+/// What became of what was asked for; empty where it is drawn.
+struct PlanNotes {
+    std::string whyReplaced, whyNoEnvironment;
+};
+
 struct Renderer::State {
     DevicePtr device;
     ProgramCache programs;
@@ -35,7 +40,7 @@ struct Renderer::State {
     /// draw: whose target gets surfaces where the plan needs them; may be null. The programs are
     /// left to programsOf.
     ReadyPlan planFor(const MaterialResources& material, const CompiledHooks* hooks,
-                      PlanRequest wanted, const DrawRequest* draw, std::string& whyReplaced);
+                      PlanRequest wanted, const DrawRequest* draw, PlanNotes& notes);
     /// Builds what every material needs, and so refuses one that GL cannot draw.
     void prepareFirst(const MaterialResources& material);
     /// Builds what a draw will need.
@@ -63,6 +68,8 @@ private:
     void draw(Executor& executor, const Drawable& item, const Sphere& bounds,
               const DrawRequest& draw, DrawStats& stats);
     void cluster(DrawRequest& request, DrawStats& stats);
+    void leaveEnvironmentOut(const MaterialResources& material, const std::string& why, int objects,
+                             DrawStats& stats);
     std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats);
     void drawPacked(Executor& executor, const Batch& batch, const MaterialResources& material,
                     const Instance* const* first, const Instance* const* last,

@@ -1,11 +1,13 @@
 #include "PassList.h"
 
+#include <fbrdf/base/Assert.h>
+
 namespace fbrdf {
 namespace {
 
 int lookupsOf(const Form& form, const Pass& pass)
 {
-    int count = pass.reads ? 1 : 0;
+    int count = (pass.reads ? 1 : 0) + pass.lobes.lookups();
     for (const Part& part : pass.parts)
         for (const int factor : part.factors) {
             const auto& factors = form.terms[static_cast<size_t>(part.term)].factors;
@@ -43,6 +45,14 @@ void PassList::append(Pass pass)
     fresh = false;
     pass.lookups = lookupsOf(form_, pass);
     passes_.push_back(std::move(pass));
+}
+
+void PassList::addToLast(const LobeShare& lobes)
+{
+    FBRDF_ASSERT(passes_.empty(), ==, false);
+    FBRDF_ASSERT(passes_.back().blend != Blend::multiply, ==, true);
+    passes_.back().lobes = lobes;
+    passes_.back().lookups = lookupsOf(form_, passes_.back());
 }
 
 }  // namespace fbrdf

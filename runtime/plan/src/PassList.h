@@ -17,6 +17,8 @@ public:
     void restart(Surface surface) { fresh_[static_cast<size_t>(surface)] = true; }
     /// Appends the pass after setting its depth, its look-ups and, unless it multiplies, its blend.
     void append(Pass pass);
+    /// Lets the last pass, which must not multiply, add lobes as well.
+    void addToLast(const LobeShare& lobes);
     const std::vector<Pass>& passes() const { return passes_; }
 
 private:

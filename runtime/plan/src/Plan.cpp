@@ -26,6 +26,7 @@ Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities
     limits.offscreen = request.offscreen && capabilities.framebufferObjects &&
                        (capabilities.floatTargets || capabilities.halfTargets);
     limits.lights = maxLightsInUniforms(form, capabilities);
+    limits.vectors = freeUniformVectors(form, capabilities);
     const TechniqueInfo& technique = techniqueInfo(request.technique);
     if (technique.lightsPerPass == LightsPerPass::asRequested)
         limits.lights = std::min(limits.lights, request.lightsPerPass);
@@ -33,6 +34,11 @@ Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities
     for (const int lookups : {request.maxLookups, technique.maxLookups})
         if (lookups > 0) limits.lookups = std::min(limits.lookups, lookups);
     return limits;
+}
+
+bool isUnorm(ColourFormat format)
+{
+    return format != ColourFormat::rgba32f && format != ColourFormat::rgba16f;
 }
 
 /// The format of surfaces that can be drawn to without scaling.
@@ -59,7 +65,7 @@ Plan finished(std::vector<Pass> passes, const PlanRequest& request, ColourFormat
 Plan planStraight(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     const ColourFormat surfaces = floatFormat(capabilities);
-    if (request.lights == 0) {
+    if (request.lights == 0 && request.environment.lobes == 0) {
         PassList black(form);
         black.append({});
         return finished(black.passes(), request, surfaces);
@@ -71,9 +77,14 @@ Plan planStraight(const Form& form, const PlanRequest& request, const Capabiliti
     return none;
 }
 
-bool isUnorm(ColourFormat format)
+/// Why the environment of a request cannot be drawn in such a context; "" where it can.
+std::string whyNoEnvironment(const PlanRequest& request, const Capabilities& capabilities)
 {
-    return format != ColourFormat::rgba32f && format != ColourFormat::rgba16f;
+    if (request.environment.lobes == 0 || capabilities.choosesLevels()) return "";
+    return Found(std::string("an environment in ") +
+                 (capabilities.glsl == 120 ? "GLSL 1.20 without GL_ARB_shader_texture_lod"
+                                           : "GLSL ES 1.00"))
+        .expected("fragment shaders that choose the level of a cube map");
 }
 
 /// The plan of a material with signs, or a reason. A UNORM target clamps the output of every pass
@@ -104,8 +115,9 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
 bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
 {
     return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
-           isUnorm(request.target) && capabilities.framebufferObjects &&
-           !capabilities.floatTargets && !capabilities.halfTargets;
+           request.environment.lobes == 0 && isUnorm(request.target) &&
+           capabilities.framebufferObjects && !capabilities.floatTargets &&
+           !capabilities.halfTargets;
 }
 
 /// True when the error bound is too large for the result to be useful (kCoarsestSum).
@@ -162,8 +174,16 @@ Plan betterOf(Plan plan, Plan scaled, ColourFormat target)
 
 Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
-    return isCurved(request.transfer) ? planCurved(form, request, capabilities)
-                                      : planStraight(form, request, capabilities);
+    Plan plan = isCurved(request.transfer) ? planCurved(form, request, capabilities)
+                                           : planStraight(form, request, capabilities);
+    // A UNORM target clamps, and no peak of an environment is known by which it could be scaled.
+    if (request.environment.lobes > 0 && plan.passes.size() > 1 && isUnorm(request.target) &&
+        !limitsOf(form, request, capabilities).offscreen) {
+        plan = {};
+        plan.reason = std::string("lights and lobes of several passes do not add up in ") +
+                      colourFormatName(request.target) + " without float surfaces";
+    }
+    return plan;
 }
 
 }  // namespace
@@ -173,20 +193,29 @@ const char* filterName(Filter filter)
     return filter == Filter::shader ? "shader" : "hardware";
 }
 
-int maxLightsInUniforms(const Form& form, const Capabilities& capabilities)
+int freeUniformVectors(const Form& form, const Capabilities& capabilities)
 {
     int vectors = capabilities.maxUniformVectors - kReservedUniformVectors;
     for (const TableSpec& table : form.tables) {
         vectors -= 2;  // fbrdfLower and fbrdfExtent
         if (table.uniform) vectors -= texelCount(table.domain);
     }
-    return std::max(1, vectors / kVectorsPerLight);
+    return vectors;
+}
+
+int maxLightsInUniforms(const Form& form, const Capabilities& capabilities, const LobeShare& lobes)
+{
+    return std::max(1,
+                    (freeUniformVectors(form, capabilities) - lobes.vectors()) / kVectorsPerLight);
 }
 
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& found)
 {
     validate(request);
     Capabilities capabilities = found;
+    Plan none;
+    none.reason = whyNoEnvironment(request, capabilities);
+    if (!none.feasible()) return none;
     Plan plan = planUnscaled(form, request, capabilities);
     if (plan.surfaces == ColourFormat::rgba16f && isCoarse(errorBound(plan, request.target))) {
         capabilities.halfTargets = false;
@@ -200,6 +229,7 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     plan.technique = request.technique;
     plan.filter = request.filter;
     plan.error = errorBound(plan, request.target, request.maps);
+    if (request.environment.lobes > 0) plan.environmentError = request.environmentError;
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 

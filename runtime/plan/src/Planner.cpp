@@ -12,6 +12,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
 
@@ -63,8 +64,19 @@ int passesFor(int lights, int lightsPerPass)
 class Planner {
 public:
     Planner(const Form& form, const PlanRequest& request, const Limits& limits)
-        : form_(form), request_(request), limits_(limits), list_(form)
+        : form_(form),
+          request_(request),
+          limits_(limits),
+          list_(form),
+          lobes_(lobeShares(request.environment, limits.lookups, limits.vectors))
     {
+    }
+
+    /// Plans an environment without lights.
+    bool planLobes()
+    {
+        addUp({}, {});
+        return reason_.empty();
     }
 
     /// Puts every term into every light pass.
@@ -74,7 +86,7 @@ public:
         for (const TermFactors& term : terms()) join(group, term);
         if (lightsFitting(group.viewLookups, group.lightLookups, limits_) < 1) return false;
         addUp({group}, {});
-        return true;
+        return reason_.empty();
     }
 
     bool planApart()
@@ -132,6 +144,11 @@ private:
 
     void addUp(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
     {
+        if (request_.environment.lobes > 0 && lobes_.empty())
+            return refuse(
+                Found("lobes of " + std::to_string(request_.environment.knots()) + " knots")
+                    .expected("fewer: the uniforms of a pass have room for " +
+                              std::to_string(std::max(0, limits_.vectors)) + " vectors"));
         if (accumulatesInTarget(groups, leaving))
             addUpInTarget(groups, leaving);
         else
@@ -142,9 +159,48 @@ private:
                              const std::vector<TermFactors>& leaving) const
     {
         if (request_.target == ColourFormat::rgba32f || !limits_.offscreen) return true;
-        if (!leaving.empty() || groups.size() != 1) return false;
-        return lightsFitting(groups[0].viewLookups, groups[0].lightLookups, limits_) >=
-               request_.lights;  // one pass: nothing adds up
+        if (!leaving.empty() || groups.size() > 1 || lobes_.size() > 1) return false;
+        if (groups.empty()) return true;
+        const int fitting = lightsFitting(groups[0].viewLookups, groups[0].lightLookups, limits_);
+        if (fitting < request_.lights) return false;
+        if (lobes_.empty()) return true;  // one pass: nothing adds up
+        Pass pass = lightPass(groups[0], 0, request_.lights);
+        pass.lookups = groups[0].viewLookups + groups[0].lightLookups * request_.lights;
+        return joins(pass);
+    }
+
+    /// True where the pass can add all lobes beside what it does.
+    bool joins(const Pass& pass) const
+    {
+        if (lobes_.size() != 1 || pass.blend == Blend::multiply) return false;
+        if (request_.technique == Technique::batched && pass.lit) return false;
+        return pass.lookups + lobes_[0].lookups() <= limits_.lookups &&
+               kVectorsPerLight * pass.lightCount + lobes_[0].vectors() <= limits_.vectors;
+    }
+
+    /// Adds the lobes to what the last pass has left in the surface, or lays the surface.
+    void addLobes(Surface surface)
+    {
+        if (lobes_.empty()) return;
+        if (!list_.passes().empty() && joins(list_.passes().back()))
+            return list_.addToLast(lobes_[0]);
+        for (const LobeShare& share : lobes_) {
+            Pass pass;
+            pass.lobes = share;
+            pass.writes = surface;
+            list_.append(std::move(pass));
+        }
+    }
+
+    /// The lobes after everything else, in a target too coarse to add them up in.
+    void addLobesOffscreen()
+    {
+        const bool together =
+            lobes_.size() < 2 || (!list_.passes().empty() && joins(list_.passes().back()));
+        if (together) return addLobes(Surface::target);
+        list_.restart(Surface::accumulation);
+        addLobes(Surface::accumulation);
+        composite({{0, {}, false}});
     }
 
     void addUpInTarget(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
@@ -164,6 +220,7 @@ private:
         }
         if (leaving.empty())
             for (const Group& group : groups) addLights(group, Surface::target);
+        addLobes(Surface::target);
     }
 
     void addUpOffscreen(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
@@ -171,9 +228,16 @@ private:
         if (!groups.empty()) {
             list_.restart(Surface::accumulation);
             for (const Group& group : groups) addLights(group, Surface::accumulation);
+            // The composite reads one texel only: lobes that fit beside that wait for it.
+            Pass reading;
+            reading.lookups = 1;
+            const bool wait = joins(reading);
+            if (!wait) addLobes(Surface::accumulation);
             composite({{0, {}, false}});
+            if (wait) addLobes(Surface::target);
         }
         for (const TermFactors& term : leaving) addLeavingThroughAccumulation(term);
+        if (groups.empty()) addLobesOffscreen();
     }
 
     void addLeavingInPlace(const TermFactors& term)
@@ -208,14 +272,20 @@ private:
         const int k = lightsFitting(group.viewLookups, group.lightLookups, limits_);
         if (k < 1) return chain(group.parts.front(), surface);
         for (int first = 0; first < request_.lights; first += k) {
-            Pass pass;
-            pass.parts = group.parts;
-            pass.firstLight = first;
-            pass.lightCount = std::min(k, request_.lights - first);
-            pass.lit = true;
+            Pass pass = lightPass(group, first, std::min(k, request_.lights - first));
             pass.writes = surface;
             list_.append(std::move(pass));
         }
+    }
+
+    static Pass lightPass(const Group& group, int first, int count)
+    {
+        Pass pass;
+        pass.parts = group.parts;
+        pass.firstLight = first;
+        pass.lightCount = count;
+        pass.lit = true;
+        return pass;
     }
 
     /// Builds up the product of each light in the scratch surface, then adds it.
@@ -297,6 +367,7 @@ private:
     const PlanRequest& request_;
     const Limits& limits_;
     PassList list_;
+    std::vector<LobeShare> lobes_;
     std::string reason_;
 };
 
@@ -304,8 +375,12 @@ private:
 
 ListedPasses listPasses(const Form& form, const PlanRequest& request, const Limits& limits)
 {
-    FBRDF_ASSERT(request.lights, >, 0);
     FBRDF_ASSERT(limits.lights, >, 0);
+    if (request.lights == 0) {
+        Planner alone(form, request, limits);
+        alone.planLobes();
+        return {alone.reason().empty() ? alone.passes() : std::vector<Pass>{}, alone.reason()};
+    }
     Planner together(form, request, limits), apart(form, request, limits);
     const bool canTogether = together.planTogether(), canApart = apart.planApart();
     if (!canTogether && !canApart) return {{}, apart.reason()};

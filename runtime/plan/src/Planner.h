@@ -10,6 +10,7 @@ struct Limits {
     static constexpr int kUnlimited = std::numeric_limits<int>::max();
     int lookups = kUnlimited;  ///< in any pass
     int lights = 1;            ///< in any pass, > 0
+    int vectors = kUnlimited;  ///< uniforms of lights and lobes in any pass
     bool offscreen = true;
 };
 
@@ -18,7 +19,7 @@ struct ListedPasses {
     std::string reason;  ///< why there are no passes
 };
 
-/// The fewest passes. Expects a valid request with at least one light.
+/// The fewest passes. Expects a valid request with at least one light or an environment.
 ListedPasses listPasses(const Form& form, const PlanRequest& request, const Limits& limits);
 
 }  // namespace fbrdf

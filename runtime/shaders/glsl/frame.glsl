@@ -35,3 +35,8 @@ vec3 fbrdfLocal(FbrdfShadingFrame frame, vec3 w)
 {
     return vec3(dot(frame.t, w), dot(frame.s, w), dot(frame.n, w));
 }
+
+vec3 fbrdfFromLocal(FbrdfShadingFrame frame, vec3 w)
+{
+    return frame.t * w.x + frame.s * w.y + frame.n * w.z;
+}

@@ -1,5 +1,6 @@
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
-// textureLod changes nothing but spares the derivatives.
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures but those of environments have one level,
+// so the explicit level of textureLod changes nothing but spares the derivatives. In GLSL 1.20 textureCubeLod needs
+// GL_ARB_shader_texture_lod.
 #if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -21,6 +22,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) textureLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureLod(map, direction, level)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -31,5 +34,7 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) texture2DLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureCubeLod(map, direction, level)
 #endif
 #define FBRDF_TEXTURE_PRECISE fbrdfFiltered

@@ -1,5 +1,7 @@
 #include "FactorWriter.h"
 
+#include "LobeWriter.h"
+
 #include <fbrdf/base/Number.h>
 
 #include <fbrdf/shaders/PackedParameters.h>
@@ -163,7 +165,7 @@ std::string factorLines(const FragmentContext& c, const Factor& factor, const st
 
 bool needsLocalFrame(const FragmentContext& c)
 {
-    bool needed = c.local;
+    bool needed = c.local || hasBentLobes(c);
     forEachFactor(c, [&needed](const Factor& factor) {
         needed = needed || std::holds_alternative<Direction>(factor.argument);
     });

@@ -4,6 +4,7 @@
 //     colour = sum over p of product<p> sum<p>
 // Logs are added, so a term costs one exp2 per light however many factors it has.
 #include "FactorWriter.h"
+#include "LobeWriter.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
@@ -270,18 +271,19 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert("uniform int fbrdfLightCount;\n");
     std::string text;
     for (const std::string& line : lines) text += line;
-    return text;
+    return text + lobeUniforms(c);
 }
 
 std::string mainFunction(const FragmentContext& c)
 {
     std::string text = "void main()\n{\n";
-    if (!c.spec.parts.empty())
+    if (!c.spec.parts.empty() || hasLobes(c))
         text += "    vec3 viewer = fbrdfToViewer();\n" + parameterLines(c) + surfaceLines(c) +
                 viewLines(c);
     text += c.spec.lit && !c.spec.parts.empty() ? litBody(c) : unlitBody(c);
     if (c.spec.reads)
         text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";
+    text += lobeLines(c);
     if (c.spec.gained) text += "    total *= fbrdfGain;\n";
     if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
     if (isCurved(c.spec.transfer))

@@ -1,6 +1,6 @@
 // Reads the text of main(), in which every look-up of a program stands as one of the macros
-// FBRDF_TEXTURE2, FBRDF_TEXTURE3, FBRDF_TEXTURE_CUBE and FBRDF_TEXTURE_PRECISE. No other function
-// fetches but what the last one stands for.
+// FBRDF_TEXTURE2, FBRDF_TEXTURE3, FBRDF_TEXTURE_CUBE, FBRDF_TEXTURE_CUBE_LEVEL and
+// FBRDF_TEXTURE_PRECISE. No other function fetches but what the last one stands for.
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <fbrdf/base/Found.h>
+#include <fbrdf/shaders/LobeRows.h>
 #include <fbrdf/shaders/PackedParameters.h>
 
 #include <algorithm>
@@ -36,6 +37,19 @@ ParameterLayout parameterLayout(const Form& form)
     return layout;
 }
 
+int packedLobeStride(const LobeLayout& table)
+{
+    const LobeShare all{table, 0, table.lobes, true};
+    return table.lobes == 0 ? 0 : all.vectors() + (table.axes == LobeAxes::bent ? 1 : 0);
+}
+
+std::vector<glm::vec4> packedLobeRows(const LobeTable& table)
+{
+    std::vector<glm::vec4> rows = lobeRows(table, {layoutOf(table), 0, table.lobes, true});
+    if (table.axes == LobeAxes::bent) rows.emplace_back(lobeBend(table), 0.0f, 0.0f);
+    return rows;
+}
+
 bool sameLayout(const Material& a, const Material& b)
 {
     const auto sameStorage = [](const Table& x, const Table& y) { return x.storage == y.storage; };
@@ -44,7 +58,8 @@ bool sameLayout(const Material& a, const Material& b)
            std::equal(a.form.terms.begin(), a.form.terms.end(), b.form.terms.begin(),
                       b.form.terms.end(), sameTerm) &&
            std::equal(a.tables.begin(), a.tables.end(), b.tables.begin(), b.tables.end(),
-                      sameStorage);
+                      sameStorage) &&
+           layoutOf(a.lobes) == layoutOf(b.lobes);
 }
 
 std::string whyNotPacked(const Form& form, const Capabilities& capabilities)

@@ -4,6 +4,7 @@
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/shaders/PrefilterSource.h>
 
 #include <glm/matrix.hpp>
 
@@ -37,7 +38,7 @@ std::string joined(std::initializer_list<const char*> files)
 }
 
 std::string assembled(int glsl, const SurfaceInputs& inputs,
-                      std::initializer_list<const char*> files)
+                      std::initializer_list<const char*> files, bool choosesLevels = false)
 {
     checkVersion(glsl);
     if (glsl != 120 && inputs.builtIns)
@@ -49,6 +50,7 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     // last line that begins with #extension, wherever that is.
     if (glsl == kGlslEs100 && inputs.derivedTangent)
         text += "#extension GL_OES_standard_derivatives : require\n";
+    if (glsl == 120 && choosesLevels) text += "#extension GL_ARB_shader_texture_lod : require\n";
     if (inputs.derivedTangent || inputs.normalMap) text += "#define FBRDF_TEXTURE_COORDINATE\n";
     if (inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
     if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";
@@ -91,8 +93,8 @@ ProgramSpec wholeSpec(const Form& form, int lights)
 ProgramSpec programSpec(const Pass& pass, int maxLights)
 {
     FBRDF_ASSERT(maxLights, >=, 1);
-    ProgramSpec spec{pass.parts,      0, pass.lit, pass.reads.has_value(), pass.transfer,
-                     pass.gain != 1.0};
+    ProgramSpec spec{pass.parts,       0,     pass.lit,  pass.reads.has_value(), pass.transfer,
+                     pass.gain != 1.0, false, pass.lobes};
     if (pass.lightCount > 0) {
         spec.lightSlots = 1;
         while (spec.lightSlots < pass.lightCount) spec.lightSlots *= 8;
@@ -111,6 +113,9 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
 {
     if (spec.clustered) checkBuffers(glsl, "lists of lights");
+    if (!spec.lobes.isEmpty() && glsl == kGlslEs100)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("GLSL ES 1.00").expected("300 or newer for an environment"));
     const FragmentContext context{form,
                                   encodings,
                                   spec,
@@ -123,9 +128,11 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
-                      "projection.glsl", "lights.glsl", "transfer.glsl"}) +
-           filterFunctions(encodings) + (spec.clustered ? joined({"clusters.glsl"}) : "") +
-           inputs.shadowHook + "\n" + uniforms + mainFunction(context);
+                      "projection.glsl", "lights.glsl", "transfer.glsl"},
+                     !spec.lobes.isEmpty()) +
+           (spec.lobes.isEmpty() ? "" : joined({"lobes.glsl"})) + filterFunctions(encodings) +
+           (spec.clustered ? joined({"clusters.glsl"}) : "") + inputs.shadowHook + "\n" + uniforms +
+           mainFunction(context);
 }
 
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
@@ -161,6 +168,23 @@ std::string filterProbeFragmentSource(int glsl, ProbedTexture texture)
         "FBRDF_TEXTURE2(fbrdfMap, vec3(at.xy, 0.0))\n"};
     return assembled(glsl, {}, {"version.glsl"}) + "uniform " +
            fetches[static_cast<size_t>(texture)] + joined({"filter_probe.frag"});
+}
+
+std::string prefilterVertexSource(int glsl)
+{
+    return filterProbeVertexSource(glsl);
+}
+
+std::string prefilterSourceFragment(int glsl, bool fromCube)
+{
+    return assembled(glsl, {}, {"version.glsl"}, true) +
+           (fromCube ? "#define FBRDF_FROM_CUBE\n" : "") +
+           joined({"prefilter.glsl", "prefilter_source.frag"});
+}
+
+std::string prefilterLobeFragment(int glsl)
+{
+    return assembled(glsl, {}, {"version.glsl", "prefilter.glsl", "prefilter_lobe.frag"}, true);
 }
 
 std::string_view shaderSnippet(std::string_view name)

@@ -2,6 +2,7 @@
 // it.
 #pragma once
 #include <fbrdf/gl/Depth.h>
+#include <fbrdf/gl/Environment.h>
 #include <fbrdf/gl/Handles.h>
 #include <fbrdf/plan/Plan.h>
 
@@ -76,6 +77,9 @@ struct DrawOptions {
     /// need OpenGL 3.1; without it lights are drawn as if this were false, with a warning. Up to 8
     /// lights are drawn without lists, which is faster.
     bool clustered = false;
+    /// Light from everywhere, beside the lights. An item that cannot have it is drawn without, see
+    /// DrawStats::whyNoEnvironment.
+    EnvironmentLight environment = {};
 };
 
 struct DrawStats {
@@ -97,6 +101,11 @@ struct DrawStats {
     std::string whyReplaced;
     ErrorBound error;          ///< the largest of all items
     std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
+    /// The largest LobeTable::error of the items that were drawn with an environment.
+    double environmentError = 0.0;
+    /// Items drawn without the environment that was asked for; the reasons were logged.
+    int itemsWithoutEnvironment = 0;
+    std::string whyNoEnvironment;  ///< of the last one of them
 };
 
 }  // namespace fbrdf::gl

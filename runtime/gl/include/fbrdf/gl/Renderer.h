@@ -18,13 +18,16 @@
 //   FRAMEBUFFER_SRGB, primitive restart (both), depth clamp, fragment colour clamp, clip control,
 //   and of extensions depth bounds, conservative rasterization, shading rates, exclusive scissor
 //   and raster multisampling; the active unit and, on the units in use, 2D, 3D, array, cube and
-//   buffer texture and sampler; seamless cube maps, where maps are cube maps.
+//   buffer texture and sampler; seamless cube maps, where maps are cube maps or there is an
+//   environment.
 // createX also touches unpacking, pixel transfer, the unpack buffer and the renderbuffer; the first
 // materials, for which filters are measured (FilterPrecision), also packing, the pack buffer and
-// the read framebuffer. In every mode no vertex array of the renderer stays bound. An active
-// transform feedback, conditional rendering and queries are not touched.
+// the read framebuffer. createEnvironment draws, and so touches both lists. In every mode no vertex
+// array of the renderer stays bound. An active transform feedback, conditional rendering and
+// queries are not touched.
 #pragma once
 #include <fbrdf/brdf/Material.h>
+#include <fbrdf/environment/CubeImage.h>
 #include <fbrdf/gl/Draw.h>
 #include <fbrdf/gl/Hooks.h>
 #include <fbrdf/gl/MaterialOptions.h>
@@ -94,6 +97,20 @@ public:
     /// buffers or are missing, Error(gl) for names that are no buffers.
     std::shared_ptr<GpuMesh> createMesh(const MeshBuffers& mesh);
 
+    /// Prefilters a panorama, by drawing where the context can draw cubes of floats and else on the
+    /// CPU, with a note; one wider than textures may be is made smaller. Throws Error(input) for an
+    /// invalid panorama, Error(usage) for a size that is none, Error(gl) where GL cannot store it.
+    std::shared_ptr<GpuEnvironment> createEnvironment(const Panorama& panorama,
+                                                      const EnvironmentOptions& options = {});
+    /// The same for radiance that is on the GPU already. Throws Error(gl) for a name that is no
+    /// such texture and where GL cannot draw cubes of floats.
+    std::shared_ptr<GpuEnvironment> createEnvironment(const HostEnvironment& source,
+                                                      const EnvironmentOptions& options = {});
+    /// Uploads what prefiltered() has made (Prefilter.h). Throws Error(input) for a cube that is
+    /// none, else as above.
+    std::shared_ptr<GpuEnvironment> createEnvironment(const CubeImage& prefiltered,
+                                                      const EnvironmentOptions& options = {});
+
     /// Throws Error(input) for hooks that do not compile, with the compiler's words.
     std::shared_ptr<GpuHooks> createHooks(const Hooks& hooks);
 
@@ -110,7 +127,8 @@ public:
     /// Builds the programs that draws of the material with these options and this number of lights
     /// will need, and so keeps the first draw from waiting for a compiler. It knows neither mesh
     /// nor target: the programs are those of a plain item (without hooks and normal map, on a mesh
-    /// with tangents) in a linear RGBA32F target. Throws Error(gl).
+    /// with tangents) in a linear RGBA32F target. With an environment it waits for the lobes of a
+    /// material that has none. Throws Error(gl).
     void prepare(const GpuMaterial& material, const DrawOptions& options, int lights);
     /// The same with the hooks and the normal map of an item, and with tangents derived where its
     /// mesh has none.

@@ -24,6 +24,7 @@ struct Capabilities {
     int max3dTextureSize = 256;  ///< texels on a side
     int maxCubeSize = 512;       ///< texels on a side of a face
     bool seamlessCubes = false;  ///< cube maps are filtered across the edges of their faces
+    bool textureLod = false;     ///< GLSL 1.20: fragment shaders may choose the level of a texture
     int maxUniformVectors = 64;  ///< vec4 uniforms of a fragment shader: lights, knots and the rest
     bool coreProfile = false;    ///< fixed-function state does not exist
     bool framebufferObjects = false;
@@ -40,6 +41,9 @@ struct Capabilities {
     bool clipControl = false;     ///< a projection may leave depths in [0, 1] (glClipControl)
     /// Of all textures; empty: the renderer measures it for each kind that it uses.
     std::optional<FilterPrecision> filter = {};
+
+    /// True where a fragment shader can choose the level of a cube map, which environments need.
+    bool choosesLevels() const { return glsl == 120 ? textureLod : glsl != 100; }
 };
 
 }  // namespace fbrdf

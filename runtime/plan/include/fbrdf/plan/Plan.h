@@ -3,7 +3,7 @@
 //
 // A pass draws the object once. For each fragment it computes
 //     [ sum over its lights of E_j cos_j  x ]  sum over its parts of  scale x prod of the part's
-//     factors [ x the texel of another surface at the fragment ]
+//     factors [ x the texel of another surface at the fragment ] [ + lobes of an environment ]
 // and blends it into its surface. p(wo) does not depend on the light, so it leaves the sum:
 // L = s p(wo) sum_j q(h_j) p(wi_j) [n.wi_j] E_j (docs/method.md, Eq. 2 and 6), and `two-lookup`
 // needs N + 1 passes for pqp, never 2 N + N. There is no depth pre-pass: the first pass tests with
@@ -15,6 +15,7 @@
 #pragma once
 #include <fbrdf/brdf/Form.h>
 #include <fbrdf/plan/Capabilities.h>
+#include <fbrdf/plan/Lobes.h>
 #include <fbrdf/plan/Technique.h>
 #include <fbrdf/plan/Transfer.h>
 
@@ -46,7 +47,8 @@ struct Part {
 };
 
 struct Pass {
-    std::vector<Part> parts;             ///< empty: black (no light reaches the object)
+    std::vector<Part> parts;             ///< empty: no light reaches the object
+    LobeShare lobes;                     ///< added to the product
     int firstLight = 0, lightCount = 0;  ///< 0 lights: nothing in the pass depends on the light
     bool lit = false;                    ///< times irradiance and cosine, summed over the lights
     Surface writes = Surface::target;
@@ -85,9 +87,11 @@ struct MapErrors {
 
 struct PlanRequest {
     Technique technique = Technique::single;
-    int lights = 0;         ///< >= 0
-    int lightsPerPass = 8;  ///< where the technique asks for it, >= 1
-    int maxLookups = 0;     ///< in any pass; 0: no limit but the technique's own
+    int lights = 0;                 ///< >= 0
+    int lightsPerPass = 8;          ///< where the technique asks for it, >= 1
+    int maxLookups = 0;             ///< in any pass; 0: no limit but the technique's own
+    LobeLayout environment = {};    ///< drawn with the lights; no lobes: there is none
+    double environmentError = 0.0;  ///< LobeTable::error of those lobes
     ColourFormat target = ColourFormat::rgba32f;
     /// Accumulation and scratch surfaces may be used. A multisampled target cannot have them: its
     /// edges would read texels that nothing was drawn to.
@@ -108,8 +112,9 @@ void validate(const PlanRequest& request);
 ///     |stored - exact| <= relative x max(|exact|, mean / 100) + absolute
 /// before UNORM clamps to 1. mean is that of the lit pixels; below a hundredth of it the rounding
 /// of the cosine dominates, whose absolute error is 1e-7 however small the cosine is. Nothing is
-/// claimed for a material with signs, whose terms may cancel: relative is infinite. The derivation
-/// is in ErrorBound.cpp.
+/// claimed for a material with signs, whose terms may cancel: relative is infinite. Nor does it
+/// include how far lobes are from the material (LobeTable::error) and how coarsely their cube is
+/// filtered. The derivation is in ErrorBound.cpp.
 struct ErrorBound {
     double relative = 0.0, absolute = 0.0;
     MapErrors maps = {};  ///< PlanRequest::maps, which both include
@@ -123,6 +128,8 @@ struct Plan {
     Technique technique = Technique::single;
     Filter filter = Filter::hardware;
     ErrorBound error;
+    /// LobeTable::error of the environment that is drawn: expected, not bounded; 0 without one.
+    double environmentError = 0.0;
     std::string reason;  ///< why there is no plan; empty where there is one
     bool feasible() const { return reason.empty(); }
 };
@@ -134,13 +141,18 @@ constexpr double kCoarsestSum = 1.0 / 8.0;
 /// The error of a plan that draws into a target of a format; `other` counts as RGBA8.
 ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps = {});
 
-/// How many lights fit into the uniforms of one pass beside the knots of the form, at least 1.
-int maxLightsInUniforms(const Form& form, const Capabilities& capabilities);
+/// vec4 uniforms that a pass has for lights and lobes beside the knots of the form; may be
+/// negative.
+int freeUniformVectors(const Form& form, const Capabilities& capabilities);
+/// How many lights fit into the uniforms of one pass beside its lobes, at least 1.
+int maxLightsInUniforms(const Form& form, const Capabilities& capabilities,
+                        const LobeShare& lobes = {});
 
 /// The plan with the fewest passes within the limits, or a reason why there is none. Sums are
 /// RGBA32F where that can be drawn to, else RGBA16F while few enough lights add up for its error
 /// (kCoarsestSum; halves end at 65504), else scaled UNORM where its error is smaller than that of
-/// one pass. Expects a form that validate accepts. Throws what validate throws.
+/// one pass. An environment needs sums in floats or a single pass. Expects a form that validate
+/// accepts. Throws what validate throws.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 
 }  // namespace fbrdf

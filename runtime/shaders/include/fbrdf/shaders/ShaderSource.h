@@ -13,6 +13,9 @@
 //   term t      fbrdfScale<t> (vec3)
 //   surface     fbrdfRead (sampler), fbrdfReadScale (vec2: 1 / size in pixels)
 //   gain        fbrdfGain (float), see Pass
+//   environment fbrdfEnvironment (samplerCube, prefiltered), fbrdfToEnvironment (mat3: from eye
+//               space), fbrdfEnvironmentScale (vec4: intensity, and what is added to a level of a
+//               lobe), fbrdfLobes[] (vec4, see LobeRows.h), of bent ones fbrdfLobeBend (vec2)
 // Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
 #include <fbrdf/brdf/DirectionMap.h>
@@ -50,11 +53,14 @@ struct ProgramSpec {
     /// Lights come from the list of the fragment's cluster (clusters.glsl); the first
     /// fbrdfLightCount lights are in every list. Needs GLSL 1.40.
     bool clustered = false;
+    /// Lobes of an environment are added. GLSL 1.20 then needs GL_ARB_shader_texture_lod, and ES
+    /// 1.00 refuses them.
+    LobeShare lobes = {};
 };
 
 /// The program of a pass. lightSlots is the number of lights rounded up to 1, 8, 64, ..., at most
-/// maxLights (maxLightsInUniforms), so that a changed number of lights seldom needs another
-/// program.
+/// maxLights (maxLightsInUniforms with the lobes of the pass), so that a changed number of lights
+/// seldom needs another program.
 ProgramSpec programSpec(const Pass& pass, int maxLights);
 
 /// Where vertices and tangents come from; the same for both shaders of a program.

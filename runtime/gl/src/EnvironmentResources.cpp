@@ -1,0 +1,166 @@
+#include "EnvironmentResources.h"
+
+#include "UploadGuard.h"
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
+#include <fbrdf/brdf/Half.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf::gl {
+namespace {
+
+constexpr int kUsualSize = 512, kSoftwareSize = 256;
+constexpr float kLargestHalf = 65504.0f;
+
+bool isPowerOfTwo(int value)
+{
+    return value > 0 && (value & (value - 1)) == 0;
+}
+
+GLenum faceOf(size_t face)
+{
+    return GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face);
+}
+
+void uploadHalves(const Functions& gl, GLenum face, GLint level, GLsizei size, const Vec3f* texels,
+                  size_t count)
+{
+    std::vector<uint16_t> words;
+    words.reserve(4 * count);
+    for (size_t i = 0; i < count; ++i) {
+        for (int c = 0; c < 3; ++c)
+            words.push_back(halfFromFloat(std::clamp(texels[i][c], 0.0f, kLargestHalf)));
+        words.push_back(halfFromFloat(1.0f));
+    }
+    gl.TexImage2D(face, level, GL_RGBA16F, size, size, 0, GL_RGBA, GL_HALF_FLOAT, words.data());
+}
+
+void uploadFloats(const Functions& gl, GLenum face, GLint level, GLsizei size, const Vec3f* texels,
+                  size_t count)
+{
+    std::vector<glm::vec4> floats;
+    floats.reserve(count);
+    for (size_t i = 0; i < count; ++i) floats.emplace_back(texels[i], 1.0f);
+    gl.TexImage2D(face, level, GL_RGBA32F, size, size, 0, GL_RGBA, GL_FLOAT, floats.data());
+}
+
+void checkCube(const CubeImage& cube, const EnvironmentFormat& format)
+{
+    const auto fail = [](const std::string& what) {
+        throw Error(ErrorKind::input, "environment", what);
+    };
+    if (cube.size != format.size || cube.levels.size() < static_cast<size_t>(format.levels()))
+        fail(Found(std::to_string(cube.levels.size()) + " levels of a cube of " +
+                   std::to_string(cube.size))
+                 .expected(std::to_string(format.levels()) + " of " + std::to_string(format.size)));
+    for (size_t level = 0; level < static_cast<size_t>(format.levels()); ++level) {
+        const auto side = static_cast<size_t>(cube.sizeOf(level));
+        if (cube.levels[level].size() != 6 * side * side)
+            fail(Found(std::to_string(cube.levels[level].size()) + " texels in level " +
+                       std::to_string(level))
+                     .expected(std::to_string(6 * side * side)));
+    }
+}
+
+}  // namespace
+
+EnvironmentFormat environmentFormat(const Device& device, const EnvironmentOptions& options)
+{
+    const Capabilities& c = device.capabilities;
+    const int usual = std::min(c.softwareSampling ? kSoftwareSize : kUsualSize, c.maxCubeSize);
+    const EnvironmentFormat format{options.size == 0 ? usual : options.size, options.floats};
+    if (!isPowerOfTwo(format.size) || format.size < kSmallestFace)
+        throw Error(ErrorKind::usage, "environment",
+                    Found(std::to_string(format.size) + " texels on a side of a face")
+                        .expected("a power of two from " + std::to_string(kSmallestFace) + " on"));
+    if (format.size > c.maxCubeSize)
+        throw Error(ErrorKind::gl, "environment",
+                    Found(std::to_string(format.size) + " texels on a side of a face")
+                        .expected("at most " + std::to_string(c.maxCubeSize)));
+    if (options.floats && device.gl.es != 0 &&
+        !device.gl.hasExtension("GL_OES_texture_float_linear"))
+        throw Error(ErrorKind::gl, "environment",
+                    Found("float textures that are not filtered").expected("filtered ones"));
+    if (device.gl.es != 0 && device.gl.es < 30)
+        throw Error(ErrorKind::gl, "environment", Found("OpenGL ES 2.0").expected("3.0 or newer"));
+    if (!c.floatTextures)
+        throw Error(ErrorKind::gl, "environment",
+                    Found("a context without half float textures").expected("them"));
+    return format;
+}
+
+void allocateCube(const Functions& gl, int size, int levels, bool floats)
+{
+    const auto set = [&gl](GLenum name, GLint value) {
+        gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, value);
+    };
+    set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    set(GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    set(GL_TEXTURE_MAX_LEVEL, levels - 1);
+    for (int level = 0; level < levels; ++level)
+        for (size_t face = 0; face < 6; ++face)
+            gl.TexImage2D(faceOf(face), level, floats ? GL_RGBA32F : GL_RGBA16F, size >> level,
+                          size >> level, 0, GL_RGBA, floats ? GL_FLOAT : GL_HALF_FLOAT, nullptr);
+}
+
+EnvironmentResources::EnvironmentResources(DevicePtr device, const CubeImage& prefiltered,
+                                           const EnvironmentFormat& format, std::string whyNotOnGpu)
+    : device_(std::move(device)), format_(format), whyNotOnGpu_(std::move(whyNotOnGpu))
+{
+    checkCube(prefiltered, format);
+    const UploadGuard guard(*device_);
+    cube_ = createObject(device_, ObjectKind::texture);
+    device_->gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube_.name());
+    allocateCube(device_->gl, format.size, format.levels(), format.floats);
+    for (int level = 0; level < format.levels(); ++level) {
+        const GLsizei side = format.size >> level;
+        const size_t count = static_cast<size_t>(side) * static_cast<size_t>(side);
+        const auto& texels = prefiltered.levels[static_cast<size_t>(level)];
+        for (size_t face = 0; face < 6; ++face)
+            (format.floats ? uploadFloats : uploadHalves)(device_->gl, faceOf(face), level, side,
+                                                          texels.data() + face * count, count);
+    }
+    label(*device_, ObjectKind::texture, cube_, "environment");
+    checkErrors(*device_, "environment");
+}
+
+EnvironmentResources::EnvironmentResources(DevicePtr device, Object cube,
+                                           const EnvironmentFormat& format)
+    : device_(std::move(device)), format_(format), cube_(std::move(cube))
+{
+}
+
+int GpuEnvironment::size() const
+{
+    return resources_->size();
+}
+
+int GpuEnvironment::levels() const
+{
+    return resources_->levels();
+}
+
+uint32_t GpuEnvironment::texture() const
+{
+    return resources_->texture();
+}
+
+const std::string& GpuEnvironment::whyNotOnGpu() const
+{
+    return resources_->whyNotOnGpu();
+}
+
+glm::mat3 environmentRotation(float angle)
+{
+    const float c = std::cos(angle), s = std::sin(angle);
+    // Columns: where x, y and z of the environment go.
+    return {c, 0.0f, -s, 0.0f, 1.0f, 0.0f, s, 0.0f, c};
+}
+
+}  // namespace fbrdf::gl

@@ -1,0 +1,253 @@
+// Plans with an environment: the lobes are added once, whatever the lights need.
+#include <fbrdf/base/Error.h>
+
+#include <gtest/gtest.h>
+
+#include "PlanForms.h"
+#include "PlanRequests.h"
+#include "PlanSimulator.h"
+
+#include <algorithm>
+
+namespace fbrdf {
+namespace {
+
+struct LobeCase {
+    Form form;
+    PlanRequest request;
+};
+
+std::string describeLobes(const LobeCase& c)
+{
+    return c.form.name + ", " + techniqueName(c.request.technique) + ", " +
+           std::to_string(c.request.lights) + " lights, " +
+           std::to_string(c.request.environment.lobes) + " lobes, at most " +
+           std::to_string(c.request.maxLookups) + " look-ups, " +
+           colourFormatName(c.request.target) + (c.request.offscreen ? "" : ", no offscreen") +
+           (isCurved(c.request.transfer) ? ", curved" : "");
+}
+
+template <class Check>
+void forEachLobeCase(Check check)
+{
+    for (const Form& form : allForms())
+        for (const Technique t : allTechniques())
+            for (const int lights : {0, 1, 2, 9})
+                for (const int lookups : {0, 1, 2, 3, 4, 20})
+                    for (const ColourFormat target :
+                         {ColourFormat::rgba32f, ColourFormat::rgba8, ColourFormat::rgba16f})
+                        for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
+                            for (const bool offscreen : {true, false})
+                                for (const LobeLayout& lobes : {tiltedLobes(1), tiltedLobes(2),
+                                                                tiltedLobes(3), bentLobes(5)}) {
+                                    PlanRequest request;
+                                    request.technique = t;
+                                    request.lights = lights;
+                                    request.lightsPerPass = 2;
+                                    request.maxLookups = lookups;
+                                    request.target = target;
+                                    request.transfer = transfer;
+                                    request.offscreen = offscreen;
+                                    request.environment = lobes;
+                                    check(LobeCase{form, request});
+                                }
+}
+
+int lobeLimitOf(const PlanRequest& request)
+{
+    constexpr int kNone = 1 << 30;
+    const int own = request.technique == Technique::twoLookup ? 2 : kNone;
+    return std::min(own, request.maxLookups > 0 ? request.maxLookups : kNone);
+}
+
+TEST(LobePlan, DrawsTheDefinitionInEveryCase)
+{
+    int feasible = 0;
+    forEachLobeCase([&feasible](const LobeCase& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        ASSERT_TRUE(plan.feasible() || !c.request.offscreen) << describeLobes(c) << plan.reason;
+        if (!plan.feasible()) return;
+        ++feasible;
+        auto nearer =
+                 simulatedFragment(c.form, c.request.lights, 0.3, 1, c.request.environment.lobes),
+             farther =
+                 simulatedFragment(c.form, c.request.lights, 0.6, 2, c.request.environment.lobes);
+        if (isCurved(c.request.transfer)) {
+            for (double& e : nearer.irradiance) e *= 1e-3;
+            for (double& lobe : nearer.lobes) lobe *= 1e-2;  // below white
+        }
+        const double radiance = expectedValue(c.form, nearer),
+                     expected = transferred(c.request.transfer, 1.0, radiance);
+        const SimulatedPixel pixel = simulate(plan, {farther, nearer}, {123.0, 1.0});
+        ASSERT_NEAR(pixel.value, expected, 1e-9 * expected) << describeLobes(c);
+        ASSERT_EQ(pixel.depth, 0.3) << describeLobes(c);
+        const SimulatedPixel hidden = simulate(plan, {farther, nearer}, {123.0, 0.2});
+        ASSERT_EQ(hidden.value, 123.0) << describeLobes(c);
+    });
+    EXPECT_GT(feasible, 1000);
+}
+
+TEST(LobePlan, StaysWithinItsLimits)
+{
+    forEachLobeCase([](const LobeCase& c) {
+        const Plan plan = planPasses(c.form, c.request, modern());
+        for (const Pass& pass : plan.passes) {
+            ASSERT_LE(pass.lookups, lobeLimitOf(c.request)) << describeLobes(c);
+            ASSERT_TRUE(c.request.offscreen || pass.writes == Surface::target);
+            // A batch is scissored to its lights; lobes reach every fragment.
+            ASSERT_FALSE(c.request.technique == Technique::batched && pass.lit &&
+                         !pass.lobes.isEmpty());
+            ASSERT_FALSE(pass.blend == Blend::multiply && !pass.lobes.isEmpty());
+        }
+    });
+}
+
+TEST(LobePlan, IsTwoLookupsForOneLobeAndTwoPassesForThree)
+{
+    for (const int lights : {0, 3})
+        for (const int lobes : {1, 2, 3}) {
+            PlanRequest request = twoLookup(lights);
+            request.environment = tiltedLobes(lobes);
+            const Plan plan = planPasses(formHdio({8, 8, 8}), request, modern());
+            const size_t own = lobes == 1 ? 1 : 2;
+            ASSERT_EQ(plan.passes.size(), static_cast<size_t>(lights) + own) << lobes;
+            EXPECT_EQ(plan.maxLookups, 2);
+            const Pass& first = plan.passes[static_cast<size_t>(lights)];
+            EXPECT_TRUE(first.lobes.cosine);
+            EXPECT_EQ(first.lobes.count, 1);
+            request.maxLookups = 1;
+            request.lights = 0;
+            EXPECT_EQ(planPasses(formHdio({8, 8, 8}), request, modern()).passes.size(),
+                      static_cast<size_t>(lobes + 1));
+        }
+}
+
+TEST(LobePlan, IsOnePassWithTheLightsWhenSingle)
+{
+    for (const Form& form : allForms())
+        for (const int lights : {0, 1, 64}) {
+            PlanRequest request;
+            request.lights = lights;
+            request.environment = tiltedLobes(3);
+            for (const ColourFormat target : {ColourFormat::rgba32f, ColourFormat::rgba8}) {
+                request.target = target;
+                const Plan plan = planPasses(form, request, modern());
+                ASSERT_EQ(plan.passes.size(), 1u) << form.name;
+                EXPECT_EQ(plan.passes[0].writes, Surface::target);
+                EXPECT_EQ(plan.passes[0].lobes.lookups(), 4);
+            }
+        }
+}
+
+TEST(LobePlan, TakesPassesOfItsOwnAfterBatches)
+{
+    PlanRequest request;
+    request.technique = Technique::batched;
+    request.lights = 20;
+    request.environment = tiltedLobes(3);
+    const Plan plan = planPasses(formPqp(8, 1.0), request, modern());
+    ASSERT_EQ(plan.passes.size(), 4u);
+    EXPECT_EQ(plan.passes.back().lobes.lookups(), 4);
+    request.maxLookups = 8;
+    const Plan limited = planPasses(formPqp(8, 1.0), request, modern());
+    EXPECT_EQ(limited.passes.back().lobes.lookups(), 4);
+}
+
+TEST(LobePlan, SharesUniformsWithTheLights)
+{
+    Capabilities small = modern();
+    small.maxUniformVectors = 256;
+    const Form form = formPqp(8, 1.0);
+    PlanRequest request;
+    request.lights = 30;
+    request.environment = tiltedLobes(3);  // 24 x 5 vectors
+    const Plan beside = planPasses(form, request, small);
+    ASSERT_EQ(beside.passes.size(), 1u);
+    const LobeShare& share = beside.passes[0].lobes;
+    EXPECT_EQ(share.vectors(), 120);
+    EXPECT_LT(maxLightsInUniforms(form, small, share), maxLightsInUniforms(form, small));
+    EXPECT_GE(maxLightsInUniforms(form, small, share), 30);
+    request.lights = 70;
+    EXPECT_EQ(planPasses(form, request, small).passes.size(), 2u);
+    request.environment = bentLobes(7);  // 84 x 8 vectors in one pass
+    const Plan bent = planPasses(form, request, small);
+    ASSERT_TRUE(bent.feasible()) << bent.reason;
+    int lobes = 0;
+    for (const Pass& pass : bent.passes) {
+        EXPECT_LE(3 * pass.lightCount + pass.lobes.vectors(), freeUniformVectors(form, small));
+        lobes += pass.lobes.count;
+    }
+    EXPECT_EQ(lobes, 7);
+    small.maxUniformVectors = 64;
+    const Plan none = planPasses(form, request, small);
+    EXPECT_FALSE(none.feasible());
+    EXPECT_NE(none.reason.find("84 knots"), std::string::npos) << none.reason;
+}
+
+TEST(LobePlan, SaysWhyThereIsNone)
+{
+    PlanRequest request = twoLookup(2);
+    request.environment = tiltedLobes(2);
+    Capabilities old = modern();
+    old.glsl = 120;
+    EXPECT_NE(planPasses(formPqp(8, 1.0), request, old).reason.find("GL_ARB_shader_texture_lod"),
+              std::string::npos);
+    old.textureLod = true;
+    EXPECT_TRUE(planPasses(formPqp(8, 1.0), request, old).feasible());
+    old.glsl = 100;
+    EXPECT_NE(planPasses(formPqp(8, 1.0), request, old).reason.find("ES 1.00"), std::string::npos);
+    // Where no float can be drawn to, one pass is drawn and several are not.
+    Capabilities bytes = modern();
+    bytes.floatTargets = false;
+    request.target = ColourFormat::rgba8;
+    request.lights = 0;
+    EXPECT_NE(planPasses(formPqp(8, 1.0), request, bytes).reason.find("float surfaces"),
+              std::string::npos);
+    request.technique = Technique::single;
+    request.lights = 2;
+    EXPECT_TRUE(planPasses(formPqp(8, 1.0), request, bytes).feasible());
+    request.environment.thetas = 0;
+    EXPECT_THROW(planPasses(formPqp(8, 1.0), request, modern()), Error);
+}
+
+TEST(LobePlan, StatesTheErrorOfTheLobesThatAreDrawn)
+{
+    PlanRequest request = twoLookup(2);
+    request.environmentError = 0.04;
+    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).environmentError, 0.0);
+    request.environment = tiltedLobes(2);
+    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).environmentError, 0.04);
+    request.environmentError = -1.0;
+    EXPECT_THROW(planPasses(formPqp(8, 1.0), request, modern()), Error);
+}
+
+TEST(LobePlan, FewerLobesKeepTheEnergy)
+{
+    LobeTable table;
+    table.thetas = 2;
+    table.knots.resize(2);
+    for (int axes = 0; axes < 2; ++axes) {
+        table.axes = axes ? LobeAxes::bent : LobeAxes::tilted;
+        table.lobes = axes ? 7 : 3;
+        for (size_t i = 0; i < 2; ++i)
+            for (size_t k = 0; k < static_cast<size_t>(table.lobes); ++k)
+                table.knots[i].lobes[k] = {Vec3f(static_cast<float>(1 + k + i)),
+                                           static_cast<float>(k) * 0.5f, 0.0f};
+        for (int lobes = 1; lobes <= table.lobes; ++lobes) {
+            const LobeTable fewer = withFewerLobes(table, lobes);
+            EXPECT_NO_THROW(validate(fewer, "fewer"));
+            EXPECT_EQ(fewer.lobes, axes && lobes % 2 == 0 ? lobes - 1 : lobes);
+            for (size_t i = 0; i < 2; ++i) {
+                float all = 0.0f, kept = 0.0f;
+                for (const Lobe& lobe : table.knots[i].lobes) all += lobe.weight.x;
+                for (const Lobe& lobe : fewer.knots[i].lobes) kept += lobe.weight.x;
+                EXPECT_EQ(kept, all);
+            }
+        }
+    }
+    // The middle one of seven bent lobes, with all the others' energy.
+    EXPECT_EQ(withFewerLobes(table, 1).knots[0].lobes[0].level, 1.5f);
+}
+
+}  // namespace
+}  // namespace fbrdf
