@@ -47,6 +47,8 @@ void addCommands(CLI::App& app, fbrdf::tool::Action& action)
     addFormsCommand(app, action);
     addGlslCommand(app, action);
     addPlanSamplesCommand(app, action);
+    addSampleCommand(app, action);
+    addPdfCommand(app, action);
     addLearnPriorCommand(app, action);
 }
 

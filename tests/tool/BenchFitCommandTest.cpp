@@ -20,6 +20,40 @@ ToolRun bench(std::vector<std::string> arguments)
     return runTool(arguments);
 }
 
+TEST(BenchFitCommand, ComparesLobesWithTheSplitSum)
+{
+    const TemporaryDir folder;
+    writeText(folder.file("sky.hdr"), smallSky());
+    writeText(folder.file("notes.txt"), "no environment");
+    const std::vector<std::string> command{
+        "bench-fit", "--environment",       folder.file("."), "--environment-size",
+        "8",         "ggx:alpha=0.4,kd=0.2"};
+    auto asJson = command;
+    asJson.push_back("--json");
+    const auto json = jsonFrom(runTool(asJson));
+    EXPECT_EQ(json["environments"], std::vector<std::string>{"sky"});
+    const auto ways = json["materials"][0]["ways"];
+    ASSERT_EQ(ways.size(), 4u);
+    EXPECT_EQ(ways[0]["name"], "split sum");
+    for (size_t k = 1; k < 4; ++k) {
+        EXPECT_EQ(ways[k]["name"], "K = " + std::to_string(k));
+        EXPECT_GT(ways[k]["mean"].get<double>(), 35.0);
+        EXPECT_GE(ways[k]["mean"].get<double>(), ways[k]["worst"].get<double>());
+    }
+    const ToolRun text = runTool(command);
+    EXPECT_EQ(text.code, 0);
+    EXPECT_NE(text.out.find("smallest lead over the split sum"), std::string::npos) << text.out;
+}
+
+TEST(BenchFitCommand, EnvironmentsHaveToBeThere)
+{
+    const TemporaryDir folder;
+    expectError(runTool({"bench-fit", "--environment", folder.file("."), "lambert"}), 3,
+                "expected a folder of .exr or .hdr files");
+    expectError(runTool({"bench-fit", "--environment", folder.file("none"), "lambert"}), 3,
+                "no such folder");
+}
+
 TEST(BenchFitCommand, ComparesFormsAndPeersOnAFunction)
 {
     const TemporaryDir folder;

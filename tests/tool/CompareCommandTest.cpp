@@ -28,6 +28,20 @@ TEST(CompareCommand, AFunctionAgainstItselfHasNoError)
     EXPECT_EQ(json["samples"]["used"], 65536);
 }
 
+TEST(CompareCommand, LightsFromAnEnvironment)
+{
+    const TemporaryDir folder;
+    writeText(folder.file("sky.hdr"), smallSky());
+    const auto psnr = [&](const std::string& tested) {
+        return jsonFrom(runTool({"compare", tested, "lambert:albedo=0.5", "--environment",
+                                 folder.file("sky.hdr"), "--environment-size", "8",
+                                 "--json"}))["environment"]["psnr"]
+            .get<double>();
+    };
+    EXPECT_GT(psnr("lambert:albedo=0.5"), 40.0);
+    EXPECT_LT(psnr("lambert:albedo=0.25"), 20.0);
+}
+
 TEST(CompareCommand, TwiceAsBrightIsAKnownError)
 {
     const auto errors = jsonFrom(

@@ -6,6 +6,7 @@
 #include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -22,6 +23,14 @@ std::vector<std::string> with(std::vector<std::string> arguments,
 class FitCommand : public testing::Test {
 protected:
     void SetUp() override { writeText(csv, samplesCsv(400)); }
+
+    std::vector<std::string> fitWithLobes(const std::string& lobes) const
+    {
+        auto arguments = with(quickFit(csv, output), {"--json"});
+        // The quick fit has none.
+        *(std::find(arguments.begin(), arguments.end(), "--environment-lobes") + 1) = lobes;
+        return arguments;
+    }
 
     TemporaryDir folder;
     const std::string csv = folder.file("glossy.csv"), output = folder.file("out.fbrdf");
@@ -44,6 +53,30 @@ TEST_F(FitCommand, WritesAMaterialAndPrintsOneObject)
             EXPECT_TRUE(json["errors"][set][name].is_number()) << set << " " << name;
     EXPECT_EQ(json["errors"]["all"]["log_median_rgb"].size(), 3u);
     EXPECT_EQ(json["bytes"].get<size_t>(), materialBytes(readMaterial(output)));
+}
+
+TEST_F(FitCommand, StoresTheLobesThatWereAskedFor)
+{
+    for (const int lobes : {0, 1, 2}) {
+        const auto json = jsonFrom(runTool(fitWithLobes(std::to_string(lobes))));
+        const LobeTable table = readMaterial(output).lobes;
+        EXPECT_EQ(table.isEmpty(), lobes == 0);
+        EXPECT_EQ(json["lobes"].is_null(), lobes == 0);
+        EXPECT_LE(table.lobes, lobes);
+        const auto info = jsonFrom(runTool({"info", output, "--json"}));
+        EXPECT_EQ(info["lobes"], json["lobes"]);
+        if (lobes == 0) continue;
+        EXPECT_EQ(json["lobes"]["knots"], 24);
+        EXPECT_LT(json["lobes"]["error"].get<double>(), 0.1);
+        // White furnace: what the table reflects is what the material does.
+        const LobeKnot& knot = table.knots[0];
+        double sum = double(knot.cosine.y);
+        for (size_t k = 0; k < static_cast<size_t>(table.lobes); ++k)
+            sum += double(knot.lobes[k].weight.y);
+        const double albedo = info["directional_albedo"][0]["rgb"][1].get<double>();
+        EXPECT_NEAR(sum, albedo, 0.005 * albedo);
+    }
+    expectError(runTool(fitWithLobes("4")), 2, "--environment-lobes");
 }
 
 // The form can express this gloss exactly; 400 samples determine it to a few per cent.

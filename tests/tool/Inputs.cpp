@@ -90,8 +90,29 @@ Material smallMaterial(const std::string& form)
 
 std::vector<std::string> quickFit(const std::string& source, const std::string& output)
 {
-    return {"fit",          source, "-o",           output,  "--form", "hdio",
-            "--resolution", "16",   "--smoothness", "0.001", "--plain"};
+    return {"fit",
+            source,
+            "-o",
+            output,
+            "--form",
+            "hdio",
+            "--resolution",
+            "16",
+            "--smoothness",
+            "0.001",
+            "--plain",
+            "--environment-lobes",
+            "0"};
+}
+
+std::string smallSky()
+{
+    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 8; ++x)
+            for (const int byte : {200 - 40 * y, 180 - 30 * y, 150, 129})
+                bytes += static_cast<char>(byte);
+    return bytes;
 }
 
 std::vector<double> numbersOf(const std::string& line)

@@ -29,6 +29,9 @@ Material smallMaterial(const std::string& form);
 /// Options that make a fit of `glossy` quick: a fixed small form and strength.
 std::vector<std::string> quickFit(const std::string& source, const std::string& output);
 
+/// The bytes of a Radiance picture of 8 x 4 texels that is brighter above.
+std::string smallSky();
+
 /// Numbers of the fields of a CSV line.
 std::vector<double> numbersOf(const std::string& line);
 

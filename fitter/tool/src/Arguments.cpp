@@ -78,6 +78,13 @@ void addCosine(CLI::App& command, SourceOptions& options)
                      "the values of a CSV file include cos(theta_o): divide it out");
 }
 
+void addLobes(CLI::App& command, LobeFitOptions& options)
+{
+    addInteger(command, "--environment-lobes", options.lobes, 0, kMostTiltedLobes,
+               "lobes for light from environments (2); 0: none are stored")
+        ->type_name("K");
+}
+
 void addFitOptions(CLI::App& command, FitOptions& options)
 {
     command

@@ -1,5 +1,6 @@
 // Arguments.h - options whose bad values are reported as "--name: found X, expected Y".
 #pragma once
+#include <fbrdf/environment/LobeFit.h>
 #include <fbrdf/fit/Fit.h>
 #include <fbrdf/sources/OpenSource.h>
 
@@ -32,6 +33,8 @@ std::optional<double> smoothnessFromText(const std::string& text);
 void addThreads(CLI::App& command, int& threads);
 /// Adds --cosine.
 void addCosine(CLI::App& command, SourceOptions& options);
+/// Adds --environment-lobes.
+void addLobes(CLI::App& command, LobeFitOptions& options);
 /// Adds --storage, --metric, --plain, --smoothness, --seed and --threads, which mean the same for
 /// every form.
 void addFitTuning(CLI::App& command, FitOptions& options);

@@ -21,6 +21,8 @@ void addModelsCommand(CLI::App& app, Action& action);
 void addFormsCommand(CLI::App& app, Action& action);
 void addGlslCommand(CLI::App& app, Action& action);
 void addPlanSamplesCommand(CLI::App& app, Action& action);
+void addSampleCommand(CLI::App& app, Action& action);
+void addPdfCommand(CLI::App& app, Action& action);
 void addLearnPriorCommand(CLI::App& app, Action& action);
 
 }  // namespace fbrdf::tool

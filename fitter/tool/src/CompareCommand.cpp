@@ -11,10 +11,15 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/codecs/PanoramaFile.h>
+#include <fbrdf/environment/Sky.h>
 #include <fbrdf/fit/NoiseFloor.h>
+#include <fbrdf/metrics/EnvironmentSphere.h>
 #include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/sources/OpenSource.h>
 #include <fmt/format.h>
+
+#include <optional>
 
 namespace fbrdf::tool {
 namespace {
@@ -22,6 +27,8 @@ namespace {
 struct CompareCommand {
     std::string tested, reference;
     SourceOptions sourceOptions;
+    std::string environment;   ///< a file, or the name of a built-in one; empty: not asked for
+    int environmentSize = 64;  ///< pixels across the sphere
     bool json = false;
     int threads = 0;
 };
@@ -36,6 +43,7 @@ struct ReferenceSet {
 struct Comparison {
     ReferenceSet set;
     ErrorMap onSamples, ofScene;
+    std::optional<double> environmentPsnr;
 };
 
 ReferenceSet referenceSet(const Reflectance& reference, int threads)
@@ -70,12 +78,43 @@ Comparison compare(const Reflectance& tested, const Reflectance& reference, int 
     return result;
 }
 
+// The tested one is drawn as a renderer draws it, by its lobes; the reference is the sum over
+// texels.
+double environmentPsnr(const CompareCommand& command, const Reflectance& tested,
+                       const Reflectance& reference, Progress& progress)
+{
+    const std::string& name = command.environment;
+    progress.phase("lighting from " + name);
+    const Panorama panorama =
+        isProceduralEnvironment(name) ? proceduralEnvironment(name) : readPanorama(name);
+    const EnvironmentSphere sphere({panorama}, command.environmentSize,
+                                   EnvironmentSphere::cubeSizeFor(command.environmentSize),
+                                   command.threads);
+    const auto lit = sphere.lit(lobesOf(tested, command.threads));
+    return sphere.psnr(lit.front(), sphere.truth(reference.brdf).front(), 0);
+}
+
+Json environmentJson(const CompareCommand& command, const Comparison& result)
+{
+    if (!result.environmentPsnr) return nullptr;
+    return {{"name", command.environment}, {"psnr", jsonOf(*result.environmentPsnr)}};
+}
+
+std::string environmentText(const CompareCommand& command, const Comparison& result)
+{
+    if (!result.environmentPsnr) return "";
+    return fmt::format(
+        "  light from {}\n    psnr  {:.4g}  dB, of its lobes against the sum over texels\n",
+        command.environment, *result.environmentPsnr);
+}
+
 Json comparisonJson(const CompareCommand& command, const Comparison& result)
 {
     ErrorMap errors = result.onSamples;
     errors.insert(result.ofScene.begin(), result.ofScene.end());
     return {{"tested", command.tested},
             {"reference", command.reference},
+            {"environment", environmentJson(command, result)},
             {"samples",
              {{"set", result.set.own ? "own" : "uniform"},
               {"used", result.set.samples.size()},
@@ -102,7 +141,8 @@ std::string comparisonText(const CompareCommand& command, const Comparison& resu
                                                      {"reference", command.reference},
                                                      {"samples", setText(result.set)}}) +
            "  errors on samples\n" + errorTable({result.onSamples}, {}) +
-           "  pictures and physics\n" + errorTable({result.ofScene}, {});
+           "  pictures and physics\n" + errorTable({result.ofScene}, {}) +
+           environmentText(command, result);
 }
 
 int run(const CompareCommand& command)
@@ -114,7 +154,11 @@ int run(const CompareCommand& command)
     requireFunction(tested, command.tested);
     const Reflectance reference =
         openReflectance(command.reference, command.sourceOptions, Precision::shader);
-    const Comparison result = compare(tested, reference, command.threads, progress);
+    Comparison result = compare(tested, reference, command.threads, progress);
+    if (!command.environment.empty()) {
+        requireFunction(reference, command.reference);
+        result.environmentPsnr = environmentPsnr(command, tested, reference, progress);
+    }
     progress.clear();
     writeOut(command.json ? text(comparisonJson(command, result))
                           : comparisonText(command, result));
@@ -130,6 +174,13 @@ void addCompareCommand(CLI::App& app, Action& action)
     sub->add_option("A", command->tested, "material, file with values everywhere, or model")
         ->required();
     sub->add_option("B", command->reference, "reference: material, file or model")->required();
+    sub->add_option("--environment", command->environment,
+                    "also under light from everywhere: a panorama, or " +
+                        fmt::format("{}", fmt::join(proceduralEnvironments(), ", ")))
+        ->type_name("FILE|NAME");
+    addInteger(*sub, "--environment-size", command->environmentSize, 8, 512,
+               "pixels across the sphere of --environment (64)")
+        ->type_name("N");
     sub->add_flag("--json", command->json, "print one JSON object");
     addCosine(*sub, command->sourceOptions);
     addThreads(*sub, command->threads);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <exception>
+#include <iterator>
 #include <mutex>
 
 namespace fbrdf::tool {
@@ -111,6 +112,8 @@ private:
             const Vec3d f = request_.brdf(pair.wo, pair.wi);
             if (request_.style == RowStyle::csv)
                 appendCsv(f, out);
+            else if (request_.style == RowStyle::number)
+                fmt::format_to(std::back_inserter(out), FMT_COMPILE("{:.9g}\n"), f.x);
             else
                 appendJson(f, out);
         }

@@ -11,8 +11,9 @@
 namespace fbrdf::tool {
 
 enum class RowStyle {
-    csv,   ///< r,g,b
-    json,  ///< [r,g,b] with ",\n" between rows; a number that is not finite is null
+    csv,     ///< r,g,b
+    number,  ///< r alone
+    json,    ///< [r,g,b] with ",\n" between rows; a number that is not finite is null
 };
 
 struct EvalRequest {

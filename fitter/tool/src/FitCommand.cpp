@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "FitJob.h"
 #include "FitReport.h"
+#include "LobeInfo.h"
 #include "Output.h"
 #include "Ranks.h"
 #include "TextTable.h"
@@ -151,6 +152,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"seconds",
              {{"read", outcome.times.read},
               {"fit", outcome.times.fit},
+              {"lobes", outcome.times.lobes},
               {"measure", outcome.times.measure},
               {"write", writeSeconds}}},
             {"samples", samplesJson(outcome)},
@@ -166,6 +168,7 @@ Json summaryJson(const FitCommand& command, const FitOutcome& outcome, double wr
             {"tilt_degrees", tiltJson(outcome.summary)},
             {"coverage", coverageJson(outcome.summary)},
             {"unsupported_texels", unsupportedTexels(material)},
+            {"lobes", lobesJson(material.lobes)},
             {"reason", outcome.summary.reason},
             {"trials", trialsJson(outcome.summary)}};
 }
@@ -272,8 +275,11 @@ std::string summaryText(const FitCommand& command, const FitOutcome& outcome, do
                 {"prior", priorText(outcome.summary)},
                 {"solver", outcome.summary.solver.text()},
                 {"energy", energyText(command, outcome.summary)},
-                {"seconds", fmt::format("read {:.2f}, fit {:.2f}, measure {:.2f}, write {:.2f}",
-                                        times.read, times.fit, times.measure, writeSeconds)}}) +
+                {"environments", lobesText(material.lobes)},
+                {"seconds",
+                 fmt::format("read {:.2f}, fit {:.2f}, lobes {:.2f}, measure {:.2f}, "
+                             "write {:.2f}",
+                             times.read, times.fit, times.lobes, times.measure, writeSeconds)}}) +
            misfitText(outcome.summary) + errorsText(outcome) + trialsText(outcome.summary);
 }
 
@@ -317,6 +323,7 @@ void addFitCommand(CLI::App& app, Action& action)
     addFitOptions(*sub, command->job.fit);
     sub->add_option("--report", command->report, "self-contained HTML page about the fit")
         ->type_name("R.html");
+    addLobes(*sub, command->job.lobes);
     addCosine(*sub, command->job.sourceOptions);
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");

@@ -62,6 +62,13 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
     addErrors(material, "", errorMap(outcome.scene));
 }
 
+LobeFitOptions lobesOf(const FitJob& job)
+{
+    LobeFitOptions options = job.lobes;
+    options.threads = job.fit.threads;
+    return options;
+}
+
 }  // namespace
 
 FitOutcome runFitJob(const FitJob& job, Progress& progress)
@@ -77,8 +84,13 @@ FitOutcome runFitJob(const FitJob& job, Progress& progress)
     FitResult result = fitMaterial(outcome.source, job.fit);
     outcome.times.read += result.summary.readSeconds;
     outcome.times.fit = watch.lap() - result.summary.readSeconds;
-    progress.phase("measuring " + outcome.source.name);
     const auto material = std::make_shared<Material>(std::move(result.material));
+    if (job.lobes.lobes > 0 && job.fit.ranks.rank == 0) {
+        progress.phase("fitting lobes of " + outcome.source.name);
+        material->lobes = fitLobes(*material, lobesOf(job));
+    }
+    outcome.times.lobes = watch.lap();
+    progress.phase("measuring " + outcome.source.name);
     outcome.summary = std::move(result.summary);
     outcome.heldOut = errorMap(outcome.summary.heldOut);
     outcome.all = errorMap(outcome.summary.all);
@@ -130,14 +142,17 @@ std::string optionsNote(const FitJob& job)
     const FitOptions& fit = job.fit;
     return fmt::format(
         "form={} resolution={} max-bytes={} lookups={} terms={} storage={} metric={} robust={} "
-        "smoothness={} seed={} cosine={}{}{}{}{}{}",
+        "smoothness={} seed={} cosine={}{}{}{}{}{}{}",
         fit.formData ? formKey(*fit.formData) : fit.form, fit.resolution, fit.maxBytes, fit.lookups,
         fit.terms, storageName(fit.storage), metricName(fit.metric), fit.robust,
         fit.smoothness ? fmt::format("{}", *fit.smoothness) : "auto", fit.seed,
         job.sourceOptions.cosine, fit.sharedShape ? " shared" : "", fit.conserve ? " conserve" : "",
         fit.straightens ? "" : " as-mounted",
         isSearched(fit) ? fmt::format(" seconds={}", fit.seconds) : "",
-        fit.usePrior ? (fit.prior ? " prior=file" : "") : " prior=none");
+        fit.usePrior ? (fit.prior ? " prior=file" : "") : " prior=none",
+        job.lobes.lobes == LobeFitOptions{}.lobes
+            ? ""
+            : fmt::format(" environment-lobes={}", job.lobes.lobes));
 }
 
 std::string generatorNote()

@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "Scene.h"
 
+#include <fbrdf/environment/LobeFit.h>
 #include <fbrdf/fit/Fit.h>
 #include <fbrdf/sources/OpenSource.h>
 
@@ -17,11 +18,12 @@ struct FitJob {
     std::string source;  ///< as on the command line
     SourceOptions sourceOptions;
     FitOptions fit;
+    LobeFitOptions lobes;  ///< for light from environments; 0 lobes: none are fitted
 };
 
 /// Seconds of each phase.
 struct FitTimes {
-    double read = 0.0, fit = 0.0, measure = 0.0;
+    double read = 0.0, fit = 0.0, lobes = 0.0, measure = 0.0;
 };
 
 struct FitOutcome {

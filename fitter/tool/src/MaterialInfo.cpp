@@ -1,6 +1,7 @@
 #include "MaterialInfo.h"
 
 #include "FitJob.h"
+#include "LobeInfo.h"
 #include "TextTable.h"
 
 #include <fbrdf/base/Assert.h>
@@ -169,6 +170,7 @@ Json jsonOf(const MaterialInfo& info)
             {"colorspace", "lin_rec709"},
             {"tables", tables},
             {"scales", scales},
+            {"lobes", lobesJson(material.lobes)},
             {"reciprocity", jsonOf(info.reciprocity)},
             {"directional_albedo", jsonOf(info.albedo)},
             {"errors", errorsJson(material)},
@@ -187,6 +189,7 @@ std::string textOf(const MaterialInfo& info)
                              " look-ups a light"},
                 {"size", withSeparators(materialBytes(material)) + " bytes"},
                 {"scale", scalesText(material) + "  (1/sr, linear Rec. 709)"},
+                {"environments", lobesText(material.lobes)},
                 {"reciprocity",
                  fmt::format("{:.2g}  (median |ln f(a, b) / f(b, a)|)", info.reciprocity)}}) +
            "  tables\n" + tablesText(material) + textOf(info.albedo) + errorsText(material) +

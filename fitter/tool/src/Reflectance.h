@@ -26,6 +26,12 @@ Reflectance openReflectance(const std::string& spec, const SourceOptions& option
 /// Throws Error(input) when `reflectance` knows only scattered samples.
 void requireFunction(const Reflectance& reflectance, const std::string& spec);
 
+/// True where f seems not to change when both directions turn about the normal, at a few pairs.
+bool isIsotropic(const BrdfFunction& brdf);
+
+/// The lobes of a material's file, or fitted now: to the material, or to the function.
+LobeTable lobesOf(const Reflectance& reflectance, int threads);
+
 /// f of a material as the shader evaluates it; keeps the material alive.
 BrdfFunction shaderFunction(std::shared_ptr<const Material> material);
 

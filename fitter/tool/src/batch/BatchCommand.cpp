@@ -262,6 +262,7 @@ void addBatchCommand(CLI::App& app, Action& action)
     sub->add_flag("--resume", command->resume,
                   "keep materials that are there already, of the same source and options");
     addFitOptions(*sub, command->job.fit);
+    addLobes(*sub, command->job.lobes);
     addCosine(*sub, command->job.sourceOptions);
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->add_flag("--quiet", command->quiet, "print nothing but errors");

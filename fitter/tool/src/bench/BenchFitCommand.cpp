@@ -2,6 +2,7 @@
 #include "Arguments.h"
 #include "bench/BenchCsv.h"
 #include "bench/BenchSummary.h"
+#include "bench/EnvironmentBench.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Robustness.h"
@@ -20,6 +21,8 @@ namespace {
 struct BenchFitCommand {
     std::vector<std::string> sources;
     std::string forms = "hdpio:3900,hdpio:1400,hdpu:3900,hdpu:1400,u+hdpu:8192", peers = "all", csv;
+    std::string environment;  ///< folder; empty: point lights
+    EnvironmentBenchOptions environments;
     BenchOptions options;
     bool resume = false, json = false, robustness = false;
 };
@@ -83,6 +86,23 @@ int runRobustness(BenchFitCommand& command)
     return allHold(scores) ? 0 : 1;
 }
 
+// Returns 1 where a material has no answer.
+int runEnvironment(const BenchFitCommand& command)
+{
+    EnvironmentBenchOptions options = command.environments;
+    options.threads = command.options.fit.threads;
+    options.source = command.options.source;
+    const auto environments = environmentsOf(command.environment);
+    Progress progress(true);
+    const auto scores =
+        scoreEnvironments(expanded(command.sources), environments, options, progress);
+    progress.clear();
+    writeOut(command.json ? text(environmentJson(scores, environments))
+                          : environmentText(scores, environments));
+    const auto failed = [](const EnvironmentScores& m) { return !m.error.empty(); };
+    return std::any_of(scores.begin(), scores.end(), failed) ? 1 : 0;
+}
+
 std::string leftOutText(const BenchFitCommand& command)
 {
     return command.peers == "all" && !peersLeftOut().empty() ? "left out: " + peersLeftOut() + "\n"
@@ -92,6 +112,7 @@ std::string leftOutText(const BenchFitCommand& command)
 int run(BenchFitCommand& command)
 {
     if (command.robustness) return runRobustness(command);
+    if (!command.environment.empty()) return runEnvironment(command);
     command.options.contenders = contendersFrom(command.forms, command.peers);
     command.options.peers.threads = command.options.fit.threads;
     command.options.peers.seed = command.options.fit.seed;
@@ -139,6 +160,13 @@ void addBenchFitCommand(CLI::App& app, Action& action)
                   "keep the materials that the table of --csv has for all of the contenders");
     sub->add_flag("--robustness", command->robustness,
                   "instead: what our forms lose to noise, zeros, spikes and few samples");
+    sub->add_option("--environment", command->environment,
+                    "instead: light from every .exr and .hdr of a folder, by lobes and by the best "
+                    "split sum")
+        ->type_name("DIR");
+    addInteger(*sub, "--environment-size", command->environments.size, 8, 512,
+               "pixels across the sphere of --environment (64)")
+        ->type_name("N");
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
