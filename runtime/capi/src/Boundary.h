@@ -49,6 +49,11 @@ struct fbrdf_hooks {
     std::shared_ptr<fbrdf::gl::GpuHooks> gpu;
 };
 
+struct fbrdf_environment {
+    fbrdf::capi::SharedPtr shared;
+    std::shared_ptr<fbrdf::gl::GpuEnvironment> gpu;
+};
+
 struct fbrdf_library {
     fbrdf::capi::SharedPtr shared;
     std::shared_ptr<fbrdf::gl::GpuLibrary> gpu;

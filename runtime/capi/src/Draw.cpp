@@ -61,6 +61,17 @@ int countOf(uint32_t value, int otherwise, const char* name)
     return value == 0 ? otherwise : static_cast<int>(value);
 }
 
+fbrdf::gl::EnvironmentLight environmentOf(const fbrdf_environment_light& given)
+{
+    const fbrdf_environment_light light = descriptor(&given, "environment");
+    fbrdf::gl::EnvironmentLight result;
+    result.map = required(light.environment, "environment").gpu.get();
+    result.rotation = fbrdf::gl::environmentRotation(light.rotation);
+    result.intensity = {light.intensity[0], light.intensity[1], light.intensity[2]};
+    result.lobes = countOf(light.lobes, 0, "lobes");
+    return result;
+}
+
 fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
 {
     fbrdf::gl::DrawOptions options;
@@ -69,6 +80,7 @@ fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
     options.maxLookups = countOf(desc.max_lookups, 0, "max_lookups");
     options.maxLights = countOf(desc.max_lights, 0, "max_lights");
     options.clustered = desc.clustered != 0;
+    if (desc.environment) options.environment = environmentOf(*desc.environment);
     return options;
 }
 
@@ -111,6 +123,9 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.error_absolute = static_cast<float>(from.error.absolute);
     // The last byte stays 0: longer texts are cut, but always end.
     from.whyReplaced.copy(stats.why_replaced, sizeof stats.why_replaced - 1);
+    stats.items_without_environment = count(from.itemsWithoutEnvironment);
+    stats.environment_error = static_cast<float>(from.environmentError);
+    from.whyNoEnvironment.copy(stats.why_no_environment, sizeof stats.why_no_environment - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
     // A newer caller has fields that this library does not know; they become 0.
     std::memset(to, 0, to->struct_size);

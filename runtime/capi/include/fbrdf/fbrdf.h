@@ -37,6 +37,7 @@
 #include <fbrdf/fbrdf_batch.h>
 #include <fbrdf/fbrdf_core.h>
 #include <fbrdf/fbrdf_draw.h>
+#include <fbrdf/fbrdf_environment.h>
 #include <fbrdf/fbrdf_host.h>
 #include <fbrdf/fbrdf_material.h>
 #include <fbrdf/fbrdf_renderer.h>

@@ -55,6 +55,7 @@ using GpuMaterial = Handle<fbrdf_gpu_material, fbrdf_gpu_material_release>;
 using Mesh = Handle<fbrdf_mesh, fbrdf_mesh_release>;
 using Library = Handle<fbrdf_library, fbrdf_library_release>;
 using Hooks = Handle<fbrdf_hooks, fbrdf_hooks_release>;
+using Environment = Handle<fbrdf_environment, fbrdf_environment_release>;
 using Binding = Handle<fbrdf_binding, fbrdf_binding_release>;
 
 /// A descriptor of zeros with its size set.

@@ -1,7 +1,7 @@
 /* fbrdf_draw.h - lights, objects, and drawing them. Conventions: fbrdf.h. */
 #ifndef FBRDF_DRAW_H
 #define FBRDF_DRAW_H
-#include <fbrdf/fbrdf_renderer.h>
+#include <fbrdf/fbrdf_environment.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -87,7 +87,8 @@ typedef struct fbrdf_draw_desc {
     uint32_t max_lights;      /* the strongest lights of an item, or part of the view; 0: all */
     uint32_t clustered;       /* 1: lists of the lights that reach each part of the view */
     uint32_t reserved;        /* 0 */
-    const fbrdf_depth_desc* depth; /* NULL: as in a new context */
+    const fbrdf_depth_desc* depth;              /* NULL: as in a new context */
+    const fbrdf_environment_light* environment; /* NULL: none */
 } fbrdf_draw_desc;
 
 typedef struct fbrdf_draw_stats {
@@ -105,6 +106,10 @@ typedef struct fbrdf_draw_stats {
      * fbrdf/plan/Plan.h. */
     float error_relative, error_absolute;
     char why_replaced[160]; /* why another technique than asked for was taken; "": it was not */
+    uint32_t items_without_environment; /* drawn without the one asked for; the log received why */
+    float environment_error; /* expected error of its light, relative: of the material where it is
+                                largest */
+    char why_no_environment[160]; /* why the last of those items was drawn without; "" */
 } fbrdf_draw_stats;
 
 /* Draws the items into the framebuffer, in front of what its depth buffer contains. stats may be

@@ -1,0 +1,45 @@
+/* fbrdf_environment.h - light from everywhere. Conventions: fbrdf.h. */
+#ifndef FBRDF_ENVIRONMENT_H
+#define FBRDF_ENVIRONMENT_H
+#include <fbrdf/fbrdf_renderer.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* An environment, prefiltered once for all materials. Lives until it is released; draws name it,
+ * and it must live until they return. */
+typedef struct fbrdf_environment fbrdf_environment;
+
+/* Radiance, linear Rec. 709. Row 0 is at +y; the middle column is at -z, and +x is to the right of
+ * it. */
+typedef struct fbrdf_environment_desc {
+    uint32_t struct_size;
+    uint32_t width, height; /* texels of `radiance` */
+    uint32_t texture;       /* 0, or a texture of the host instead of `radiance`: 2D in the same
+                               layout, row 0 uploaded first, or a cube map */
+    const float* radiance;  /* height x width x 3, finite and >= 0; or NULL */
+    uint32_t cube;          /* 1: `texture` is a cube map */
+    uint32_t size;          /* texels on a side of a face, a power of two from 8 on; 0: 512, or 256
+                               where a CPU samples textures */
+    uint32_t floats;        /* 1: RGBA32F instead of RGBA16F, which ends at 65504 */
+    uint32_t reserved;      /* 0 */
+} fbrdf_environment_desc;
+FBRDF_API fbrdf_result fbrdf_environment_create(fbrdf_renderer* renderer,
+                                                const fbrdf_environment_desc* desc,
+                                                fbrdf_environment** out);
+FBRDF_API void fbrdf_environment_release(fbrdf_environment* environment);
+
+/* How a draw is lit by an environment; changing it costs nothing. */
+typedef struct fbrdf_environment_light {
+    uint32_t struct_size;
+    uint32_t lobes; /* at most so many of a material's; 0: all that it has */
+    const fbrdf_environment* environment;
+    float rotation;     /* radians about +y of the world, counter-clockwise seen from above */
+    float intensity[3]; /* times the radiance; finite, >= 0 */
+} fbrdf_environment_light;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
