@@ -25,21 +25,29 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
     return options;
 }
 
-gl::DrawOptions drawOptions(Technique technique)
-{
-    gl::DrawOptions options;
-    options.technique = technique;
-    return options;
-}
-
 }  // namespace
 
-GlScene::GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded)
+GlScene::GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded,
+                 int environmentLobes)
     : renderer_(rendererOptions(load))
 {
+    if (const auto& light = world.environment) {
+        environment_ = renderer_.createEnvironment(light->panorama);
+        environmentLight_ = {environment_.get(),
+                             gl::environmentRotation(static_cast<float>(light->rotation)),
+                             Vec3f(static_cast<float>(light->intensity)), environmentLobes};
+    }
     for (MaterialSlot& slot : world.materials)
         materials_.push_back(renderer_.createMaterial(slot.material(), uploaded));
     replaceMesh(world.mesh);
+}
+
+gl::DrawOptions GlScene::drawOptions(Technique technique) const
+{
+    gl::DrawOptions options;
+    options.technique = technique;
+    options.environment = environmentLight_;
+    return options;
 }
 
 void GlScene::replaceMesh(const scene::Mesh& mesh)

@@ -10,7 +10,9 @@ class GlScene {
 public:
     /// Uploads the mesh and every material (fitting what needs it). Belongs to the context that is
     /// current now. Problems that a draw survives are printed to stderr, each once.
-    GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded);
+    /// environmentLobes: as EnvironmentLight::lobes.
+    GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded,
+            int environmentLobes = 0);
 
     const gl::Renderer& renderer() const { return renderer_; }
     void replaceMesh(const scene::Mesh& mesh);
@@ -22,7 +24,11 @@ public:
                        const std::vector<Light>& lights, Technique technique);
 
 private:
+    gl::DrawOptions drawOptions(Technique technique) const;
+
     gl::Renderer renderer_;
+    std::shared_ptr<gl::GpuEnvironment> environment_;
+    gl::EnvironmentLight environmentLight_;
     std::vector<std::shared_ptr<gl::GpuMaterial>> materials_;
     std::shared_ptr<gl::GpuMesh> mesh_;
 };

@@ -41,6 +41,8 @@ void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scen
     stats.whyReplaced = drawn.whyReplaced;
     stats.errorRelative = drawn.error.relative;
     stats.errorAbsolute = drawn.error.absolute;
+    stats.environmentError = drawn.environmentError;
+    stats.whyNoEnvironment = drawn.whyNoEnvironment;
 }
 
 Picture drawHeadless(const Options& options, World& world)
@@ -50,7 +52,8 @@ Picture drawHeadless(const Options& options, World& world)
     contextOptions.backend = options.backend;
     contextOptions.device = options.device;
     const HeadlessContext context(contextOptions);
-    GlScene scene(context.loader(), world, {options.lookUp, 0, options.precise});
+    GlScene scene(context.loader(), world, {options.lookUp, 0, options.precise},
+                  options.environmentLobes);
     Offscreen offscreen(context.loader(), {options.width, options.height});
     FrameTimer timer(context.loader());
     const gl::Target target{offscreen.framebuffer(), options.width, options.height};

@@ -4,8 +4,11 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/brdf/LobeTable.h>
+#include <fbrdf/environment/Sky.h>
 #include <fbrdf/scene/Image.h>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 namespace fbrdf::viewer {
@@ -15,8 +18,31 @@ constexpr int kMostLights = 65536;
 
 /// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
-    std::string backend, device, technique, lookUp, camera, size;
+    std::string backend, device, technique, lookUp, camera, size, background;
 };
+
+void describeEnvironment(CLI::App& app, Options& options, Texts& texts)
+{
+    auto* environment =
+        app.add_option("--environment", options.environment,
+                       "Light from everywhere, beside the other lights: a panorama, or built-in " +
+                           fmt::format("{}", fmt::join(proceduralEnvironments(), ", ")));
+    environment->type_name("FILE.exr|FILE.hdr|NAME");
+    app.add_option("--environment-rotation", options.environmentRotation,
+                   "Degrees by which it is turned about +y")
+        ->needs(environment);
+    app.add_option("--environment-intensity", options.environmentIntensity,
+                   "Factor of its radiance")
+        ->needs(environment)
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--environment-lobes", options.environmentLobes,
+                   "Lobes that are drawn, at most: 1, 2 or 3 (default: all that a material has)")
+        ->needs(environment)
+        ->check(CLI::Range(1, kMostTiltedLobes));
+    app.add_option(
+        "--background", texts.background,
+        "What is seen behind the objects: environment, R,G,B (linear), or none (default)");
+}
 
 void describeScene(CLI::App& app, Options& options, Texts& texts)
 {
@@ -36,6 +62,7 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
         app.add_option("--light-count", options.lightCount, "Number of point lights to make");
     count->excludes(file)->check(CLI::Range(0, kMostLights))->capture_default_str();
     app.add_option("--seed", options.seed, "Seed of the lights that are made")->excludes(file);
+    describeEnvironment(app, options, texts);
     app.add_option("--camera", texts.camera, "Eye, centre and vertical field of view")
         ->type_name("ex,ey,ez,cx,cy,cz,fovy_degrees");
 }
@@ -88,6 +115,14 @@ void understand(const Texts& texts, Options& options)
         options.width = size.width;
         options.height = size.height;
     }
+    if (!texts.background.empty()) options.background = scene::backgroundFromText(texts.background);
+    if (options.background.environment && options.environment.empty())
+        throw Error(ErrorKind::usage, "--background",
+                    Found("environment without one").expected("--environment as well"));
+    for (const double number : {options.environmentRotation, options.environmentIntensity})
+        if (!std::isfinite(number))
+            throw Error(ErrorKind::usage, "--environment-rotation, --environment-intensity",
+                        Found("no finite number").expected("one"));
     if (!std::isfinite(options.exposure))
         throw Error(ErrorKind::usage, "--exposure", Found("no finite number").expected("one > 0"));
     if (!options.out.empty()) scene::checkImagePath(options.out);

@@ -4,6 +4,7 @@
 #include <fbrdf/headless/Context.h>
 #include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/Controls.h>
+#include <fbrdf/scene/Environment.h>
 
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,11 @@ struct Options {
     std::string lights;  ///< path; empty: lightCount made ones
     int lightCount = 5;
     uint32_t seed = 0;
+    std::string environment;           ///< a file, or the name of a built-in one; empty: none
+    double environmentRotation = 0.0;  ///< degrees about +y
+    double environmentIntensity = 1.0;
+    int environmentLobes = 0;  ///< 0: all that a material has
+    scene::Background background;
     scene::ViewTechnique technique = scene::viewTechnique(Technique::single);
     LookUp lookUp = LookUp::native;
     bool precise = false;  ///< filtered in the shader

@@ -53,7 +53,8 @@ public:
           panel_(window_.handle()),
           timer_(GlfwWindow::loader()),
           toneMapper_(GlfwWindow::loader()),
-          scene_(GlfwWindow::loader(), world, {options.lookUp, 0, options.precise}),
+          scene_(GlfwWindow::loader(), world, {options.lookUp, 0, options.precise},
+                 options.environmentLobes),
           stats_(statsOf(options, world))
     {
         window_.setFilter(

@@ -1,5 +1,7 @@
 #include "World.h"
 
+#include <fbrdf/codecs/PanoramaFile.h>
+#include <fbrdf/environment/Sky.h>
 #include <fbrdf/plan/Plan.h>
 
 #include <algorithm>
@@ -36,12 +38,25 @@ std::vector<Light> lightsOf(const Options& options, const scene::Bounds& bounds)
     return spreadAround(scene::makeLights(options.lightCount, options.seed), bounds);
 }
 
+std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
+{
+    const std::string& name = options.environment;
+    if (name.empty()) return std::nullopt;
+    scene::EnvironmentLight light;
+    light.panorama =
+        isProceduralEnvironment(name) ? proceduralEnvironment(name) : readPanorama(name);
+    light.rotation = options.environmentRotation * kDegree;
+    light.intensity = options.environmentIntensity;
+    return light;
+}
+
 scene::Scene cpuScene(const Options& options, World& world)
 {
     scene::Scene scene;
     scene.instances = world.instances;
     for (MaterialSlot& slot : world.materials) scene.brdfs.push_back(slot.truth());
     scene.lights = world.lights;
+    if (world.environment) scene.environment = &*world.environment;
     scene.view = viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances));
     return scene;
 }
@@ -62,9 +77,17 @@ void loadWorld(const Options& options, World& world)
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
     world.lights = lightsOf(options, bounds);
+    world.environment = environmentOf(options);
     // One object is seen by the standard camera, wherever its file puts it; several must fit.
     world.camera = count == 1 ? scene::Camera() : scene::facing(world.instances, aspectOf(options));
     if (options.camera) world.camera = *options.camera;
+}
+
+void addBackground(const Options& options, const World& world, scene::Image& image)
+{
+    fillBackground(
+        image, options.background, world.environment ? &*world.environment : nullptr,
+        viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances)));
 }
 
 scene::Stats statsOf(const Options& options, const World& world)
@@ -76,6 +99,7 @@ scene::Stats statsOf(const Options& options, const World& world)
         stats.filter = filterName(options.precise ? Filter::shader : Filter::hardware);
     }
     stats.mesh = options.mesh;
+    stats.environment = options.environment;
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
     stats.evaluated = "material";
     stats.width = options.width;

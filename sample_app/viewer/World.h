@@ -3,12 +3,14 @@
 #include "MaterialSlot.h"
 #include "Options.h"
 
+#include <fbrdf/scene/Environment.h>
 #include <fbrdf/scene/Image.h>
 #include <fbrdf/scene/Layout.h>
 #include <fbrdf/scene/Lights.h>
 #include <fbrdf/scene/Stats.h>
 
 #include <deque>
+#include <optional>
 
 namespace fbrdf::viewer {
 
@@ -17,6 +19,7 @@ struct World {
     scene::Mesh mesh;
     std::vector<scene::Instance> instances;  ///< of mesh, one a material
     std::vector<Light> lights;
+    std::optional<scene::EnvironmentLight> environment;
     scene::Camera camera;
 };
 
@@ -31,6 +34,9 @@ struct Picture {
 
 /// The fields of the stats that do not depend on how the picture was drawn.
 scene::Stats statsOf(const Options& options, const World& world);
+
+/// Puts the background that the options ask for behind what was drawn.
+void addBackground(const Options& options, const World& world, scene::Image& image);
 
 /// Techniques `vertex` and `reference`, without any GL.
 Picture drawOnCpu(const Options& options, World& world);

@@ -1,11 +1,13 @@
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/environment/EnvironmentTruth.h>
 #include <fbrdf/scene/CpuRenderer.h>
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fbrdf::scene {
 namespace {
@@ -68,15 +70,45 @@ Incident incidentFrom(const Light& light, const Vec3d& position)
                                     coneFactor(light, direction))};
 }
 
-/// docs/method.md, Eq. 2.
-Vec3d radiance(const Brdf& brdf, const std::vector<Light>& lights, const Point& point,
-               const Vec3d& toEye)
+/// The lights of a scene, ready to shade points with.
+class Lighting {
+public:
+    explicit Lighting(const Scene& scene) : lights_(scene.lights), environment_(scene.environment)
+    {
+        if (environment_) truth_.emplace(std::vector<Panorama>{environment_->panorama});
+    }
+
+    /// docs/method.md, Eq. 2, and the integral over the environment.
+    Vec3d radiance(const Brdf& brdf, const Point& point, const Vec3d& toEye) const
+    {
+        const ShadingFrame<double> frame = shadingFrame(point.normal, point.tangent);
+        const Vec3d wo = frame.local(toEye);
+        if (!(wo.z > 0.0)) return Vec3d(0.0);
+        Vec3d sum = fromLights(brdf, point, frame, wo);
+        if (environment_) {
+            const auto turned = [&](const Vec3d& w) { return environment_->toEnvironment(w); };
+            const ShadingFrame<double> inEnvironment{turned(frame.t), turned(frame.s),
+                                                     turned(frame.n)};
+            sum += environment_->intensity *
+                   truth_->reflected(brdf, inEnvironment, turned(toEye)).front();
+        }
+        return sum;
+    }
+
+private:
+    Vec3d fromLights(const Brdf& brdf, const Point& point, const ShadingFrame<double>& frame,
+                     const Vec3d& wo) const;
+
+    const std::vector<Light>& lights_;
+    const EnvironmentLight* environment_;
+    std::optional<EnvironmentTruth> truth_;
+};
+
+Vec3d Lighting::fromLights(const Brdf& brdf, const Point& point, const ShadingFrame<double>& frame,
+                           const Vec3d& wo) const
 {
-    const ShadingFrame<double> frame = shadingFrame(point.normal, point.tangent);
-    const Vec3d wo = frame.local(toEye);
     Vec3d sum(0.0);
-    if (!(wo.z > 0.0)) return sum;
-    for (const Light& light : lights) {
+    for (const Light& light : lights_) {
         const Incident incident = incidentFrom(light, point.position);
         const Vec3d wi = frame.local(incident.direction);
         if (wi.z > 0.0) sum += brdf(wo, wi) * wi.z * incident.irradiance;
@@ -112,7 +144,8 @@ Image pictureOf(const Scene& scene, const PictureOptions& options, const Colour&
 }
 
 /// Radiance of every vertex of an instance towards the eye.
-std::vector<Vec3d> vertexRadiance(const Scene& scene, const Instance& instance, int threads)
+std::vector<Vec3d> vertexRadiance(const Scene& scene, const Lighting& lighting,
+                                  const Instance& instance, int threads)
 {
     const Mesh& mesh = *instance.mesh;
     const Brdf& brdf = scene.brdfs[static_cast<size_t>(instance.material)];
@@ -122,7 +155,7 @@ std::vector<Vec3d> vertexRadiance(const Scene& scene, const Instance& instance, 
     parallelFor(result.size(), threads, [&](size_t i) {
         const Vec3d tangent = mesh.tangents.empty() ? Vec3d(0.0) : Vec3d(mesh.tangents[i]);
         const Point point = toWorld({Vec3d(mesh.positions[i]), Vec3d(mesh.normals[i]), tangent});
-        result[i] = radiance(brdf, scene.lights, point, eye.directionFrom(point.position));
+        result[i] = lighting.radiance(brdf, point, eye.directionFrom(point.position));
     });
     return result;
 }
@@ -132,6 +165,7 @@ std::vector<Vec3d> vertexRadiance(const Scene& scene, const Instance& instance, 
 Image renderReference(const Scene& scene, const PictureOptions& options)
 {
     const Eye eye(scene.view);
+    const Lighting lighting(scene);
     std::vector<ToWorld> toWorld;
     for (const Instance& instance : scene.instances) toWorld.emplace_back(instance.model);
     return pictureOf(scene, options, [&](const Fragment& fragment) {
@@ -141,16 +175,17 @@ Image renderReference(const Scene& scene, const PictureOptions& options)
         const Point point = toWorld[index]({interpolate<Vec3d>(mesh.positions, mesh, fragment),
                                             interpolate<Vec3d>(mesh.normals, mesh, fragment),
                                             tangentAt(mesh, fragment)});
-        return radiance(scene.brdfs[static_cast<size_t>(instance.material)], scene.lights, point,
-                        eye.directionFrom(point.position));
+        return lighting.radiance(scene.brdfs[static_cast<size_t>(instance.material)], point,
+                                 eye.directionFrom(point.position));
     });
 }
 
 Image renderVertex(const Scene& scene, const PictureOptions& options)
 {
+    const Lighting lighting(scene);
     std::vector<std::vector<Vec3d>> colours;
     for (const Instance& instance : scene.instances)
-        colours.push_back(vertexRadiance(scene, instance, options.threads));
+        colours.push_back(vertexRadiance(scene, lighting, instance, options.threads));
     return pictureOf(scene, options, [&](const Fragment& fragment) {
         const size_t index = static_cast<size_t>(fragment.instance);
         return interpolate<Vec3d>(colours[index], *scene.instances[index].mesh, fragment);

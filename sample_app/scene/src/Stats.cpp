@@ -26,6 +26,18 @@ Spread spreadOf(std::vector<double> values)
     return {median, values.front(), values.back()};
 }
 
+namespace {
+
+OrderedJson environmentJson(const Stats& stats)
+{
+    if (stats.environment.empty()) return nullptr;
+    return {{"name", stats.environment},
+            {"error", stats.environmentError},
+            {"why_not", textOrNull(stats.whyNoEnvironment)}};
+}
+
+}  // namespace
+
 std::string statsToJson(const Stats& stats)
 {
     const Spread time = spreadOf(stats.milliseconds);
@@ -39,6 +51,7 @@ std::string statsToJson(const Stats& stats)
         {"technique_drawn", textOrNull(stats.techniqueDrawn)},
         {"why_replaced", textOrNull(stats.whyReplaced)},
         {"error_bound", {{"relative", stats.errorRelative}, {"absolute", stats.errorAbsolute}}},
+        {"environment", environmentJson(stats)},
         {"mesh", stats.mesh},
         {"materials", stats.materials},
         {"evaluated", stats.evaluated},

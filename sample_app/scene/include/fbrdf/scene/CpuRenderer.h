@@ -4,6 +4,7 @@
 // pixels as OpenGL's (Raster.h). They do not depend on the number of threads.
 #pragma once
 #include <fbrdf/plan/Light.h>
+#include <fbrdf/scene/Environment.h>
 #include <fbrdf/scene/Image.h>
 #include <fbrdf/scene/Raster.h>
 
@@ -21,6 +22,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Brdf> brdfs;
     std::vector<Light> lights;
+    const EnvironmentLight* environment = nullptr;  ///< may be null
     gl::View view;
 };
 
@@ -30,7 +32,8 @@ struct PictureOptions {
 };
 
 /// docs/method.md, Eq. 2, at every pixel: sum_j f(wo, wi_j) max(0, n.wi_j) E_j, with the
-/// interpolated position, normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h).
+/// interpolated position, normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h), and the sum
+/// over all texels of an environment (EnvironmentTruth.h).
 Image renderReference(const Scene& scene, const PictureOptions& options);
 
 /// Gouraud shading with the true BRDF: docs/method.md, Eq. 2, at every vertex of the mesh, and its
