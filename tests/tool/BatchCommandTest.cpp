@@ -26,9 +26,19 @@ protected:
 
     ToolRun batch(const std::vector<std::string>& more = {})
     {
-        std::vector<std::string> arguments{"batch",        list,    "-o",           output,
-                                           "--form",       "hdio",  "--resolution", "16",
-                                           "--smoothness", "0.001", "--plain"};
+        std::vector<std::string> arguments{"batch",
+                                           list,
+                                           "-o",
+                                           output,
+                                           "--form",
+                                           "hdio",
+                                           "--resolution",
+                                           "16",
+                                           "--smoothness",
+                                           "0.001",
+                                           "--plain",
+                                           "--environment-lobes",
+                                           "0"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTool(arguments);
     }

@@ -38,7 +38,8 @@ TEST(CompareCommand, LightsFromAnEnvironment)
                                  "--json"}))["environment"]["psnr"]
             .get<double>();
     };
-    EXPECT_GT(psnr("lambert:albedo=0.5"), 40.0);
+    // A face of the cosine level has 8 x 8 texels, which are good for about 40 dB.
+    EXPECT_GT(psnr("lambert:albedo=0.5"), 36.0);
     EXPECT_LT(psnr("lambert:albedo=0.25"), 20.0);
 }
 

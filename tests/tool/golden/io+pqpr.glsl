@@ -6,8 +6,9 @@
 
 // ---- vertex shader, pass 1 to 3
 #version 300 es
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
-// textureLod changes nothing but spares the derivatives.
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures but those of environments have one level,
+// so the explicit level of textureLod changes nothing but spares the derivatives. In GLSL 1.20 textureCubeLod needs
+// GL_ARB_shader_texture_lod.
 #if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -29,6 +30,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) textureLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureLod(map, direction, level)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -39,6 +42,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) texture2DLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureCubeLod(map, direction, level)
 #endif
 #define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 
@@ -102,8 +107,9 @@ void main()
 
 // ---- fragment shader, pass 1 to 3
 #version 300 es
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
-// textureLod changes nothing but spares the derivatives.
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures but those of environments have one level,
+// so the explicit level of textureLod changes nothing but spares the derivatives. In GLSL 1.20 textureCubeLod needs
+// GL_ARB_shader_texture_lod.
 #if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -125,6 +131,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) textureLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureLod(map, direction, level)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -135,6 +143,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) texture2DLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureCubeLod(map, direction, level)
 #endif
 #define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 // The shaded point, in eye space, interpolated from what surface.vert wrote.
@@ -211,6 +221,11 @@ FbrdfShadingFrame fbrdfPerturbed(FbrdfShadingFrame frame, vec3 normal)
 vec3 fbrdfLocal(FbrdfShadingFrame frame, vec3 w)
 {
     return vec3(dot(frame.t, w), dot(frame.s, w), dot(frame.n, w));
+}
+
+vec3 fbrdfFromLocal(FbrdfShadingFrame frame, vec3 w)
+{
+    return frame.t * w.x + frame.s * w.y + frame.n * w.z;
 }
 // Angles of a pair as (cosine, 1 - cosine), both in [0, 1] but for rounding. Twin: PairGeometry, Projection.h.
 

@@ -12,8 +12,9 @@
 
 // ---- vertex shader, pass 1 to 9
 #version 120
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
-// textureLod changes nothing but spares the derivatives.
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures but those of environments have one level,
+// so the explicit level of textureLod changes nothing but spares the derivatives. In GLSL 1.20 textureCubeLod needs
+// GL_ARB_shader_texture_lod.
 #if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -35,6 +36,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) textureLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureLod(map, direction, level)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -45,6 +48,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) texture2DLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureCubeLod(map, direction, level)
 #endif
 #define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 
@@ -108,8 +113,9 @@ void main()
 
 // ---- fragment shader, pass 1 to 8
 #version 120
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
-// textureLod changes nothing but spares the derivatives.
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures but those of environments have one level,
+// so the explicit level of textureLod changes nothing but spares the derivatives. In GLSL 1.20 textureCubeLod needs
+// GL_ARB_shader_texture_lod.
 #if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -131,6 +137,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) textureLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureLod(map, direction, level)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -141,6 +149,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) texture2DLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureCubeLod(map, direction, level)
 #endif
 #define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 // The shaded point, in eye space, interpolated from what surface.vert wrote.
@@ -217,6 +227,11 @@ FbrdfShadingFrame fbrdfPerturbed(FbrdfShadingFrame frame, vec3 normal)
 vec3 fbrdfLocal(FbrdfShadingFrame frame, vec3 w)
 {
     return vec3(dot(frame.t, w), dot(frame.s, w), dot(frame.n, w));
+}
+
+vec3 fbrdfFromLocal(FbrdfShadingFrame frame, vec3 w)
+{
+    return frame.t * w.x + frame.s * w.y + frame.n * w.z;
 }
 // Angles of a pair as (cosine, 1 - cosine), both in [0, 1] but for rounding. Twin: PairGeometry, Projection.h.
 
@@ -420,8 +435,9 @@ void main()
 
 // ---- fragment shader, pass 9
 #version 120
-// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures have one level, so the explicit level of
-// textureLod changes nothing but spares the derivatives.
+// What differs between GLSL 1.20, 1.40 to 4.50, ES 1.00 and ES 3.00. Textures but those of environments have one level,
+// so the explicit level of textureLod changes nothing but spares the derivatives. In GLSL 1.20 textureCubeLod needs
+// GL_ARB_shader_texture_lod.
 #if defined(GL_ES) && !defined(GL_FRAGMENT_PRECISION_HIGH)
 #error fbrdf needs highp floats in fragment shaders
 #endif
@@ -443,6 +459,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) textureLod(map, coordinate, 0.0)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureLod(map, direction, 0.0)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) textureLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureLod(map, direction, level)
 #else
 #define FBRDF_ATTRIBUTE attribute
 #define FBRDF_TO_FRAGMENT varying
@@ -453,6 +471,8 @@ precision highp sampler3D;
 #define FBRDF_TEXTURE3(map, coordinate) texture3D(map, coordinate)
 #define FBRDF_TEXTURE_CUBE(map, direction) textureCube(map, direction)
 #define FBRDF_TEXTURE_MIPMAPPED(map, coordinate) texture2D(map, coordinate)
+#define FBRDF_TEXTURE2_LEVEL(map, coordinate, level) texture2DLod(map, coordinate, level)
+#define FBRDF_TEXTURE_CUBE_LEVEL(map, direction, level) textureCubeLod(map, direction, level)
 #endif
 #define FBRDF_TEXTURE_PRECISE fbrdfFiltered
 // The shaded point, in eye space, interpolated from what surface.vert wrote.
@@ -529,6 +549,11 @@ FbrdfShadingFrame fbrdfPerturbed(FbrdfShadingFrame frame, vec3 normal)
 vec3 fbrdfLocal(FbrdfShadingFrame frame, vec3 w)
 {
     return vec3(dot(frame.t, w), dot(frame.s, w), dot(frame.n, w));
+}
+
+vec3 fbrdfFromLocal(FbrdfShadingFrame frame, vec3 w)
+{
+    return frame.t * w.x + frame.s * w.y + frame.n * w.z;
 }
 // Angles of a pair as (cosine, 1 - cosine), both in [0, 1] but for rounding. Twin: PairGeometry, Projection.h.
 
