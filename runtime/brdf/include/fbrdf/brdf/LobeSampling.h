@@ -14,12 +14,12 @@ struct SampledDirection {
 };
 
 /// u in [0, 1)^2. Expects a table that validate accepts and is not empty, and a unit wo above the
-/// horizon. A material that reflects nothing is sampled by the cosine. Twin: fbrdfSampleLobes in
-/// sampling.glsl.
+/// horizon. A material that reflects nothing is sampled by the cosine. The first number chooses
+/// a lobe, and what is left of it the direction, so even numbers give even directions.
 template <class T>
 SampledDirection<T> sampleLobes(const LobeTable& table, const Vec3<T>& wo, const Vec2<T>& u);
 
-/// The density in 1/sr, over the whole sphere, with which sampleLobes draws wi. Twin: fbrdfLobePdf.
+/// The density in 1/sr, over the whole sphere, with which sampleLobes draws wi.
 template <class T>
 T lobePdf(const LobeTable& table, const Vec3<T>& wo, const Vec3<T>& wi);
 

@@ -86,7 +86,7 @@ struct LobeSum {
     std::array<T, kMostLobes> level{};
 };
 /// Expects a table that validate accepts and is not empty, and a unit wo above the horizon. Twin:
-/// fbrdfLobeKnot and the axes in lobes.glsl.
+/// fbrdfThetaPosition, fbrdfLobeKnot and the axes.
 template <class T>
 LobeSum<T> lobesAt(const LobeTable& table, const Vec3<T>& wo);
 
