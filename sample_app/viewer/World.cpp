@@ -43,8 +43,8 @@ std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
     const std::string& name = options.environment;
     if (name.empty()) return std::nullopt;
     scene::EnvironmentLight light;
-    light.panorama =
-        isProceduralEnvironment(name) ? proceduralEnvironment(name) : readPanorama(name);
+    light.panorama = isProceduralEnvironment(name) ? proceduralEnvironment(name)
+                                                   : readPanorama(name, &light.note);
     light.rotation = options.environmentRotation * kDegree;
     light.intensity = options.environmentIntensity;
     return light;
@@ -100,6 +100,7 @@ scene::Stats statsOf(const Options& options, const World& world)
     }
     stats.mesh = options.mesh;
     stats.environment = options.environment;
+    if (world.environment) stats.environmentNote = world.environment->note;
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
     stats.evaluated = "material";
     stats.width = options.width;

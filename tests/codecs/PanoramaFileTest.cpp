@@ -1,4 +1,6 @@
 // PanoramaFileTest.cpp - light from published kinds of files, and what damage does.
+#include "support/CommaLocale.h"
+
 #include <fbrdf/codecs/PanoramaFile.h>
 #include <fbrdf/codecs/PictureFile.h>
 #include <fbrdf/environment/CubeImage.h>
@@ -132,6 +134,11 @@ TEST(PanoramaFile, UndoesExposureAndTurns)
     EXPECT_EQ(read("-Y 2 +X 4", ""), (std::vector<float>{1, 2, 1, 1, 1, 1, 1, 2}));
     EXPECT_EQ(read("-Y 2 +X 4", "EXPOSURE=4\nEXPOSURE= 0.5\n"),
               (std::vector<float>{.5, 1, .5, .5, .5, .5, .5, 1}));
+    {
+        const test::CommaLocale comma;  // of the host: the file's numbers have points all the same
+        EXPECT_EQ(read("-Y 2 +X 4", "EXPOSURE=0.5\n"),
+                  (std::vector<float>{2, 4, 2, 2, 2, 2, 2, 4}));
+    }
     EXPECT_EQ(read("+Y 2 +X 4", ""), (std::vector<float>{1, 1, 1, 2, 1, 2, 1, 1}));
     EXPECT_EQ(read("-Y 2 -X 4", ""), (std::vector<float>{1, 1, 2, 1, 2, 1, 1, 1}));
     EXPECT_EQ(read("+Y 2 -X 4", ""), (std::vector<float>{2, 1, 1, 1, 1, 1, 2, 1}));

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 namespace fbrdf {
 namespace {
@@ -73,8 +73,12 @@ void readVariable(const HdrReader& reader, const std::string& line, double& expo
     if (line.rfind("FORMAT=", 0) == 0 && line != "FORMAT=32-bit_rle_rgbe")
         reader.fail(line.substr(0, 40), "FORMAT=32-bit_rle_rgbe (Radiance: ra_xyze -r)");
     if (line.rfind("EXPOSURE=", 0) != 0) return;
-    const double factor = std::strtod(line.c_str() + 9, nullptr);
-    if (!(factor > 0.0) || !std::isfinite(factor))
+    // Numbers of the file, not of the host's locale; spaces before and anything behind are allowed.
+    const char *first = line.c_str() + 9, *const last = line.c_str() + line.size();
+    while (first != last && (*first == ' ' || *first == '+')) ++first;
+    double factor = 0.0;
+    const auto parsed = std::from_chars(first, last, factor);
+    if (parsed.ec != std::errc() || !(factor > 0.0) || !std::isfinite(factor))
         reader.fail(line.substr(0, 40), "an exposure above 0");
     exposure *= factor;
 }

@@ -1,3 +1,4 @@
+#include <fbrdf/brdf/AxesAbout.h>
 #include <fbrdf/brdf/LobeSampling.h>
 
 #include <algorithm>
@@ -76,17 +77,6 @@ T density(const Mixture<T>& mixture, const Vec3<T>& wi)
     return sum;
 }
 
-/// Two directions that are orthogonal to a unit axis (Duff et al. 2017, "Building an Orthonormal
-/// Basis, Revisited").
-template <class T>
-Vec3<T> turnedTo(const Vec3<T>& axis, const Vec3<T>& direction)
-{
-    const T sign = axis.z < T(0) ? T(-1) : T(1);
-    const T a = T(-1) / (sign + axis.z), b = axis.x * axis.y * a;
-    return direction.x * Vec3<T>(T(1) + sign * axis.x * axis.x * a, sign * b, -sign * axis.x) +
-           direction.y * Vec3<T>(b, sign + axis.y * axis.y * a, -axis.y) + direction.z * axis;
-}
-
 }  // namespace
 
 template <class T>
@@ -106,7 +96,8 @@ SampledDirection<T> sampleLobes(const LobeTable& table, const Vec3<T>& wo, const
         glm::normalize(Vec3<T>(radius * std::cos(azimuth), radius * std::sin(azimuth),
                                std::sqrt(std::max(T(0), T(1) - radius2))));
     SampledDirection<T> sample;
-    sample.wi = turnedTo(component.axis, local);
+    const auto axes = axesAbout(component.axis);
+    sample.wi = local.x * axes[0] + local.y * axes[1] + local.z * component.axis;
     sample.pdf = density(mixture, sample.wi);
     return sample;
 }

@@ -3,6 +3,7 @@
 // cell is exact, and a cell is one look-up of the mip level whose texels are as large.
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Parallel.h>
+#include <fbrdf/brdf/AxesAbout.h>
 #include <fbrdf/environment/Prefilter.h>
 
 #include "CubeSample.h"
@@ -80,10 +81,8 @@ int prefilteredLevels(int size)
 
 LobeFrame lobeFrame(const Vec3d& axis)
 {
-    const double sign = axis.z < 0.0 ? -1.0 : 1.0;
-    const double a = -1.0 / (sign + axis.z), b = axis.x * axis.y * a;
-    return {{1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x},
-            {b, sign + axis.y * axis.y * a, -axis.y}};
+    const auto axes = axesAbout(axis);
+    return {axes[0], axes[1]};
 }
 
 double levelOfCell(double solidAngle, const Vec3d& direction, int size)

@@ -32,6 +32,7 @@ OrderedJson environmentJson(const Stats& stats)
 {
     if (stats.environment.empty()) return nullptr;
     return {{"name", stats.environment},
+            {"note", textOrNull(stats.environmentNote)},
             {"error", stats.environmentError},
             {"why_not", textOrNull(stats.whyNoEnvironment)}};
 }

@@ -37,8 +37,8 @@ enum class LobeAxes {
     /// tilt x lobeWidth(level) radians. For isotropic materials.
     tilted,
     /// The mirror directions of wo about bent normals n + spread (k - (lobes - 1) / 2) t, where t
-    /// is
-    /// the tangent or, for `acrossTangent`, the bitangent. For anisotropic materials.
+    /// is the tangent or, for `acrossTangent`, the bitangent, on wo's side of the surface: -t where
+    /// wo . t < 0. For anisotropic materials.
     bent,
 };
 

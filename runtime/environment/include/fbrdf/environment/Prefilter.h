@@ -23,8 +23,7 @@ inline double cubeLevelOf(double lobeLevel, int size)
 struct LobeFrame {
     Vec3d x, y;
 };
-/// The frame about a unit axis (Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin 2017,
-/// "Building an Orthonormal Basis, Revisited", Listing 3). It jumps at z = 0. Twin: fbrdfLobeFrame.
+/// The frame about a unit axis: axesAbout (AxesAbout.h). It jumps at z = 0. Twin: fbrdfLobeFrame.
 LobeFrame lobeFrame(const Vec3d& axis);
 
 /// One cell of the quadrature of a lobe about +z.

@@ -13,6 +13,7 @@ struct EnvironmentLight {
     Panorama panorama;
     double rotation = 0.0;   ///< radians about +y, counter-clockwise seen from above
     double intensity = 1.0;  ///< >= 0, times the radiance of the panorama
+    std::string note = {};   ///< what its file was taken for, and what was repaired; empty without
 
     Vec3d toEnvironment(const Vec3d& world) const;
     /// Radiance from a direction in the world, filtered linearly between texels.

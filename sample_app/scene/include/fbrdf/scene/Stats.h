@@ -21,6 +21,7 @@ struct Stats {
     std::string filter;             ///< of maps: "hardware", or "shader" where that does it
     std::string lookUp;             ///< the kind that was asked for, for maps over one direction
     std::string environment;        ///< as it was asked for; empty: none
+    std::string environmentNote;    ///< what its file was taken for; empty for a built-in one
     double environmentError = 0.0;  ///< LobeTable::error of the material where it is largest
     std::string whyNoEnvironment;   ///< why a material was drawn without it; empty: none was
     double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
@@ -37,8 +38,8 @@ struct Stats {
 
 /// A JSON object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
 /// look_up, technique_drawn, why_replaced (null where there is none), error_bound
-/// {relative, absolute}, environment {name, error, why_not} (null where there is none), evaluated,
-/// size, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
+/// {relative, absolute}, environment {name, note, error, why_not} (null where there is none),
+/// evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
 /// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
 
