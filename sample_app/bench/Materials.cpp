@@ -67,10 +67,10 @@ std::vector<double> anglesAt(const Domain& domain, int texel)
     return angles;
 }
 
-Table filled(const TableSpec& spec, const TableFunction& function)
+fbrdf::Table filled(const TableSpec& spec, const TableFunction& function)
 {
     constexpr double kNearHorizon = 89.0 / 180.0 * kPi;  // V has a pole at two grazing directions
-    Table table;
+    fbrdf::Table table;
     table.name = spec.name;
     table.domain = spec.domain;
     for (int i = 0; i < texelCount(spec.domain); ++i) {

@@ -52,6 +52,8 @@ Options optionsFromArguments(int argc, const char* const* argv)
         "--reach", options.reach,
         "4,096 lights with a radius in lists, --lights of which reach a pixel, against one "
         "list of as many");
+    app.add_flag("--environment", options.environment,
+                 "Light from everywhere and area lights, by lobes, against GGX by the split sum");
     app.add_flag("--json", options.json, "One object instead of tables");
     try {
         app.parse(argc, argv);

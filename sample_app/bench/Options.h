@@ -18,8 +18,9 @@ struct Options {
     enum class Clock { wall, cpu, gpu } clock = Clock::wall;
     std::optional<int> device;  ///< of headlessDevices(); empty: the surfaceless platform's
     bool listDevices = false;
-    bool accuracy = false;  ///< measure Accuracy.h instead
-    bool reach = false;     ///< measure Reach.h instead; lights: how many reach a pixel
+    bool accuracy = false;     ///< measure Accuracy.h instead
+    bool reach = false;        ///< measure Reach.h instead; lights: how many reach a pixel
+    bool environment = false;  ///< measure EnvironmentCost.h instead
     bool json = false;
     std::string help;  ///< not empty: --help was asked for, and this is the answer
 };

@@ -85,10 +85,13 @@ std::vector<LightVectors> vectorsOf(const std::vector<Light>& lights, const gl::
 
 PeerDrawing::PeerDrawing(const GladGLContext& gl, const ShaderPeer& peer, const Stage& stage,
                          int lights)
-    : gl_(gl), peer_(peer), view_(stage.view), slots_(slotsFor(gl, peer, lights))
+    : gl_(gl),
+      peer_(peer),
+      view_(stage.view),
+      mesh_(gl, stage.mesh),
+      slots_(slotsFor(gl, peer, lights)),
+      program_(linked(gl_, fragmentText(peer, slots_)))
 {
-    program_ = linked(gl_, fragmentText(peer, slots_));
-    uploadMesh(stage.mesh);
     for (const PeerMap& map : peer.maps) uploadMap(map);
     setUniforms();
 }
@@ -96,30 +99,7 @@ PeerDrawing::PeerDrawing(const GladGLContext& gl, const ShaderPeer& peer, const 
 PeerDrawing::~PeerDrawing()
 {
     gl_.DeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
-    gl_.DeleteBuffers(4, buffers_);
-    gl_.DeleteVertexArrays(1, &array_);
     gl_.DeleteProgram(program_);
-}
-
-void PeerDrawing::uploadMesh(const gl::MeshData& mesh)
-{
-    gl_.GenVertexArrays(1, &array_);
-    gl_.BindVertexArray(array_);
-    gl_.GenBuffers(4, buffers_);
-    const auto upload = [this](GLenum target, GLuint buffer, const auto& data) {
-        gl_.BindBuffer(target, buffer);
-        gl_.BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof data[0]), data.data(),
-                       GL_STATIC_DRAW);
-    };
-    const std::vector<Vec3f>* const attributes[] = {&mesh.positions, &mesh.normals, &mesh.tangents};
-    for (GLuint i = 0; i < 3; ++i) {
-        upload(GL_ARRAY_BUFFER, buffers_[i], *attributes[i]);
-        gl_.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-        gl_.EnableVertexAttribArray(i);
-    }
-    upload(GL_ELEMENT_ARRAY_BUFFER, buffers_[3], mesh.indices);
-    indexCount_ = static_cast<GLsizei>(mesh.indices.size());
-    gl_.BindVertexArray(0);
 }
 
 void PeerDrawing::uploadMap(const PeerMap& map)
@@ -167,7 +147,7 @@ void PeerDrawing::setUniforms() const
 void PeerDrawing::drawBlack() const
 {
     gl_.Uniform1i(location("fbrdfLightCount"), 0);
-    gl_.DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+    mesh_.draw();
     gl_.DepthFunc(GL_EQUAL);
     gl_.DepthMask(GL_FALSE);
     gl_.Enable(GL_BLEND);
@@ -181,7 +161,7 @@ void PeerDrawing::draw(const gl::Target& target, const std::vector<Light>& light
     gl_.DepthFunc(GL_LESS);
     gl_.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // alpha is coverage
     gl_.UseProgram(program_);
-    gl_.BindVertexArray(array_);
+    mesh_.bind();
     for (size_t i = 0; i < textures_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl_.BindTexture(peer_.maps[i].image.size[2] > 1 ? GL_TEXTURE_3D : GL_TEXTURE_2D,
@@ -195,7 +175,7 @@ void PeerDrawing::draw(const gl::Target& target, const std::vector<Light>& light
         gl_.Uniform4fv(location("fbrdfLights"), kVectorsPerLight * inPass,
                        glm::value_ptr(vectors[static_cast<size_t>(first)][0]));
         gl_.Uniform1i(location("fbrdfLightCount"), inPass);
-        gl_.DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+        mesh_.draw();
         gl_.DepthFunc(GL_EQUAL);
         gl_.Enable(GL_BLEND);
     }

@@ -1,8 +1,7 @@
 // ShaderPeer.h - another way to draw a material: a GLSL function f(wo, wi), its data and its CPU
 // twin. It is drawn by the same vertex shader and the same light loop as the runtime's.
 #pragma once
-#include "bench/Stage.h"
-#include "viewer/GlFunctions.h"
+#include "bench/PeerMesh.h"
 
 #include <fbrdf/shaders/TextureImage.h>
 
@@ -44,7 +43,6 @@ public:
     void draw(const gl::Target& target, const std::vector<Light>& lights) const;
 
 private:
-    void uploadMesh(const gl::MeshData& mesh);
     void uploadMap(const PeerMap& map);
     void setUniforms() const;
     void drawBlack() const;
@@ -53,9 +51,9 @@ private:
     const GladGLContext& gl_;
     const ShaderPeer& peer_;
     gl::View view_;
-    GLsizei indexCount_ = 0;
+    PeerMesh mesh_;
     int slots_ = 1;  ///< lights in one pass
-    GLuint program_ = 0, array_ = 0, buffers_[4] = {};
+    GLuint program_ = 0;
     std::vector<GLuint> textures_;
 };
 

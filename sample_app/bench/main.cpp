@@ -1,5 +1,6 @@
 // fbrdf-bench: the runtime against other ways to draw a material. See README.md.
 #include "bench/Accuracy.h"
+#include "bench/EnvironmentCost.h"
 #include "bench/Measure.h"
 #include "bench/Options.h"
 #include "bench/Print.h"
@@ -34,7 +35,9 @@ int run(int argc, char** argv)
         print(accuracy, options.json);
         return accuracy.holds() ? 0 : 1;
     }
-    if (options.reach)
+    if (options.environment)
+        print(bench::measureEnvironment(options), options.json);
+    else if (options.reach)
         print(bench::measureReach(options), options.json);
     else
         print(bench::measure(options), options.json);

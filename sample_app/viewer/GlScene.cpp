@@ -42,11 +42,12 @@ GlScene::GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions&
     replaceMesh(world.mesh);
 }
 
-gl::DrawOptions GlScene::drawOptions(Technique technique) const
+gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet& lights) const
 {
     gl::DrawOptions options;
     options.technique = technique;
     options.environment = environmentLight_;
+    options.areaLights = lights.areaLights;
     return options;
 }
 
@@ -55,21 +56,22 @@ void GlScene::replaceMesh(const scene::Mesh& mesh)
     mesh_ = renderer_.createMesh(mesh);
 }
 
-void GlScene::prepare(Technique technique, int lights)
+void GlScene::prepare(Technique technique, const scene::LightSet& lights)
 {
     for (const auto& material : materials_)
-        renderer_.prepare(*material, drawOptions(technique), lights);
+        renderer_.prepare(*material, drawOptions(technique, lights),
+                          static_cast<int>(lights.lights.size()));
 }
 
 gl::DrawStats GlScene::draw(const gl::Target& target, const gl::View& view,
                             const std::vector<scene::Instance>& instances,
-                            const std::vector<Light>& lights, Technique technique)
+                            const scene::LightSet& lights, Technique technique)
 {
     std::vector<gl::Item> items;
     for (const scene::Instance& instance : instances)
         items.push_back({materials_[static_cast<size_t>(instance.material)].get(), mesh_.get(),
                          instance.model});
-    return renderer_.draw(target, view, items, lights, drawOptions(technique));
+    return renderer_.draw(target, view, items, lights.lights, drawOptions(technique, lights));
 }
 
 }  // namespace fbrdf::viewer

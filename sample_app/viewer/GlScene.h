@@ -17,14 +17,14 @@ public:
     const gl::Renderer& renderer() const { return renderer_; }
     void replaceMesh(const scene::Mesh& mesh);
     /// Compiles what drawing will need.
-    void prepare(Technique technique, int lights);
+    void prepare(Technique technique, const scene::LightSet& lights);
     /// `instances` use the one mesh; their materials are indices into the world's.
     gl::DrawStats draw(const gl::Target& target, const gl::View& view,
-                       const std::vector<scene::Instance>& instances,
-                       const std::vector<Light>& lights, Technique technique);
+                       const std::vector<scene::Instance>& instances, const scene::LightSet& lights,
+                       Technique technique);
 
 private:
-    gl::DrawOptions drawOptions(Technique technique) const;
+    gl::DrawOptions drawOptions(Technique technique, const scene::LightSet& lights) const;
 
     gl::Renderer renderer_;
     std::shared_ptr<gl::GpuEnvironment> environment_;

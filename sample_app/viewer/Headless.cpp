@@ -61,7 +61,7 @@ Picture drawHeadless(const Options& options, World& world)
         viewFromCamera(world.camera, static_cast<double>(options.width) / options.height,
                        scene::boundsOf(world.instances));
     const Technique technique = runtimeTechnique(options.technique);
-    scene.prepare(technique, static_cast<int>(world.lights.size()));
+    scene.prepare(technique, world.lights);
     // Frame 0 is not timed: drivers compile what they need while they draw it.
     for (int frame = 0; frame <= options.frames.value_or(1); ++frame) {
         timer.begin();

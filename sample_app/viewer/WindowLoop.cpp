@@ -144,8 +144,8 @@ void WindowLoop::followState()
         scene_.replaceMesh(world_.mesh);
     }
     if (state_.madeLights && state_.lightCount != static_cast<int>(world_.lights.size()))
-        world_.lights = spreadAround(scene::makeLights(state_.lightCount, options_.seed),
-                                     scene::boundsOf(world_.mesh));
+        world_.lights.lights = spreadAround(scene::makeLights(state_.lightCount, options_.seed),
+                                            scene::boundsOf(world_.mesh));
     facts_.triangles = static_cast<int>(world_.mesh.indices.size() / 3);
 }
 
@@ -200,7 +200,8 @@ void WindowLoop::drawWithCpu(const Shown& shown)
     scene::Scene scene;
     scene.instances = {instance()};
     for (MaterialSlot& slot : world_.materials) scene.brdfs.push_back(slot.truth());
-    scene.lights = world_.lights;
+    scene.lights = world_.lights.lights;
+    scene.areaLights = world_.lights.areaLights;
     scene.view = view(shown.width, shown.height);
     const auto start = std::chrono::steady_clock::now();
     cpuPicture_ = state_.technique == scene::ViewTechnique::vertex ? renderVertex(scene, size)

@@ -32,10 +32,10 @@ double aspectOf(const Options& options)
     return static_cast<double>(options.width) / options.height;
 }
 
-std::vector<Light> lightsOf(const Options& options, const scene::Bounds& bounds)
+scene::LightSet lightsOf(const Options& options, const scene::Bounds& bounds)
 {
     if (!options.lights.empty()) return scene::readLights(options.lights);
-    return spreadAround(scene::makeLights(options.lightCount, options.seed), bounds);
+    return {spreadAround(scene::makeLights(options.lightCount, options.seed), bounds), {}};
 }
 
 std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
@@ -55,7 +55,8 @@ scene::Scene cpuScene(const Options& options, World& world)
     scene::Scene scene;
     scene.instances = world.instances;
     for (MaterialSlot& slot : world.materials) scene.brdfs.push_back(slot.truth());
-    scene.lights = world.lights;
+    scene.lights = world.lights.lights;
+    scene.areaLights = world.lights.areaLights;
     if (world.environment) scene.environment = &*world.environment;
     scene.view = viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances));
     return scene;

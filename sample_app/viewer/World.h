@@ -18,7 +18,7 @@ struct World {
     std::deque<MaterialSlot> materials;  ///< a deque, so that truth() may point into it
     scene::Mesh mesh;
     std::vector<scene::Instance> instances;  ///< of mesh, one a material
-    std::vector<Light> lights;
+    scene::LightSet lights;
     std::optional<scene::EnvironmentLight> environment;
     scene::Camera camera;
 };

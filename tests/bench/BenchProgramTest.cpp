@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 
 namespace fbrdf::test {
@@ -41,6 +42,24 @@ Result runBench(const std::string& arguments, const std::string& environment = "
 
 #define NEEDS_GL(result) \
     if (result.exitCode == 6 && !dataIsMandatory()) GTEST_SKIP() << result.err
+
+TEST(BenchProgram, TimesLightFromEverywhere)
+{
+    const Result result = runBench("--environment --size 8x8 --mesh triangle --json");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    ASSERT_EQ(json.size(), 1u);
+    std::map<std::string, nlohmann::json> rows;
+    for (const auto& row : json[0]["rows"]) rows[row["name"]] = row;
+    EXPECT_EQ(rows["ggx, split sum"]["ratio"], 1.0);
+    EXPECT_EQ(rows["K = 1, two-lookup"]["passes"], 1);
+    EXPECT_EQ(rows["K = 2, two-lookup"]["passes"], 2);
+    EXPECT_EQ(rows["K = 2, two-lookup"]["lookups"], 2);
+    EXPECT_EQ(rows["K = 3, single"]["lookups"], 4);
+    EXPECT_EQ(rows["K = 2, 16 spheres"]["lookups"], 0);
+    EXPECT_GT(rows["K = 2, 16 spheres"]["milliseconds"], 0.0);
+}
 
 TEST(BenchProgram, TimesEveryVariantOnce)
 {

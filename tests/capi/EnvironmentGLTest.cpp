@@ -1,4 +1,4 @@
-// EnvironmentGLTest.cpp - light from everywhere through the C ABI.
+// EnvironmentGLTest.cpp - light from everywhere and from area lights through the C ABI.
 #include "CApiTest.h"
 #include "Materials.h"
 
@@ -24,6 +24,53 @@ protected:
         return desc;
     }
 
+    /// Draws a square of the plain material until its lobes are there: its file has none, so they
+    /// are fitted beside the drawing thread. Expects albedo x radiance everywhere.
+    void expectAlbedo(Plain& plain, fbrdf_draw_desc& draw, float radiance)
+    {
+        ASSERT_TRUE(plain.gpuMaterial);
+        Offscreen offscreen = makeOffscreen(kSize);
+        const float quad[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+        const float normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+        const uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+        auto meshDesc = abi::describe<fbrdf_mesh_desc>();
+        meshDesc.vertex_count = 4;
+        meshDesc.index_count = 6;
+        meshDesc.positions = quad;
+        meshDesc.normals = normals;
+        meshDesc.indices = indices;
+        abi::Mesh mesh;
+        ASSERT_EQ(mesh.create(fbrdf_mesh_create, plain.renderer.get(), &meshDesc), FBRDF_RESULT_OK);
+        fbrdf_item item{};
+        item.material = plain.gpuMaterial.get();
+        item.mesh = mesh.get();
+        draw.framebuffer = offscreen.framebuffer();
+        draw.width = draw.height = kSize;
+        for (int i = 0; i < 16; i += 5) draw.view[i] = draw.projection[i] = item.model[i] = 1.0f;
+        draw.projection[10] = -1.0f;  // the camera looks along -z
+        draw.item_count = 1;
+        draw.item_size = sizeof item;
+        draw.items = &item;
+        auto stats = abi::describe<fbrdf_draw_stats>();
+        for (int frame = 0; frame < 600; ++frame) {
+            offscreen.clear();  // what was drawn without lobes is as near
+            ASSERT_EQ(fbrdf_draw(plain.renderer.get(), &draw, &stats), FBRDF_RESULT_OK);
+            if (stats.items_without_environment == 0) break;
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+        EXPECT_EQ(stats.items_without_environment, 0u) << stats.why_no_environment;
+        EXPECT_GT(stats.environment_error, 0.0f);
+        EXPECT_EQ(stats.lights_given, draw.area_light_count);
+        // f is constant: 1/4 R, 1/2 G, 1 B, so its albedo is pi f; white furnace within a 200th.
+        const std::vector<float> pixels = offscreen.readPixels();
+        const float expected = 3.14159265f * radiance;
+        for (size_t i = 0; i < pixels.size(); i += 4) {
+            ASSERT_NEAR(pixels[i], 0.25f * expected, 0.005f * expected);
+            ASSERT_NEAR(pixels[i + 1], 0.5f * expected, 0.005f * expected);
+            ASSERT_NEAR(pixels[i + 2], expected, 0.005f * expected);
+        }
+    }
+
     std::vector<float> texels_;
 };
 
@@ -31,57 +78,79 @@ TEST_P(CApiEnvironmentGL, LightsAnObject)
 {
     Plain plain;
     makePlain(plain);
-    ASSERT_TRUE(plain.gpuMaterial);
-    Offscreen offscreen = makeOffscreen(kSize);
     const auto desc = grey(1.0f);
     abi::Environment environment;
     ASSERT_EQ(environment.create(fbrdf_environment_create, plain.renderer.get(), &desc),
               FBRDF_RESULT_OK)
         << (plain.lines.empty() ? "" : plain.lines[0].text);
-    const float quad[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
-    const float normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
-    const uint32_t indices[] = {0, 1, 2, 0, 2, 3};
-    auto meshDesc = abi::describe<fbrdf_mesh_desc>();
-    meshDesc.vertex_count = 4;
-    meshDesc.index_count = 6;
-    meshDesc.positions = quad;
-    meshDesc.normals = normals;
-    meshDesc.indices = indices;
-    abi::Mesh mesh;
-    ASSERT_EQ(mesh.create(fbrdf_mesh_create, plain.renderer.get(), &meshDesc), FBRDF_RESULT_OK);
-    fbrdf_item item{};
-    item.material = plain.gpuMaterial.get();
-    item.mesh = mesh.get();
     auto light = abi::describe<fbrdf_environment_light>();
     light.environment = environment.get();
     light.intensity[0] = light.intensity[1] = light.intensity[2] = 0.5f;
     auto draw = abi::describe<fbrdf_draw_desc>();
-    draw.framebuffer = offscreen.framebuffer();
-    draw.width = draw.height = kSize;
-    for (int i = 0; i < 16; i += 5) draw.view[i] = draw.projection[i] = item.model[i] = 1.0f;
-    draw.projection[10] = -1.0f;  // the camera looks along -z
-    draw.item_count = 1;
-    draw.item_size = sizeof item;
-    draw.items = &item;
     draw.environment = &light;
+    expectAlbedo(plain, draw, 0.5f);
+}
+
+// From inside a sphere, or from between two squares that are far larger than their distance, light
+// comes from everywhere.
+TEST_P(CApiEnvironmentGL, AreaLightsLightAnObject)
+{
+    Plain plain;
+    makePlain(plain);
+    fbrdf_area_light sphere{}, ceiling{};
+    for (fbrdf_area_light* light : {&sphere, &ceiling})
+        for (float& r : light->radiance) r = 0.5f;
+    sphere.size = 5.0f;
+    const float corners[] = {-4000, -4000, 2, -4000, 4000, 2, 4000, 4000, 2, 4000, -4000, 2};
+    ceiling.shape = FBRDF_AREA_POLYGON;
+    ceiling.vertex_count = 4;
+    ceiling.vertices = corners;
+    for (const fbrdf_area_light& light : {sphere, ceiling}) {
+        auto draw = abi::describe<fbrdf_draw_desc>();
+        draw.area_lights = &light;
+        draw.area_light_count = 1;
+        draw.area_light_size = sizeof light;
+        expectAlbedo(plain, draw, 0.5f);
+    }
+}
+
+TEST_P(CApiEnvironmentGL, ChecksAreaLights)
+{
+    Plain plain;
+    makePlain(plain);
+    Offscreen offscreen = makeOffscreen(kSize);
+    const auto drawn = [&](const fbrdf_area_light& light, fbrdf_draw_stats& stats) {
+        auto draw = abi::describe<fbrdf_draw_desc>();
+        draw.framebuffer = offscreen.framebuffer();
+        draw.width = draw.height = kSize;
+        for (int i = 0; i < 16; i += 5) draw.view[i] = draw.projection[i] = 1.0f;
+        draw.projection[10] = -1.0f;
+        draw.area_lights = &light;
+        draw.area_light_count = 1;
+        draw.area_light_size = sizeof light;
+        plain.lines.clear();
+        return fbrdf_draw(plain.renderer.get(), &draw, &stats);
+    };
     auto stats = abi::describe<fbrdf_draw_stats>();
-    // The file of the material has no lobes: they are fitted beside the drawing thread.
-    for (int frame = 0; frame < 600; ++frame) {
-        offscreen.clear();  // what was drawn without the environment is as near
-        ASSERT_EQ(fbrdf_draw(plain.renderer.get(), &draw, &stats), FBRDF_RESULT_OK);
-        if (stats.items_without_environment == 0) break;
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    EXPECT_EQ(stats.items_without_environment, 0u) << stats.why_no_environment;
-    EXPECT_GT(stats.environment_error, 0.0f);
-    // f is constant: 1/4 R, 1/2 G, 1 B, so its albedo is pi f; white furnace within a 200th.
-    const std::vector<float> pixels = offscreen.readPixels();
-    const float pi = 3.14159265f;
-    for (size_t i = 0; i < pixels.size(); i += 4) {
-        ASSERT_NEAR(pixels[i], 0.125f * pi, 0.002f);
-        ASSERT_NEAR(pixels[i + 1], 0.25f * pi, 0.004f);
-        ASSERT_NEAR(pixels[i + 2], 0.5f * pi, 0.008f);
-    }
+    // A light that is none is dropped, counted and logged.
+    fbrdf_area_light light{};
+    EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_OK);
+    EXPECT_EQ(stats.lights_dropped, 1u);
+    EXPECT_EQ(plain.lines.size(), 1u);
+    light.size = 1.0f;
+    EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_OK);
+    EXPECT_EQ(stats.lights_dropped, 0u);
+    light.shape = 5;
+    EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_ERROR_ARGUMENT);
+    light.shape = FBRDF_AREA_POLYGON;
+    light.vertex_count = 3;
+    EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_ERROR_ARGUMENT);
+    light.vertices = light.position;
+    light.vertex_count = 4000000000u;
+    EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_ERROR_ARGUMENT);
+    light = {};
+    light.reserved = 1;
+    EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_ERROR_VERSION);
 }
 
 TEST_P(CApiEnvironmentGL, RefusesWhatIsNone)

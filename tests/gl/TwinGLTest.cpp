@@ -3,8 +3,10 @@
 #include "EmbeddedShaders.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
+#include <fbrdf/brdf/LobeContour.h>
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/environment/Prefilter.h>
+#include <fbrdf/plan/AreaContour.h>
 #include <fbrdf/plan/LightVectors.h>
 #include <fbrdf/plan/Transfer.h>
 
@@ -12,6 +14,7 @@
 
 #include "support/gl/GlTest.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -57,7 +60,7 @@ std::string twinFragment(const std::string& statements)
 {
     std::string text = "#version 140\n";
     for (const char* file : {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl",
-                             "lights.glsl", "transfer.glsl"})
+                             "lights.glsl", "area.glsl", "transfer.glsl"})
         text += embeddedShader(file);
     // The output of these programs has another name.
     text += "#undef FBRDF_COLOUR_OUTPUT\n#define FBRDF_COLOUR_OUTPUT\n" +
@@ -334,6 +337,109 @@ TEST_P(Twin, Falloff)
     compare(
         "result = vec4(fbrdfFalloff(a.x, a.y > 0.0 ? 1.0 / (a.y * a.y) : 0.0));", inputs,
         [](const Inputs& i) { return Vec4(falloff(i.a.x, i.a.y)); }, kRounding);
+}
+
+TEST_P(Twin, Windows)
+{
+    std::vector<Inputs> inputs;
+    for (float d2 = 0.0f; d2 < 2.0f; d2 += 0.05f)
+        inputs.push_back({Vec4(d2, 0.8f, 0.0f, 0.0f), {}});
+    compare(
+        "result = vec4(fbrdfInfluenceWindow(a.x, a.y));", inputs,
+        [](const Inputs& i) { return Vec4(influenceWindow(i.a.x, i.a.y)); }, kRounding);
+}
+
+// What area lights are made of: the share of a lobe in an edge, and in a cap.
+TEST_P(Twin, LobesInOutlines)
+{
+    std::vector<Inputs> cosines, levels, edges, caps;
+    for (float c = -0.999f; c <= 1.0f; c += 0.037f) cosines.push_back({Vec4(c), {}});
+    compare(
+        "result = vec4(fbrdfAngleOverSine(a.xy), 0.0, 0.0);", cosines,
+        [](const Inputs& i) {
+            return Vec4(angleOverSine(i.a.x), angleOverSine(i.a.y), 0.0f, 0.0f);
+        },
+        kRounding);
+    for (float level = -0.5f; level < 7.0f; level += 0.21f) levels.push_back({Vec4(level), {}});
+    compare(
+        "FbrdfLobeMixture m = fbrdfLobeMixture(a.x); result = vec4(m.squaredWidth, m.share);",
+        levels,
+        [](const Inputs& i) {
+            const auto m = lobeMixture(i.a.x);
+            return Vec4(m.squaredWidth, m.share);
+        },
+        kRounding);
+    for (int i = 0; i < 60; ++i) {
+        const float t = static_cast<float>(i);
+        edges.push_back({Vec4(std::sin(t), std::cos(2.0f * t), 0.1f + 0.01f * t, 1.0f / 4096.0f),
+                         Vec4(std::sin(t + 0.3f), std::cos(2.0f * t + 0.2f), 0.7f, 0.25f)});
+        caps.push_back(
+            {Vec4(0.6f + 0.006f * t, 0.3f * std::exp(-0.2f * t), 1.0f / 1024.0f, 1.0f), {}});
+    }
+    compare(
+        "result = vec4(fbrdfLobeEdge(vec3(0.0, 0.6, 0.8), vec2(a.w, b.w), a.xyz, b.xyz), 0.0, "
+        "0.0);",
+        edges,
+        [](const Inputs& i) {
+            return Vec4(lobeEdge(Vec3f(0.0f, 0.6f, 0.8f), Vec2<float>(i.a.w, i.b.w), Vec3f(i.a),
+                                 Vec3f(i.b)),
+                        0.0f, 0.0f);
+        },
+        kTexels);
+    compare(
+        "result = vec4(fbrdfLobeInCap(a.zw, a.x, a.y), 0.0, 0.0);", caps,
+        [](const Inputs& i) {
+            return Vec4(lobeInCap(Vec2<float>(i.a.z, i.a.w), i.a.x, i.a.y), 0.0f, 0.0f);
+        },
+        kTexels);
+}
+
+TEST_P(Twin, AreaLights)
+{
+    std::vector<Inputs> inputs;
+    for (int i = 0; i < 120; ++i) {
+        const float t = static_cast<float>(i);
+        const Vec3f axis = glm::normalize(Vec3f(std::sin(0.31f * t), std::sin(0.17f * t), 0.6f));
+        inputs.push_back({Vec4(std::sin(1.3f * t), std::sin(0.7f * t), 0.5f * std::sin(2.1f * t),
+                               static_cast<float>(i % 4)),
+                          Vec4(axis, 0.05f * t)});
+    }
+    const std::array<Vec4, 4> ofSphere{Vec4(0.3f, 0.2f, 1.1f, 1.0f), Vec4(0.4f, 0.0f, 0.0f, 1.0f),
+                                       Vec4(0.0f), Vec4(0.0f, 0.0f, 0.0f, 8.0f + 4.0f)},
+        ofTube{Vec4(-0.6f, 0.2f, 1.1f, 1.0f), Vec4(0.8f, -0.1f, 0.9f, 1.0f), Vec4(0.2f),
+               Vec4(5.0f)},
+        ofDisc{Vec4(0.1f, 0.2f, 1.2f, 1.0f), Vec4(0.0f, 0.5f, 0.1f, 1.0f),
+               Vec4(0.5f, 0.0f, 0.0f, 1.0f), Vec4(0.0f, 0.0f, 0.0f, 3.0f)},
+        ofFacet{Vec4(-0.5f, -0.5f, 1.0f, 1.0f), Vec4(-0.4f, 0.6f, 1.0f, 1.0f),
+                Vec4(0.7f, 0.6f, 1.2f, 1.0f), Vec4(0.6f, -0.5f, 1.2f, 8.0f)};
+    for (const auto& v : {ofSphere, ofTube, ofDisc, ofFacet}) {
+        std::string vectors;
+        for (const Vec4& k : v)
+            vectors += "vec4(" + std::to_string(k.x) + ", " + std::to_string(k.y) + ", " +
+                       std::to_string(k.z) + ", " + std::to_string(k.w) + "), ";
+        const AreaVectors light{Vec4(0.0f), v[0], v[1], v[2], v[3]};
+        const std::string contour =
+            "FbrdfAreaContour contour = fbrdfAreaContour(" + vectors + "a.xyz); ";
+        compare(
+            contour + "result = vec4(fbrdfLobeInArea(contour, vec3(0.0, 0.28, 0.96), b.xyz, b.w));",
+            inputs,
+            [&light](const Inputs& i) {
+                return Vec4(lobeInArea(areaContour(light, Vec3f(i.a)), Vec3f(0.0f, 0.28f, 0.96f),
+                                       Vec3f(i.b), i.b.w));
+            },
+            kTexels);
+        compare(
+            contour +
+                "result = contour.points > 0.0 ? vec4(fbrdfContourPoint(contour, a.w), 1.0) : "
+                "vec4(0.0);",
+            inputs,
+            [&light](const Inputs& i) {
+                const auto seen = areaContour(light, Vec3f(i.a));
+                return seen.points > 0 ? Vec4(contourPoint(seen, static_cast<int>(i.a.w)), 1.0f)
+                                       : Vec4(0.0f);
+            },
+            kTexels);
+    }
 }
 
 TEST_P(Twin, Frames)

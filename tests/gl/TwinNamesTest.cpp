@@ -1,9 +1,11 @@
 // A GLSL function fbrdfX and the C++ function x compute the same, step by step. TwinGLTest.cpp
 // compares their values; this file checks that both exist under these names and that no function of
 // the shader snippets was forgotten.
+#include <fbrdf/brdf/LobeContour.h>
 #include <fbrdf/brdf/Projection.h>
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/environment/Prefilter.h>
+#include <fbrdf/plan/AreaContour.h>
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/Transfer.h>
 #include <fbrdf/shaders/ShaderSource.h>
@@ -43,6 +45,14 @@ Names twins()
             FBRDF_TWIN(&perturbed<float>),
             FBRDF_TWIN(&ShadingFrame<float>::local),
             FBRDF_TWIN(&falloff<float>),
+            FBRDF_TWIN(&influenceWindow<float>),
+            FBRDF_TWIN(&lobeMixture<float>),
+            FBRDF_TWIN(&angleOverSine<float>),
+            FBRDF_TWIN(&lobeEdge<float>),
+            FBRDF_TWIN(&lobeInCap<float>),
+            FBRDF_TWIN(&areaContour<float>),
+            FBRDF_TWIN(&contourPoint<float>),
+            FBRDF_TWIN(&lobeInArea<float>),
             FBRDF_TWIN(&coneFactor),
             FBRDF_TWIN(&lightList),
             FBRDF_TWIN(&lobeFrame),
@@ -74,6 +84,14 @@ const std::map<std::string, std::string> kAlone{
     {"fbrdfBentAxis", "a step of lobesAt"},
     {"fbrdfFacePoint", "EnvironmentMakingGLTest.cpp compares the cube"},
     {"fbrdfStorable", "what a format can store"},
+    {"fbrdfBulge", "a step of areaContour"},
+    {"fbrdfWholeCircle", "a step of areaContour"},
+    {"fbrdfSphereContour", "a step of areaContour"},
+    {"fbrdfTubeContour", "a step of areaContour"},
+    {"fbrdfFacetContour", "a step of areaContour"},
+    {"fbrdfSquaredDistance", "a step of areaContour"},
+    {"fbrdfCutEdge", "a step of lobeInArea"},
+    {"fbrdfLobeInOutline", "a step of lobeInArea"},
     {"fbrdfListed", "reads what fbrdfLightList found"},
     {"fbrdfReaches", "skips lights of a list"},
 };
@@ -82,8 +100,9 @@ Names definedFunctions()
 {
     const std::regex definition("\n[A-Za-z0-9]+ (fbrdf[A-Za-z]+)\\(");
     Names names;
-    for (const char* file : {"angles.glsl", "clusters.glsl", "frame.glsl", "lights.glsl",
-                             "lobes.glsl", "prefilter.glsl", "projection.glsl", "transfer.glsl"}) {
+    for (const char* file :
+         {"angles.glsl", "area.glsl", "clusters.glsl", "frame.glsl", "lights.glsl", "lobes.glsl",
+          "prefilter.glsl", "projection.glsl", "transfer.glsl"}) {
         const std::string text(shaderSnippet(file));
         EXPECT_FALSE(text.empty()) << file;
         for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)

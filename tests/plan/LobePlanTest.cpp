@@ -1,4 +1,5 @@
-// Plans with an environment: the lobes are added once, whatever the lights need.
+// Plans with an environment or area lights: the lobes of each are added once, whatever the lights
+// need.
 #include <fbrdf/base/Error.h>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "PlanSimulator.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fbrdf {
 namespace {
@@ -20,11 +22,17 @@ struct LobeCase {
 std::string describeLobes(const LobeCase& c)
 {
     return c.form.name + ", " + techniqueName(c.request.technique) + ", " +
-           std::to_string(c.request.lights) + " lights, " +
-           std::to_string(c.request.environment.lobes) + " lobes, at most " +
+           std::to_string(c.request.lights) + " lights, " + std::to_string(c.request.lobes.lobes) +
+           " lobes, " + std::to_string(c.request.lobeLight.areaLights) + " area lights, at most " +
            std::to_string(c.request.maxLookups) + " look-ups, " +
            colourFormatName(c.request.target) + (c.request.offscreen ? "" : ", no offscreen") +
            (isCurved(c.request.transfer) ? ", curved" : "");
+}
+
+std::vector<std::pair<LobeLayout, LobeLight>> litLobes()
+{
+    return {{tiltedLobes(1), {true, 0}},  {tiltedLobes(2), {true, 0}},  {tiltedLobes(3), {true, 1}},
+            {tiltedLobes(2), {false, 3}}, {tiltedLobes(1), {false, 1}}, {bentLobes(5), {true, 4}}};
 }
 
 template <class Check>
@@ -38,8 +46,7 @@ void forEachLobeCase(Check check)
                          {ColourFormat::rgba32f, ColourFormat::rgba8, ColourFormat::rgba16f})
                         for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
                             for (const bool offscreen : {true, false})
-                                for (const LobeLayout& lobes : {tiltedLobes(1), tiltedLobes(2),
-                                                                tiltedLobes(3), bentLobes(5)}) {
+                                for (const auto& [lobes, light] : litLobes()) {
                                     PlanRequest request;
                                     request.technique = t;
                                     request.lights = lights;
@@ -48,7 +55,8 @@ void forEachLobeCase(Check check)
                                     request.target = target;
                                     request.transfer = transfer;
                                     request.offscreen = offscreen;
-                                    request.environment = lobes;
+                                    request.lobes = lobes;
+                                    request.lobeLight = light;
                                     check(LobeCase{form, request});
                                 }
 }
@@ -68,13 +76,16 @@ TEST(LobePlan, DrawsTheDefinitionInEveryCase)
         ASSERT_TRUE(plan.feasible() || !c.request.offscreen) << describeLobes(c) << plan.reason;
         if (!plan.feasible()) return;
         ++feasible;
+        const int lobes = c.request.lobes.lobes;
         auto nearer =
-                 simulatedFragment(c.form, c.request.lights, 0.3, 1, c.request.environment.lobes),
+                 simulatedFragment(c.form, c.request.lights, 0.3, 1, lobes, c.request.lobeLight),
              farther =
-                 simulatedFragment(c.form, c.request.lights, 0.6, 2, c.request.environment.lobes);
+                 simulatedFragment(c.form, c.request.lights, 0.6, 2, lobes, c.request.lobeLight);
         if (isCurved(c.request.transfer)) {
             for (double& e : nearer.irradiance) e *= 1e-3;
             for (double& lobe : nearer.lobes) lobe *= 1e-2;  // below white
+            for (auto& values : nearer.areaLobes)
+                for (double& lobe : values) lobe *= 1e-2;
         }
         const double radiance = expectedValue(c.form, nearer),
                      expected = transferred(c.request.transfer, 1.0, radiance);
@@ -107,7 +118,8 @@ TEST(LobePlan, IsTwoLookupsForOneLobeAndTwoPassesForThree)
     for (const int lights : {0, 3})
         for (const int lobes : {1, 2, 3}) {
             PlanRequest request = twoLookup(lights);
-            request.environment = tiltedLobes(lobes);
+            request.lobes = tiltedLobes(lobes);
+            request.lobeLight.environment = true;
             const Plan plan = planPasses(formHdio({8, 8, 8}), request, modern());
             const size_t own = lobes == 1 ? 1 : 2;
             ASSERT_EQ(plan.passes.size(), static_cast<size_t>(lights) + own) << lobes;
@@ -128,7 +140,8 @@ TEST(LobePlan, IsOnePassWithTheLightsWhenSingle)
         for (const int lights : {0, 1, 64}) {
             PlanRequest request;
             request.lights = lights;
-            request.environment = tiltedLobes(3);
+            request.lobes = tiltedLobes(3);
+            request.lobeLight.environment = true;
             for (const ColourFormat target : {ColourFormat::rgba32f, ColourFormat::rgba8}) {
                 request.target = target;
                 const Plan plan = planPasses(form, request, modern());
@@ -144,7 +157,8 @@ TEST(LobePlan, TakesPassesOfItsOwnAfterBatches)
     PlanRequest request;
     request.technique = Technique::batched;
     request.lights = 20;
-    request.environment = tiltedLobes(3);
+    request.lobes = tiltedLobes(3);
+    request.lobeLight.environment = true;
     const Plan plan = planPasses(formPqp(8, 1.0), request, modern());
     ASSERT_EQ(plan.passes.size(), 4u);
     EXPECT_EQ(plan.passes.back().lobes.lookups(), 4);
@@ -160,7 +174,8 @@ TEST(LobePlan, SharesUniformsWithTheLights)
     const Form form = formPqp(8, 1.0);
     PlanRequest request;
     request.lights = 30;
-    request.environment = tiltedLobes(3);  // 24 x 5 vectors
+    request.lobes = tiltedLobes(3);
+    request.lobeLight.environment = true;  // 24 x 5 vectors
     const Plan beside = planPasses(form, request, small);
     ASSERT_EQ(beside.passes.size(), 1u);
     const LobeShare& share = beside.passes[0].lobes;
@@ -169,7 +184,8 @@ TEST(LobePlan, SharesUniformsWithTheLights)
     EXPECT_GE(maxLightsInUniforms(form, small, share), 30);
     request.lights = 70;
     EXPECT_EQ(planPasses(form, request, small).passes.size(), 2u);
-    request.environment = bentLobes(7);  // 84 x 8 vectors in one pass
+    request.lobes = bentLobes(7);
+    request.lobeLight.environment = true;  // 84 x 8 vectors in one pass
     const Plan bent = planPasses(form, request, small);
     ASSERT_TRUE(bent.feasible()) << bent.reason;
     int lobes = 0;
@@ -187,7 +203,8 @@ TEST(LobePlan, SharesUniformsWithTheLights)
 TEST(LobePlan, SaysWhyThereIsNone)
 {
     PlanRequest request = twoLookup(2);
-    request.environment = tiltedLobes(2);
+    request.lobes = tiltedLobes(2);
+    request.lobeLight.environment = true;
     Capabilities old = modern();
     old.glsl = 120;
     EXPECT_NE(planPasses(formPqp(8, 1.0), request, old).reason.find("GL_ARB_shader_texture_lod"),
@@ -206,18 +223,70 @@ TEST(LobePlan, SaysWhyThereIsNone)
     request.technique = Technique::single;
     request.lights = 2;
     EXPECT_TRUE(planPasses(formPqp(8, 1.0), request, bytes).feasible());
-    request.environment.thetas = 0;
+    request.lobes.thetas = 0;
     EXPECT_THROW(planPasses(formPqp(8, 1.0), request, modern()), Error);
+}
+
+TEST(LobePlan, AreaLightsTakeNoLookups)
+{
+    PlanRequest request = twoLookup(2);
+    request.lobes = tiltedLobes(3);
+    request.lobeLight.areaLights = 3;
+    const Plan plan = planPasses(formHdio({8, 8, 8}), request, modern());
+    ASSERT_TRUE(plan.feasible()) << plan.reason;
+    // The technique has one light in each pass, and all lobes of it fit.
+    ASSERT_EQ(plan.passes.size(), 5u);
+    for (int i = 0; i < 3; ++i) {
+        const Pass& pass = plan.passes[static_cast<size_t>(2 + i)];
+        EXPECT_EQ(pass.lookups, 0);
+        EXPECT_EQ(pass.lobes.count, 3);
+        EXPECT_EQ(pass.lobes.firstArea, i);
+        EXPECT_FALSE(pass.lobes.environment);
+    }
+    request.technique = Technique::single;
+    const Plan single = planPasses(formHdio({8, 8, 8}), request, modern());
+    ASSERT_EQ(single.passes.size(), 1u);
+    EXPECT_EQ(single.passes[0].lobes.areaCount, 3);
+    EXPECT_EQ(single.passes[0].lobes.areaSlots, 4);
+    request.lobeLight.areaLights = -1;
+    EXPECT_THROW(planPasses(formHdio({8, 8, 8}), request, modern()), Error);
+    request.lobeLight.areaLights = 1;
+    request.lobes = {};
+    EXPECT_THROW(planPasses(formHdio({8, 8, 8}), request, modern()), Error);
+}
+
+TEST(LobePlan, SpreadsManyAreaLightsOverPasses)
+{
+    Capabilities small = modern();
+    small.maxUniformVectors = 256;
+    PlanRequest request;
+    request.lights = 2;
+    request.lobes = tiltedLobes(2);
+    request.lobeLight = {true, 70};
+    const Form form = formPqp(8, 1.0);
+    const Plan plan = planPasses(form, request, small);
+    ASSERT_TRUE(plan.feasible()) << plan.reason;
+    int areas = 0, environments = 0;
+    for (const Pass& pass : plan.passes) {
+        EXPECT_LE(kVectorsPerLight * pass.lightCount + pass.lobes.vectors(),
+                  freeUniformVectors(form, small));
+        EXPECT_GE(pass.lobes.areaSlots, pass.lobes.areaCount);
+        areas += pass.lobes.areaCount;
+        environments += !pass.lobes.isEmpty() && pass.lobes.environment ? 1 : 0;
+    }
+    EXPECT_EQ(areas, 70);
+    EXPECT_EQ(environments, 1);
 }
 
 TEST(LobePlan, StatesTheErrorOfTheLobesThatAreDrawn)
 {
     PlanRequest request = twoLookup(2);
-    request.environmentError = 0.04;
-    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).environmentError, 0.0);
-    request.environment = tiltedLobes(2);
-    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).environmentError, 0.04);
-    request.environmentError = -1.0;
+    request.lobeError = 0.04;
+    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).lobeError, 0.0);
+    request.lobes = tiltedLobes(2);
+    request.lobeLight.environment = true;
+    EXPECT_EQ(planPasses(formPqp(8, 1.0), request, modern()).lobeError, 0.04);
+    request.lobeError = -1.0;
     EXPECT_THROW(planPasses(formPqp(8, 1.0), request, modern()), Error);
 }
 

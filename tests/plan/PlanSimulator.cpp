@@ -45,12 +45,22 @@ double valueOf(const Pass& pass, const SimulatedFragment& fragment)
     return sum;
 }
 
+/// The lobes of a share that one light lights. .at throws for a wrong plan, which adds a lobe that
+/// there is not.
+double lobesOf(const LobeShare& share, const std::vector<double>& lobes)
+{
+    double sum = share.cosine ? lobes.at(0) : 0.0;
+    for (int k = 0; k < share.count; ++k) sum += lobes.at(static_cast<size_t>(1 + share.first + k));
+    return sum;
+}
+
 double lobesOf(const Pass& pass, const SimulatedFragment& fragment)
 {
-    // .at throws for a wrong plan, which adds a lobe that there is not.
-    double sum = pass.lobes.cosine ? fragment.lobes.at(0) : 0.0;
-    for (int k = 0; k < pass.lobes.count; ++k)
-        sum += fragment.lobes.at(static_cast<size_t>(1 + pass.lobes.first + k));
+    const LobeShare& share = pass.lobes;
+    if (share.isEmpty()) return 0.0;
+    double sum = share.environment ? lobesOf(share, fragment.lobes) : 0.0;
+    for (int i = 0; i < share.areaCount; ++i)
+        sum += lobesOf(share, fragment.areaLobes.at(static_cast<size_t>(share.firstArea + i)));
     return sum;
 }
 
@@ -81,7 +91,7 @@ double simulatedScale(int term)
 }
 
 SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed,
-                                    int lobes)
+                                    int lobes, const LobeLight& light)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> value(0.5, 2.0);
@@ -98,7 +108,12 @@ SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, 
         }
     }
     for (int i = 0; i < lights; ++i) fragment.irradiance.push_back(value(random));
-    for (int i = 0; lobes > 0 && i <= lobes; ++i) fragment.lobes.push_back(value(random));
+    const auto fill = [&](std::vector<double>& values) {
+        for (int i = 0; i <= lobes; ++i) values.push_back(value(random));
+    };
+    if (light.environment && lobes > 0) fill(fragment.lobes);
+    fragment.areaLobes.resize(static_cast<size_t>(light.areaLights));
+    for (auto& values : fragment.areaLobes) fill(values);
     return fragment;
 }
 
@@ -114,6 +129,8 @@ double expectedValue(const Form& form, const SimulatedFragment& fragment)
             sum += product;
         }
     for (const double lobe : fragment.lobes) sum += lobe;
+    for (const auto& lobes : fragment.areaLobes)
+        for (const double lobe : lobes) sum += lobe;
     return sum;
 }
 

@@ -16,6 +16,7 @@ struct SimulatedFragment {
     std::vector<double> irradiance;  ///< [light], cosine included
     /// What an environment adds: the cosine, then each lobe; empty where there is none.
     std::vector<double> lobes = {};
+    std::vector<std::vector<double>> areaLobes = {};  ///< the same for each area light
 };
 
 struct SimulatedPixel {
@@ -24,7 +25,7 @@ struct SimulatedPixel {
 
 /// A fragment with factors that no two terms, lights, lobes or seeds share; 0.5 to 2.
 SimulatedFragment simulatedFragment(const Form& form, int lights, double depth, unsigned seed,
-                                    int lobes = 0);
+                                    int lobes = 0, const LobeLight& light = {true, 0});
 
 /// The scale of a term in the simulation.
 double simulatedScale(int term);

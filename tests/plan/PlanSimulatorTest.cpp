@@ -59,7 +59,8 @@ protected:
     static PlanRequest request()
     {
         PlanRequest request = twoLookup(2);
-        request.environment = tiltedLobes(3);
+        request.lobes = tiltedLobes(3);
+        request.lobeLight.environment = true;
         return request;
     }
     bool passes(const Plan& plan) const

@@ -79,7 +79,8 @@ TEST(Facing, SeesEveryBallAndTouchesTheEdgeWithOne)
 TEST(SpreadAround, LeavesScenesThatFitAndKeepsIrradianceElsewhere)
 {
     const auto lights = makeLights(5);
-    EXPECT_EQ(lightsToJson(spreadAround(lights, {Vec3f(0.0f), 1.19f})), lightsToJson(lights));
+    EXPECT_EQ(lightsToJson({spreadAround(lights, {Vec3f(0.0f), 1.19f}), {}}),
+              lightsToJson({lights, {}}));
     const Bounds far{Vec3f(100.0f, 0.0f, 0.0f), 12.0f};
     const auto moved = spreadAround(lights, far);
     for (size_t i = 0; i < lights.size(); ++i) {

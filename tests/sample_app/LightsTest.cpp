@@ -40,7 +40,7 @@ std::string pointWith(const std::string& name, const std::string& value)
 
 TEST(LightJson, ReadsBothTypes)
 {
-    const std::vector<Light> lights = lightsFromJson(kTwo, "l.json");
+    const std::vector<Light> lights = lightsFromJson(kTwo, "l.json").lights;
     ASSERT_EQ(lights.size(), 2u);
     EXPECT_EQ(lights[0].type, Light::Type::point);
     EXPECT_EQ(lights[0].position, Vec3f(1.0f, 2.0f, 3.5f));
@@ -50,7 +50,7 @@ TEST(LightJson, ReadsBothTypes)
     EXPECT_NEAR(glm::distance(lights[1].position, Vec3f(0.0f, 0.6f, 0.8f)), 0.0f, 1e-7f);
     EXPECT_EQ(lights[1].intensity, Vec3f(0.25f, 0.0f, 1e-3f));
     EXPECT_EQ(lights[1].radius, 0.0f);
-    EXPECT_TRUE(lightsFromJson("{\"lights\": []}", "l.json").empty());
+    EXPECT_EQ(lightsFromJson("{\"lights\": []}", "l.json").size(), 0u);
 }
 
 TEST(LightJson, WritesWhatItReads)
@@ -59,7 +59,7 @@ TEST(LightJson, WritesWhatItReads)
     lights[4].radius = 0.1f;
     lights[5].type = Light::Type::directional;
     lights[5].position = glm::normalize(lights[5].position);
-    const std::vector<Light> again = lightsFromJson(lightsToJson(lights), "l.json");
+    const std::vector<Light> again = lightsFromJson(lightsToJson({lights, {}}), "l.json").lights;
     ASSERT_EQ(again.size(), lights.size());
     for (size_t i = 0; i < lights.size(); ++i) {
         EXPECT_EQ(again[i].type, lights[i].type);
@@ -71,10 +71,12 @@ TEST(LightJson, WritesWhatItReads)
 
 TEST(LightJson, ReadsAndWritesSpots)
 {
-    const auto lights = lightsFromJson(
-        R"({"lights": [{"type": "spot", "position": [1, 2, 3], "intensity": [4, 5, 6], "radius": 9,
+    const auto lights =
+        lightsFromJson(
+            R"({"lights": [{"type": "spot", "position": [1, 2, 3], "intensity": [4, 5, 6], "radius": 9,
             "axis": [0, 0, -2], "inner_degrees": 15, "outer_degrees": 180}]})",
-        "l.json");
+            "l.json")
+            .lights;
     ASSERT_EQ(lights.size(), 1u);
     const Light& light = lights[0];
     EXPECT_TRUE(isValid(light));
@@ -83,7 +85,7 @@ TEST(LightJson, ReadsAndWritesSpots)
     EXPECT_FLOAT_EQ(light.innerAngle, static_cast<float>(kPi / 12));
     EXPECT_FLOAT_EQ(light.outerAngle, static_cast<float>(kPi));
     EXPECT_EQ(light.radius, 9.0f);
-    const Light again = lightsFromJson(lightsToJson(lights), "l.json").at(0);
+    const Light again = lightsFromJson(lightsToJson({lights, {}}), "l.json").lights.at(0);
     EXPECT_EQ(again.axis, light.axis);
     EXPECT_FLOAT_EQ(again.innerAngle, light.innerAngle);
     EXPECT_FLOAT_EQ(again.outerAngle, light.outerAngle);
@@ -107,6 +109,75 @@ TEST(LightJson, RefusesSpotsWithoutACone)
               std::string::npos);
     EXPECT_NE(spotWith(R"(, "axis": [0, 0, 0], "inner_degrees": 1, "outer_degrees": 20)")
                   .find("lights[0].axis: found a vector of length 0"),
+              std::string::npos);
+}
+
+const char* const kShapes = R"({"lights": [
+  {"type": "sphere", "position": [1, 2, 3], "size": 0.5, "radiance": [1, 2, 3], "radius": 4},
+  {"type": "point", "position": [1, 2, 3], "intensity": [4, 5, 6]},
+  {"type": "disc", "position": [0, 1, 0], "normal": [0, -2, 0], "size": 2, "radiance": [1, 1, 1]},
+  {"type": "rectangle", "position": [0, 0, 1], "axis_u": [1, 0, 0], "axis_v": [0, 2, 0],
+   "radiance": [5, 5, 5], "two_sided": true},
+  {"type": "tube", "from": [0, 0, 0], "to": [1, 0, 0], "size": 0.1, "radiance": [1, 0, 0]},
+  {"type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "radiance": [1, 1, 0]}]})";
+
+TEST(LightJson, ReadsAndWritesLightsWithAShape)
+{
+    const LightSet set = lightsFromJson(kShapes, "l.json");
+    ASSERT_EQ(set.lights.size(), 1u);
+    ASSERT_EQ(set.areaLights.size(), 5u);
+    for (const LightSet& s : {set, lightsFromJson(lightsToJson(set), "l.json")}) {
+        EXPECT_EQ(s.areaLights[0].shape, AreaLight::Shape::sphere);
+        EXPECT_EQ(s.areaLights[0].position, Vec3f(1, 2, 3));
+        EXPECT_EQ(s.areaLights[0].radiance, Vec3f(1, 2, 3));
+        EXPECT_EQ(s.areaLights[0].size, 0.5f);
+        EXPECT_EQ(s.areaLights[0].radius, 4.0f);
+        EXPECT_EQ(s.areaLights[1].normal, Vec3f(0, -1, 0));
+        EXPECT_FALSE(s.areaLights[1].twoSided);
+        EXPECT_EQ(s.areaLights[2].axisV, Vec3f(0, 2, 0));
+        EXPECT_TRUE(s.areaLights[2].twoSided);
+        EXPECT_EQ(s.areaLights[3].end, Vec3f(1, 0, 0));
+        EXPECT_EQ(s.areaLights[4].vertices.size(), 3u);
+        EXPECT_EQ(s.areaLights[4].vertices[1], Vec3f(1, 0, 0));
+    }
+    const std::string text = kShapes;
+    for (size_t size = 0; size < text.size(); ++size) EXPECT_NE(errorOf(text.substr(0, size)), "");
+}
+
+TEST(LightJson, RefusesShapesThatAreNone)
+{
+    const auto of = [](const std::string& rest) {
+        return errorOf("{\"lights\": [{\"radiance\": [1, 1, 1], " + rest + "}]}");
+    };
+    const std::string sphere = R"("type": "sphere", "position": [0, 0, 0], )";
+    ASSERT_EQ(of(sphere + "\"size\": 1"), "");
+    EXPECT_NE(
+        of(sphere + "\"size\": 0").find("lights[0].size: found 0, expected a finite number > 0"),
+        std::string::npos);
+    EXPECT_NE(of(sphere + "\"size\": -1").find("lights[0].size: found -1"), std::string::npos);
+    EXPECT_NE(of(sphere + "\"size\": 1e39").find("lights[0].size: found"), std::string::npos);
+    EXPECT_NE(of(sphere + "\"radiant\": 1").find("found no 'size'"), std::string::npos);
+    EXPECT_NE(of(R"("type": "rectangle", "position": [0, 0, 0], "axis_u": [1, 0, 0],
+                    "axis_v": [2, 0, 0])")
+                  .find("lights[0].axis_u, axis_v: found vectors on one line"),
+              std::string::npos);
+    EXPECT_NE(of(R"("type": "polygon", "vertices": [[0, 0, 0], [1, 0]])")
+                  .find("lights[0].vertices[1]: found [1,0]"),
+              std::string::npos);
+    EXPECT_NE(of(R"("type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0]])")
+                  .find("lights[0].vertices: found 2, expected 3 to 256"),
+              std::string::npos);
+    EXPECT_NE(of(R"("type": "disc", "position": [0, 0, 0], "size": 1, "normal": [0, 0, 0])")
+                  .find("lights[0].normal: found a vector of length 0"),
+              std::string::npos);
+    EXPECT_NE(of(sphere + "\"size\": 1, \"two_sided\": 3").find("two_sided: found 3"),
+              std::string::npos);
+    EXPECT_NE(errorOf(R"({"lights": [{"type": "sphere", "position": [0, 0, 0], "size": 1}]})")
+                  .find("found no 'radiance'"),
+              std::string::npos);
+    EXPECT_NE(errorOf(R"({"lights": [{"type": "sphere", "position": [0, 0, 0], "size": 1,
+                          "radiance": [1, -1, 1]}]})")
+                  .find("lights[0].radiance: found a negative"),
               std::string::npos);
 }
 
@@ -154,7 +225,7 @@ TEST(LightJson, DeepNestingAndWildBytesAreRefused)
 TEST(LightJson, ReadsTheStandardSphereLights)
 {
     FBRDF_NEEDS_DATA("../standard-lights.json");
-    const auto lights = readLights(test::dataPath("../standard-lights.json"));
+    const auto lights = readLights(test::dataPath("../standard-lights.json")).lights;
     EXPECT_EQ(lights.size(), 128u);
     for (const Light& light : lights) EXPECT_NEAR(glm::length(light.position), 1.0f, 1e-6f);
 }
@@ -162,7 +233,7 @@ TEST(LightJson, ReadsTheStandardSphereLights)
 TEST(MakeLights, IsDeterministicAndTheSeedMatters)
 {
     const auto same = [](const std::vector<Light>& a, const std::vector<Light>& b) {
-        return lightsToJson(a) == lightsToJson(b);
+        return lightsToJson({a, {}}) == lightsToJson({b, {}});
     };
     EXPECT_TRUE(same(makeLights(64, 7), makeLights(64, 7)));
     EXPECT_FALSE(same(makeLights(64, 7), makeLights(64, 8)));

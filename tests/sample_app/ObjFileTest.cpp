@@ -1,8 +1,8 @@
 // ObjFileTest.cpp - OBJ text to mesh: what is read, what is made up, and what is refused; no GL.
 #include <fbrdf/base/Error.h>
+#include <fbrdf/plan/Triangulate.h>
 #include <fbrdf/scene/ObjFile.h>
 #include <fbrdf/scene/TextFile.h>
-#include <fbrdf/scene/Triangulate.h>
 #include <fbrdf/scene/VertexFrames.h>
 #include <gtest/gtest.h>
 #include <support/DataDir.h>

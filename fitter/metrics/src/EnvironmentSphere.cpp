@@ -1,18 +1,15 @@
-#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/environment/Prefilter.h>
 #include <fbrdf/metrics/EnvironmentSphere.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fbrdf {
 namespace {
 
 constexpr int kWidth = 128, kHeight = 64;
-constexpr double kLeastCosine = 0.0087;  // half a degree
-constexpr double kMeanOfGrey = 0.4, kGrey = 0.5;
+constexpr double kLeastCosineOfLight = 0.0087;  // half a degree
 
 std::vector<Panorama> allReduced(const std::vector<Panorama>& environments)
 {
@@ -20,21 +17,6 @@ std::vector<Panorama> allReduced(const std::vector<Panorama>& environments)
     for (const Panorama& environment : environments)
         result.push_back(reduced(environment, kWidth, kHeight));
     return result;
-}
-
-std::vector<EnvironmentSphere::Pixel> spherePixels(int size)
-{
-    std::vector<EnvironmentSphere::Pixel> pixels;
-    for (int j = 0; j < size; ++j)
-        for (int i = 0; i < size; ++i) {
-            const double x = (2.0 * i + 1.0) / size - 1.0, y = 1.0 - (2.0 * j + 1.0) / size;
-            if (x * x + y * y >= 1.0) continue;
-            const Vec3d normal(x, y, std::sqrt(1.0 - x * x - y * y));
-            // The tangent runs along increasing azimuth about +y.
-            const auto frame = shadingFrame<double>(normal, Vec3d(normal.z, 0.0, -normal.x));
-            pixels.push_back({frame, frame.local(Vec3d(0.0, 0.0, 1.0))});
-        }
-    return pixels;
 }
 
 /// Part of a texel that a larger one covers: all of one add up to 1.
@@ -91,11 +73,6 @@ int EnvironmentSphere::cubeSizeFor(int pixels)
     return size;
 }
 
-bool EnvironmentSphere::Pixel::isSeen() const
-{
-    return wo.z > kLeastCosine;
-}
-
 EnvironmentSphere::EnvironmentSphere(const std::vector<Panorama>& environments, int size,
                                      int cubeSize, int threads)
     : threads_(threads),
@@ -120,11 +97,7 @@ EnvironmentSphere::EnvironmentSphere(const std::vector<Panorama>& environments, 
             }
         return sum;
     });
-    for (const Image& image : irradiance_) {
-        double sum = 0.0;
-        for (const Vec3d& value : image) sum += (value.x + value.y + value.z) / 3.0;
-        exposures_.push_back(kMeanOfGrey / kGrey * static_cast<double>(image.size()) / sum);
-    }
+    for (const Image& image : irradiance_) exposures_.push_back(exposureFor(image));
 }
 
 std::vector<EnvironmentSphere::Image> EnvironmentSphere::truth(const Reflectance& f) const
@@ -132,7 +105,8 @@ std::vector<EnvironmentSphere::Image> EnvironmentSphere::truth(const Reflectance
     std::vector<Image> images(environments(), Image(pixels_.size(), Vec3d(0.0)));
     parallelTasks(pixels_.size(), threads_, [&](size_t i) {
         if (!pixels_[i].isSeen()) return;
-        const auto sums = truth_.reflected(f, pixels_[i].frame, Vec3d(0.0, 0.0, 1.0), kLeastCosine);
+        const auto sums =
+            truth_.reflected(f, pixels_[i].frame, Vec3d(0.0, 0.0, 1.0), kLeastCosineOfLight);
         for (size_t e = 0; e < images.size(); ++e) images[e][i] = sums[e];
     });
     return images;
@@ -167,17 +141,7 @@ std::vector<EnvironmentSphere::Image> EnvironmentSphere::lit(const LobeTable& lo
 
 double EnvironmentSphere::psnr(const Image& image, const Image& reference, size_t environment) const
 {
-    FBRDF_ASSERT(image.size(), ==, reference.size());
-    double sum = 0.0;
-    for (size_t i = 0; i < image.size(); ++i) {
-        const auto shown = [&](const Vec3d& value) {
-            return glm::clamp(value * exposures_[environment], 0.0, 1.0);
-        };
-        const Vec3d difference = shown(image[i]) - shown(reference[i]);
-        sum += glm::dot(difference, difference);
-    }
-    return sum > 0.0 ? 10.0 * std::log10(3.0 * static_cast<double>(image.size()) / sum)
-                     : std::numeric_limits<double>::infinity();
+    return fbrdf::psnr(image, reference, exposures_[environment]);
 }
 
 }  // namespace fbrdf

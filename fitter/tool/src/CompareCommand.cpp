@@ -44,6 +44,7 @@ struct Comparison {
     ReferenceSet set;
     ErrorMap onSamples, ofScene;
     std::optional<double> environmentPsnr;
+    std::string environmentNote;  ///< what its file was taken for
 };
 
 ReferenceSet referenceSet(const Reflectance& reference, int threads)
@@ -81,12 +82,12 @@ Comparison compare(const Reflectance& tested, const Reflectance& reference, int 
 // The tested one is drawn as a renderer draws it, by its lobes; the reference is the sum over
 // texels.
 double environmentPsnr(const CompareCommand& command, const Reflectance& tested,
-                       const Reflectance& reference, Progress& progress)
+                       const Reflectance& reference, Progress& progress, std::string& note)
 {
     const std::string& name = command.environment;
     progress.phase("lighting from " + name);
     const Panorama panorama =
-        isProceduralEnvironment(name) ? proceduralEnvironment(name) : readPanorama(name);
+        isProceduralEnvironment(name) ? proceduralEnvironment(name) : readPanorama(name, &note);
     const EnvironmentSphere sphere({panorama}, command.environmentSize,
                                    EnvironmentSphere::cubeSizeFor(command.environmentSize),
                                    command.threads);
@@ -97,15 +98,18 @@ double environmentPsnr(const CompareCommand& command, const Reflectance& tested,
 Json environmentJson(const CompareCommand& command, const Comparison& result)
 {
     if (!result.environmentPsnr) return nullptr;
-    return {{"name", command.environment}, {"psnr", jsonOf(*result.environmentPsnr)}};
+    Json json = {{"name", command.environment}, {"psnr", jsonOf(*result.environmentPsnr)}};
+    if (!result.environmentNote.empty()) json["note"] = result.environmentNote;
+    return json;
 }
 
 std::string environmentText(const CompareCommand& command, const Comparison& result)
 {
     if (!result.environmentPsnr) return "";
     return fmt::format(
-        "  light from {}\n    psnr  {:.4g}  dB, of its lobes against the sum over texels\n",
-        command.environment, *result.environmentPsnr);
+        "  light from {}\n    psnr  {:.4g}  dB, of its lobes against the sum over texels\n{}",
+        command.environment, *result.environmentPsnr,
+        result.environmentNote.empty() ? "" : "    " + result.environmentNote + "\n");
 }
 
 Json comparisonJson(const CompareCommand& command, const Comparison& result)
@@ -157,7 +161,8 @@ int run(const CompareCommand& command)
     Comparison result = compare(tested, reference, command.threads, progress);
     if (!command.environment.empty()) {
         requireFunction(reference, command.reference);
-        result.environmentPsnr = environmentPsnr(command, tested, reference, progress);
+        result.environmentPsnr =
+            environmentPsnr(command, tested, reference, progress, result.environmentNote);
     }
     progress.clear();
     writeOut(command.json ? text(comparisonJson(command, result))

@@ -81,6 +81,9 @@ fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
     options.maxLights = countOf(desc.max_lights, 0, "max_lights");
     options.clustered = desc.clustered != 0;
     if (desc.environment) options.environment = environmentOf(*desc.environment);
+    for (const fbrdf_area_light& light :
+         elements(desc.area_lights, desc.area_light_count, desc.area_light_size, "area_lights"))
+        options.areaLights.push_back(areaLightOf(light));
     return options;
 }
 

@@ -18,8 +18,10 @@ const Vec3d kLuminanceOf(0.2126, 0.7152, 0.0722);  // Rec. 709
 
 /// The sun is over the left shoulder of who looks along -z, 42 degrees high.
 const Vec3d kToSun = glm::normalize(Vec3d(-0.55, 0.77, 0.65));
-/// Angular radius of the sun, and its limb darkening (Eddington: 1 - 0.6 (1 - mu)).
-constexpr double kSunRadius = 0.2665 * kDegree, kLimb = 0.6;
+/// Angular radius of the sun as it is drawn, and its limb darkening (Eddington: 1 - 0.6 (1 - mu)).
+/// The real one has 0.27 degrees: less than the narrowest lobe (LobeTable.h), which would show it
+/// as waves in smooth highlights.
+constexpr double kSunRadius = 0.9 * kDegree, kLimb = 0.6;
 /// The sun is drawn at least so large, in texels: smaller ones would flicker as a panorama turns.
 constexpr double kSunTexels = 1.5;
 

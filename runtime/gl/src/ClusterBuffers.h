@@ -1,7 +1,8 @@
-// ClusterBuffers.h - lights and their lists as buffer textures; needs OpenGL 3.1.
+// ClusterBuffers.h - lights or area lights, and their lists, as buffer textures; needs OpenGL 3.1.
 #pragma once
 #include "BufferTexture.h"
 
+#include <fbrdf/plan/AreaVectors.h>
 #include <fbrdf/plan/LightClusters.h>
 
 namespace fbrdf::gl {
@@ -31,16 +32,36 @@ struct ClusterBuffers {
         numbers.update(inOrder.size(), inOrder.size() * sizeof(int32_t), inOrder.data());
         lights.update(clusters.lights.size() * kVectorsPerLight,
                       clusters.lights.size() * sizeof(LightVectors), clusters.lights.data());
-        indices.update(clusters.indices.size(), clusters.indices.size() * sizeof(int32_t),
-                       clusters.indices.data());
-        lists.update(clusters.lists.size() / 2, clusters.lists.size() * sizeof(int32_t),
-                     clusters.lists.data());
+        updateLists(clusters);
+        whole_ = true;
+    }
+
+    /// The same for area lights, from whose reach (reachOf) the clusters were made. Lights are
+    /// uploaded each time: their shapes are not part of the clusters.
+    void update(const LightClusters& clusters, const std::vector<AreaVectors>& areas, bool isNew)
+    {
+        std::vector<AreaVectors> inOrder;
+        for (const int32_t place : clusters.places)
+            inOrder.push_back(areas[static_cast<size_t>(place)]);
+        lights.update(inOrder.size() * kVectorsPerAreaLight, inOrder.size() * sizeof(AreaVectors),
+                      inOrder.data());
+        if (whole_ && !isNew) return;
+        whole_ = false;
+        updateLists(clusters);
         whole_ = true;
     }
 
     BufferTexture lights, indices, lists, numbers;
 
 private:
+    void updateLists(const LightClusters& clusters)
+    {
+        indices.update(clusters.indices.size(), clusters.indices.size() * sizeof(int32_t),
+                       clusters.indices.data());
+        lists.update(clusters.lists.size() / 2, clusters.lists.size() * sizeof(int32_t),
+                     clusters.lists.data());
+    }
+
     std::vector<int32_t> lightNumbers_;
     bool whole_ = false;
 };

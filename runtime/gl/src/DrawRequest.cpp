@@ -78,6 +78,14 @@ void checkDepth(const Device& device, const DepthOptions& depth)
                     Found("a context without glClipControl").expected("it for depths in [0, 1]"));
 }
 
+/// The item that loses most counts: lights that are not valid are lost by every item.
+void countLost(const LightSelection& selection, DrawStats& stats)
+{
+    stats.lightsCulled += selection.culled;
+    stats.lightsDropped =
+        std::max(stats.lightsDropped, stats.lightsGiven - stats.lightsUsed + selection.dropped);
+}
+
 void checkTarget(const Device& device, const Target& target)
 {
     const auto fail = [](const std::string& what) { throw Error(ErrorKind::gl, "target", what); };
@@ -129,6 +137,27 @@ void setLights(DrawRequest& request, const std::vector<Light>& lights)
     });
 }
 
+void setAreaLights(DrawRequest& request, Device& device, int lights)
+{
+    const glm::dmat4 toEye(request.view.view);
+    const bool exposed = request.target.transfer != Transfer::linear;
+    int number = lights;
+    for (const AreaLight& given : request.options.areaLights) {
+        const int index = number++;
+        const std::string why = whyInvalid(given);
+        if (!why.empty()) {
+            device.logOnce(Severity::warning,
+                           "area light " + std::to_string(index - lights) + " left out: " + why);
+            continue;
+        }
+        AreaLight& light = request.areaLights.emplace_back(given);
+        if (exposed) light.radiance *= request.target.exposure;
+        request.firstAreas.push_back(request.eye.areas.size());
+        appendAreaVectors(light, index, toEye, request.eye.areas);
+    }
+    request.firstAreas.push_back(request.eye.areas.size());
+}
+
 void setEnvironment(DrawRequest& request, const Device& device)
 {
     const EnvironmentLight& light = request.options.environment;
@@ -163,16 +192,26 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
 {
     const LightSelection selection =
         selectLights(request.lights, bounds, request.options.maxLights);
-    stats.lightsCulled += selection.culled;
-    // The item that loses most counts: lights that are not valid are lost by every item.
-    stats.lightsDropped =
-        std::max(stats.lightsDropped,
-                 stats.lightsGiven - static_cast<int>(request.lights.size()) + selection.dropped);
+    countLost(selection, stats);
     EyeLights result;
     for (const int i : selection.lights) {
         result.vectors.push_back(request.eye.vectors[static_cast<size_t>(i)]);
         result.numbers.push_back(request.eye.numbers[static_cast<size_t>(i)]);
         result.peaks.push_back(largestIrradiance(request.lights[static_cast<size_t>(i)], bounds));
+    }
+    return result;
+}
+
+std::vector<AreaVectors> areasOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats)
+{
+    const LightSelection selection =
+        selectLights(request.areaLights, bounds, request.options.maxLights);
+    countLost(selection, stats);
+    std::vector<AreaVectors> result;
+    for (const int i : selection.lights) {
+        const auto light = static_cast<size_t>(i);
+        for (size_t k = request.firstAreas[light]; k < request.firstAreas[light + 1]; ++k)
+            result.push_back(request.eye.areas[k]);
     }
     return result;
 }
@@ -186,6 +225,7 @@ void putNeighboursTogether(EyeLights& lights, const DrawRequest& request)
         rects.push_back(pixelBounds(light, glm::dmat4(request.view.projection),
                                     request.target.width, request.target.height));
     EyeLights ordered;
+    ordered.areas = std::move(lights.areas);
     for (const int i : neighboursTogether(rects)) {
         ordered.vectors.push_back(lights.vectors[static_cast<size_t>(i)]);
         ordered.numbers.push_back(lights.numbers[static_cast<size_t>(i)]);

@@ -3,6 +3,7 @@
 #include "EnvironmentResources.h"
 #include "TargetInfo.h"
 
+#include <fbrdf/plan/AreaVectors.h>
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/LightSelection.h>
 #include <fbrdf/plan/LightVectors.h>
@@ -14,11 +15,12 @@
 
 namespace fbrdf::gl {
 
-/// Lights in eye space as the shader takes them; the three arrays are parallel.
+/// Lights in eye space as the shader takes them; the first three arrays are parallel.
 struct EyeLights {
     std::vector<LightVectors> vectors;
     std::vector<int32_t> numbers;  ///< places among the lights that draw() was given
     std::vector<double> peaks;     ///< largestIrradiance on the item; may be empty
+    std::vector<AreaVectors> areas = {};
 };
 
 /// Light from everywhere as the shader takes it.
@@ -38,8 +40,12 @@ struct DrawRequest {
     /// The valid ones. Their intensities are multiplied by the exposure: radiance is linear in
     /// them, so there it costs nothing.
     std::vector<Light> lights;
-    EyeLights eye;                            ///< the same lights in eye space
-    const LightClusters* clusters = nullptr;  ///< null where lights are not in lists
+    EyeLights eye;                      ///< the same lights in eye space
+    std::vector<AreaLight> areaLights;  ///< the valid ones, exposed as the lights
+    /// eye.areas of area light i: from the i-th of these to the next.
+    std::vector<size_t> firstAreas;
+    /// Null where lights, or area lights, are not in lists.
+    const LightClusters *clusters = nullptr, *areaClusters = nullptr;
     /// The eye as the shader takes it: see eyeFromProjection.
     glm::vec4 eyePoint{0.0f};
     EyeEnvironment environment = {};
@@ -50,11 +56,17 @@ void checkRequest(const Device& device, const Target& target, const View& view);
 bool isInvertible(const glm::mat4& model);
 /// Fills in lights and eye from those that are valid.
 void setLights(DrawRequest& request, const std::vector<Light>& lights);
+/// The same for the area lights of the options. lights: the number of those that the draw was given
+/// beside them. What is wrong with one is logged.
+void setAreaLights(DrawRequest& request, Device& device, int lights);
 /// Fills in the environment. Throws Error(usage) for one of another renderer, a rotation that is
 /// none, or an intensity that is negative or not finite.
 void setEnvironment(DrawRequest& request, const Device& device);
 /// Returns the lights that reach the bounds, or the strongest of them, and counts the others.
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats);
+/// The same for area lights.
+std::vector<AreaVectors> areasOf(const Sphere& bounds, const DrawRequest& request,
+                                 DrawStats& stats);
 
 /// Sorts lights so that those that reach the same pixels follow each other: the scissor of a batch
 /// of lights is then small.

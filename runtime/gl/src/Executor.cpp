@@ -70,6 +70,7 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
         if (program.gain >= 0) gl_.Uniform1f(program.gain, static_cast<float>(pass.gain));
         setLights(pass, program);
         if (program.lobes.rows >= 0) setLobes(*ready.lobes, pass, program);
+        if (program.lobes.areaLightCount >= 0) setAreaLights(pass, program);
         setScissor(pass);
         item.mesh.draw(item.instances.count);
         maxLookups = std::max(
@@ -169,39 +170,40 @@ void Executor::setLights(const Pass& pass, const Program& program)
         gl_.Uniform4fv(program.lights, kVectorsPerLight * pass.lightCount,
                        glm::value_ptr(lights_->vectors[first].front()));
     // Programs that read lists take number and places of lights from buffers.
-    if (program.clusters.listsUnit >= 0) return setClusters(program);
+    if (program.clusters.listsUnit >= 0) {
+        setClusters(program.clusters, *request_.clusters, lists_);
+        gl_.Uniform1i(program.lightCount, request_.clusters->everywhere);
+        return;
+    }
     if (program.lightNumbers >= 0 && pass.lightCount > 0)
         gl_.Uniform1iv(program.lightNumbers, pass.lightCount, &lights_->numbers[first]);
     if (program.lightCount >= 0) gl_.Uniform1i(program.lightCount, pass.lightCount);
 }
 
-void Executor::setClusters(const Program& program)
+void Executor::setClusters(const Program::ClusterUniforms& uniforms, const LightClusters& clusters,
+                           const ClusterBuffers& buffers)
 {
-    const LightClusters& clusters = *request_.clusters;
     const ClusterGrid& grid = clusters.grid;
-    const ClusterBuffers& buffers = lists_;
-    state_.bindTexture(program.clusters.lightsUnit, GL_TEXTURE_BUFFER, buffers.lights.texture());
-    state_.bindTexture(program.clusters.indicesUnit, GL_TEXTURE_BUFFER, buffers.indices.texture());
-    state_.bindTexture(program.clusters.listsUnit, GL_TEXTURE_BUFFER, buffers.lists.texture());
-    if (program.clusters.numbersUnit >= 0)
-        state_.bindTexture(program.clusters.numbersUnit, GL_TEXTURE_BUFFER,
-                           buffers.numbers.texture());
-    gl_.Uniform3i(program.clusters.grid, grid.columns, grid.rows, grid.slices);
-    gl_.Uniform4f(program.clusters.scale,
+    state_.bindTexture(uniforms.lightsUnit, GL_TEXTURE_BUFFER, buffers.lights.texture());
+    state_.bindTexture(uniforms.indicesUnit, GL_TEXTURE_BUFFER, buffers.indices.texture());
+    state_.bindTexture(uniforms.listsUnit, GL_TEXTURE_BUFFER, buffers.lists.texture());
+    if (uniforms.numbersUnit >= 0)
+        state_.bindTexture(uniforms.numbersUnit, GL_TEXTURE_BUFFER, buffers.numbers.texture());
+    gl_.Uniform3i(uniforms.grid, grid.columns, grid.rows, grid.slices);
+    gl_.Uniform4f(uniforms.scale,
                   static_cast<float>(grid.columns) / static_cast<float>(request_.target.width),
                   static_cast<float>(grid.rows) / static_cast<float>(request_.target.height),
                   clusters.sliceScale, clusters.sliceBias);
-    gl_.Uniform1i(program.lightCount, clusters.everywhere);
 }
 
 void Executor::setEnvironment(const MaterialResources& material, const Program& program)
 {
     const EyeEnvironment& environment = request_.environment;
+    if (program.lobes.rowsUnit >= 0)
+        state_.bindTexture(program.lobes.rowsUnit, GL_TEXTURE_BUFFER, material.lobeRows());
     if (program.lobes.mapUnit < 0) return;
     state_.bindTexture(program.lobes.mapUnit, GL_TEXTURE_CUBE_MAP, environment.map->texture());
     state_.filterAcrossEdges();
-    if (program.lobes.rowsUnit >= 0)
-        state_.bindTexture(program.lobes.rowsUnit, GL_TEXTURE_BUFFER, material.lobeRows());
     gl_.UniformMatrix3fv(program.lobes.toEnvironment, 1, GL_FALSE,
                          glm::value_ptr(environment.fromEye));
     gl_.Uniform4fv(program.lobes.scale, 1, glm::value_ptr(environment.scale));
@@ -215,6 +217,19 @@ void Executor::setLobes(const LobeTable& table, const Pass& pass, const Program&
                    glm::value_ptr(rows.front()));
     const glm::vec2 bend = lobeBend(table);
     if (program.lobes.bend >= 0) gl_.Uniform2f(program.lobes.bend, bend.x, bend.y);
+}
+
+void Executor::setAreaLights(const Pass& pass, const Program& program)
+{
+    if (program.areas.listsUnit >= 0) {
+        setClusters(program.areas, *request_.areaClusters, areaLists_);
+        gl_.Uniform1i(program.lobes.areaLightCount, request_.areaClusters->everywhere);
+        return;
+    }
+    const LobeShare& share = pass.lobes;
+    gl_.Uniform1i(program.lobes.areaLightCount, share.areaCount);
+    gl_.Uniform4fv(program.lobes.areaLights, kVectorsPerAreaLight * share.areaCount,
+                   glm::value_ptr(lights_->areas[static_cast<size_t>(share.firstArea)].front()));
 }
 
 int Executor::lightsOf(const Pass& pass, const Program& program) const

@@ -34,9 +34,15 @@ struct ReadyPlan {
 
 class Executor {
 public:
+    /// lists, areaLists: of lights and area lights, where the request has them.
     Executor(const Device& device, const DrawRequest& request, const ClusterBuffers& lists,
-             StateGuard& state)
-        : device_(device), gl_(device.gl), request_(request), lists_(lists), state_(state)
+             const ClusterBuffers& areaLists, StateGuard& state)
+        : device_(device),
+          gl_(device.gl),
+          request_(request),
+          lists_(lists),
+          areaLists_(areaLists),
+          state_(state)
     {
     }
 
@@ -52,16 +58,18 @@ private:
     void setMatrices(const Drawable& item, const Program& program);
     void bindTables(const MaterialResources& material, const Program& program);
     void setLights(const Pass& pass, const Program& program);
-    void setClusters(const Program& program);
+    void setClusters(const Program::ClusterUniforms& uniforms, const LightClusters& clusters,
+                     const ClusterBuffers& buffers);
     void setEnvironment(const MaterialResources& material, const Program& program);
     void setLobes(const LobeTable& table, const Pass& pass, const Program& program);
+    void setAreaLights(const Pass& pass, const Program& program);
     void setScissor(const Pass& pass);
     int lightsOf(const Pass& pass, const Program& program) const;
 
     const Device& device_;
     const Functions& gl_;
     const DrawRequest& request_;
-    const ClusterBuffers& lists_;  ///< of lights, where the request has them
+    const ClusterBuffers &lists_, &areaLists_;
     StateGuard& state_;
     const Surfaces* surfaces_ = nullptr;  ///< of the plan
     const EyeLights* lights_ = nullptr;   ///< of the item

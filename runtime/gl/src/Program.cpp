@@ -127,8 +127,12 @@ void findLocations(const Functions& gl, Program& result)
     result.lobes.scale = location("fbrdfEnvironmentScale");
     result.lobes.rows = location("fbrdfLobes");
     result.lobes.bend = location("fbrdfLobeBend");
+    result.lobes.areaLights = location("fbrdfAreaLights");
+    result.lobes.areaLightCount = location("fbrdfAreaLightCount");
     result.clusters.grid = location("fbrdfClusterGrid");
     result.clusters.scale = location("fbrdfClusterScale");
+    result.areas.grid = location("fbrdfAreaGrid");
+    result.areas.scale = location("fbrdfAreaScale");
 }
 
 /// The program must be current.
@@ -140,6 +144,9 @@ void assignUnits(Units& units, Program& result, size_t tables)
     result.clusters.indicesUnit = units.next("fbrdfLightIndices");
     result.clusters.listsUnit = units.next("fbrdfLightLists");
     result.clusters.numbersUnit = units.next("fbrdfLightNumbers");
+    result.areas.lightsUnit = units.next("fbrdfAreaBuffer");
+    result.areas.indicesUnit = units.next("fbrdfAreaIndices");
+    result.areas.listsUnit = units.next("fbrdfAreaLists");
     result.lobes.rowsUnit = units.next("fbrdfLobeRows");
     result.lobes.mapUnit = units.next("fbrdfEnvironment");
     result.instancesUnit = units.next("fbrdfInstances");

@@ -20,7 +20,7 @@ struct Program {
     struct ClusterUniforms {
         int lightsUnit = -1, indicesUnit = -1, listsUnit = -1, numbersUnit = -1;
         GLint grid = -1, scale = -1;
-    } clusters;
+    } clusters, areas;                            ///< lists of lights, and of area lights
     int instancesUnit = -1, parametersUnit = -1;  ///< of a packed material
     MaterialUniforms material;
     std::vector<int> tableUnits;  ///< of each table of the form, as readUnit
@@ -28,6 +28,7 @@ struct Program {
     struct LobeUniforms {
         int mapUnit = -1, rowsUnit = -1;  ///< rows of a packed material
         GLint toEnvironment = -1, scale = -1, rows = -1, bend = -1;
+        GLint areaLights = -1, areaLightCount = -1;
     } lobes;
     LookupCount lookups;  ///< counted from what the linker left active
 };

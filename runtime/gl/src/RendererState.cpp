@@ -8,7 +8,7 @@
 namespace fbrdf::gl {
 namespace {
 
-constexpr size_t kFewLights = 8;
+constexpr size_t kFewLights = 8, kFewAreaLights = 2;
 
 std::string noLists()
 {
@@ -38,17 +38,17 @@ void addPlan(DrawStats& stats, const Plan& plan)
                    {std::max(stats.error.maps.recombination, plan.error.maps.recombination),
                     std::max(stats.error.maps.filtering, plan.error.maps.filtering),
                     std::max(stats.error.maps.absolute, plan.error.maps.absolute)}};
-    stats.environmentError = std::max(stats.environmentError, plan.environmentError);
+    stats.environmentError = std::max(stats.environmentError, plan.lobeError);
     stats.passes = std::max(stats.passes, passes);
     stats.drawCalls += passes;
 }
 
-/// The lobes by which an item reflects an environment.
+/// The lobes by which an item reflects an environment and area lights.
 struct ItemLobes {
-    LobeLayout layout = {};            ///< no lobes: there is none
+    LobeLayout layout = {};            ///< no lobes: there are none
     const LobeTable* table = nullptr;  ///< null where they are packed
     double error = 0.0;
-    std::string whyNot = {};  ///< why an item has none although there is an environment
+    std::string whyNot = {};  ///< why an item has none although it needs some
 };
 
 ItemLobes packedLobesOf(const MaterialResources& material)
@@ -81,7 +81,12 @@ double irradianceOf(const EyeLights& lights, const Sphere& bounds, const DrawReq
 }  // namespace
 
 Renderer::State::State(const DevicePtr& d)
-    : device(d), programs(d), surfaces(d), clusterBuffers(d), instances(d, GL_RGBA32F, "instances")
+    : device(d),
+      programs(d),
+      surfaces(d),
+      clusterBuffers(d),
+      areaBuffers(d),
+      instances(d, GL_RGBA32F, "instances")
 {
 }
 
@@ -136,7 +141,8 @@ PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
 
 std::vector<const Program*> Renderer::State::programsOf(const MaterialResources& material,
                                                         const SurfaceOptions& surface,
-                                                        const Plan& plan, bool clustered)
+                                                        const Plan& plan, bool clustered,
+                                                        bool areaLists)
 {
     // What hooks of the host need of units and uniforms is not left for lights.
     const Capabilities capabilities = remaining(device->capabilities, surface.hooks);
@@ -145,6 +151,7 @@ std::vector<const Program*> Renderer::State::programsOf(const MaterialResources&
         ProgramSpec spec =
             programSpec(pass, maxLightsInUniforms(material.form(), capabilities, pass.lobes));
         spec.clustered = clustered && pass.lit;
+        spec.areaLists = areaLists && spec.lobes.areaSlots > 0;
         result.push_back(&programs.find(material, spec, surface));
     }
     return result;
@@ -175,18 +182,20 @@ ReadyPlan Renderer::State::planFor(const MaterialResources& material, const Comp
     wanted.filter = material.filter();
     ReadyPlan ready = planOf(material.form(), wanted, capabilities, draw);
     if (ready.plan.feasible()) return ready;
-    if (wanted.environment.lobes > 0) {
-        // The lights are drawn as asked for where even one pass cannot have the environment.
+    // The lights are drawn as asked for where even one pass cannot have the lobes; area lights are
+    // kept where only the environment is impossible.
+    while (!wanted.lobeLight.isEmpty()) {
         PlanRequest single = wanted;
         single.technique = Technique::single;
         single.maxLookups = 0;
         const ReadyPlan together = planOf(material.form(), single, capabilities, draw);
-        if (!together.plan.feasible()) {
-            notes.whyNoEnvironment = together.plan.reason;
-            wanted.environment = {};
-            ready = planOf(material.form(), wanted, capabilities, draw);
-            if (ready.plan.feasible()) return ready;
-        }
+        if (together.plan.feasible()) break;
+        notes.whyNoEnvironment = together.plan.reason;
+        wanted.lobeLight.areaLights =
+            wanted.lobeLight.environment ? wanted.lobeLight.areaLights : 0;
+        wanted.lobeLight.environment = false;
+        ready = planOf(material.form(), wanted, capabilities, draw);
+        if (ready.plan.feasible()) return ready;
     }
     // Once for each text, and so for each material and reason: draws come 60 times a second.
     device->logOnce(Severity::warning, "material '" + material.name() +
@@ -226,12 +235,17 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
     const TargetInfo floatTarget{ColourFormat::rgba32f, false, false, Transfer::linear};
     PlanRequest wanted = request(options, lights, floatTarget);
     wanted.maps = material.mapErrors(0.0);
-    if (options.environment.map) {
+    wanted.lobeLight = {options.environment.map != nullptr,
+                        static_cast<int>(options.areaLights.size())};
+    if (!wanted.lobeLight.isEmpty()) {
         if (!material.isPacked()) material.lobes().wait();
-        wanted.environment = lobesOf(material, options.environment.lobes).layout;
+        wanted.lobes = lobesOf(material, options.environment.lobes).layout;
+        if (wanted.lobes.lobes == 0) wanted.lobeLight = {};
     }
     const ReadyPlan ready = planFor(material, surface.hooks, wanted, nullptr, notes);
-    programsOf(material, surface, ready.plan, isClustered(options, static_cast<size_t>(lights)));
+    programsOf(material, surface, ready.plan,
+               isClustered(options, static_cast<size_t>(lights), kFewLights),
+               isClustered(options, options.areaLights.size(), kFewAreaLights));
 }
 
 void Renderer::State::draw(Executor& executor, const Drawable& item, const Sphere& bounds,
@@ -249,6 +263,9 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
     EyeLights lights = draw.clusters
                            ? EyeLights{{draw.eye.vectors.front()}, {draw.eye.numbers.front()}, {}}
                            : lightsOf(bounds, draw, stats);
+    // So they are with lists of area lights, but not where none of them reaches the item.
+    lights.areas = areasOf(bounds, draw, stats);
+    if (draw.areaClusters && lights.areas.size() > 1) lights.areas.resize(1);
     // A batch of lights is scissored to the pixels that any of them reaches.
     if (draw.options.technique == Technique::batched) putNeighboursTogether(lights, draw);
     PlanRequest wanted = request(draw.options, static_cast<int>(lights.vectors.size()), draw.info);
@@ -258,10 +275,12 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
         wanted.peaks->lights = lights.peaks;
     }
     wanted.maps = material.mapErrors(irradianceOf(lights, bounds, draw));
+    wanted.lobeLight = {draw.environment.map != nullptr, static_cast<int>(lights.areas.size())};
     ItemLobes lobes;
-    if (draw.environment.map) lobes = lobesOf(material, draw.environment.lobes);
-    wanted.environment = lobes.layout;
-    wanted.environmentError = lobes.error;
+    if (!wanted.lobeLight.isEmpty()) lobes = lobesOf(material, draw.options.environment.lobes);
+    if (lobes.layout.lobes == 0) wanted.lobeLight = {};
+    wanted.lobes = lobes.layout;
+    wanted.lobeError = lobes.error;
     PlanNotes notes{"", lobes.whyNot};
     ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, notes);
     ready.lobes = lobes.table;
@@ -269,7 +288,8 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
     if (!notes.whyNoEnvironment.empty())
         leaveEnvironmentOut(material, notes.whyNoEnvironment, std::max(1, item.instances.count),
                             stats);
-    ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters != nullptr);
+    ready.programs = programsOf(material, item.surface, ready.plan, draw.clusters != nullptr,
+                                draw.areaClusters != nullptr);
     stats.maxLookups = std::max(stats.maxLookups, executor.draw(item, ready, lights));
     addPlan(stats, ready.plan);
 }
@@ -279,8 +299,9 @@ void Renderer::State::leaveEnvironmentOut(const MaterialResources& material, con
 {
     stats.itemsWithoutEnvironment += objects;
     stats.whyNoEnvironment = why;
-    device->logOnce(Severity::warning,
-                    "material '" + material.name() + "' drawn without the environment: " + why);
+    device->logOnce(
+        Severity::warning,
+        "material '" + material.name() + "' drawn without the environment or area lights: " + why);
 }
 
 void Renderer::State::drawItem(Executor& executor, const Item& item, const DrawRequest& request,
@@ -299,10 +320,10 @@ void Renderer::State::drawObject(Executor& executor, const Drawable& object,
          stats);
 }
 
-bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
+bool Renderer::State::isClustered(const DrawOptions& options, size_t lights, size_t few)
 {
     // A fragment finds out for itself which of a few lights reach it, sooner than it finds a list.
-    if (!options.clustered || lights <= kFewLights) return false;
+    if (!options.clustered || lights <= few) return false;
     const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
                           device->capabilities.bufferTextures;
     if (!possible) device->logOnce(Severity::warning, noLists() + ": drawing without");
@@ -311,7 +332,7 @@ bool Renderer::State::isClustered(const DrawOptions& options, size_t lights)
 
 void Renderer::State::cluster(DrawRequest& request, DrawStats& stats)
 {
-    if (!isClustered(request.options, request.lights.size())) {
+    if (!isClustered(request.options, request.lights.size(), kFewLights)) {
         if (request.options.clustered && request.lights.size() > kFewLights)
             stats.whyReplaced = noLists();
         return;
@@ -324,6 +345,18 @@ void Renderer::State::cluster(DrawRequest& request, DrawStats& stats)
     clusterBuffers.update(*request.clusters, request.eye.numbers, isNew);
 }
 
+void Renderer::State::clusterAreas(DrawRequest& request, DrawStats& stats)
+{
+    if (!isClustered(request.options, request.eye.areas.size(), kFewAreaLights)) return;
+    std::vector<LightVectors> reaches;
+    for (const AreaVectors& area : request.eye.areas) reaches.push_back(reachOf(area));
+    const bool isNew = areaBuilder.update(reaches, glm::dmat4(request.view.projection), {},
+                                          request.options.maxLights);
+    request.areaClusters = &areaBuilder.clusters();
+    stats.lightsDropped += request.areaClusters->dropped;
+    areaBuffers.update(*request.areaClusters, request.eye.areas, isNew);
+}
+
 DrawStats Renderer::State::draw(const Target& target, const View& view,
                                 const std::vector<Light>& lights, const DrawOptions& options,
                                 const DrawAll& drawAll)
@@ -333,13 +366,14 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     // Between draws nothing of ours is in use, so what no material needs any more can go.
     programs.evict();
     surfaces.evict(target);
-    DrawRequest request{target, view, options, {}, {}, {}, {}, {}, {}};
+    DrawRequest request{target, view, options, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     request.eyePoint = glm::vec4(eyeFromProjection(glm::dmat4(view.projection)));
     setLights(request, lights);
+    setAreaLights(request, *device, static_cast<int>(lights.size()));
     setEnvironment(request, *device);
     DrawStats stats;
-    stats.lightsGiven = static_cast<int>(lights.size());
-    stats.lightsUsed = static_cast<int>(request.lights.size());
+    stats.lightsGiven = static_cast<int>(lights.size() + options.areaLights.size());
+    stats.lightsUsed = static_cast<int>(request.lights.size() + request.areaLights.size());
     stats.lightsDropped = stats.lightsGiven - stats.lightsUsed;
 
     // The guard comes before all that touches state, and ends after the executor.
@@ -349,13 +383,14 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     guard.setDepth(view.depth);
     // The format is queried each time: a host may attach other buffers to the same framebuffer.
     request.info = targetInfo(*device, target);
-    validate(this->request(options, stats.lightsUsed, request.info));
+    validate(this->request(options, static_cast<int>(request.lights.size()), request.info));
     if (options.maxLights < 0)
         throw Error(ErrorKind::usage, "draw",
                     Found("a limit of " + std::to_string(options.maxLights) + " lights")
                         .expected("0 (none) or more"));
     cluster(request, stats);
-    Executor executor(*device, request, clusterBuffers, guard);
+    clusterAreas(request, stats);
+    Executor executor(*device, request, clusterBuffers, areaBuffers, guard);
     drawAll(executor, request, stats);
     return stats;
 }

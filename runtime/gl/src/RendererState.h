@@ -21,8 +21,8 @@ struct Renderer::State {
     DevicePtr device;
     ProgramCache programs;
     SurfacePool surfaces;
-    ClusterBuilder clusterBuilder;
-    ClusterBuffers clusterBuffers;
+    ClusterBuilder clusterBuilder, areaBuilder;
+    ClusterBuffers clusterBuffers, areaBuffers;
     BufferTexture instances;
 
     explicit State(const DevicePtr& device);
@@ -35,7 +35,7 @@ struct Renderer::State {
     PlanRequest request(const DrawOptions& options, int lights, const TargetInfo& target) const;
     std::vector<const Program*> programsOf(const MaterialResources& material,
                                            const SurfaceOptions& surface, const Plan& plan,
-                                           bool clustered);
+                                           bool clustered, bool areaLists);
     /// Returns the plan asked for or, with a warning, the one that takes all lights in one pass.
     /// draw: whose target gets surfaces where the plan needs them; may be null. The programs are
     /// left to programsOf.
@@ -46,8 +46,8 @@ struct Renderer::State {
     /// Builds what a draw will need.
     void prepare(const MaterialResources& material, const SurfaceOptions& surface,
                  const DrawOptions& options, int lights);
-    /// True where lists of lights were asked for and are possible, and there are lights.
-    bool isClustered(const DrawOptions& options, size_t lights);
+    /// True where lists of lights were asked for and are possible, and there are more than a few.
+    bool isClustered(const DrawOptions& options, size_t lights, size_t few);
 
     /// Sets everything up for a draw, then calls drawAll(executor, request, stats).
     using DrawAll = std::function<void(Executor&, const DrawRequest&, DrawStats&)>;
@@ -68,6 +68,7 @@ private:
     void draw(Executor& executor, const Drawable& item, const Sphere& bounds,
               const DrawRequest& draw, DrawStats& stats);
     void cluster(DrawRequest& request, DrawStats& stats);
+    void clusterAreas(DrawRequest& request, DrawStats& stats);
     void leaveEnvironmentOut(const MaterialResources& material, const std::string& why, int objects,
                              DrawStats& stats);
     std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats);

@@ -19,11 +19,11 @@ glm::dvec4 positionVector(const Light& light, const glm::dmat4& toEye)
 }
 
 // A directional light has no window; its distance is 1.
-double inverseRadiusSquared(const Light& light)
+double inverseReachSquared(const Light& light)
 {
-    const double radius = static_cast<double>(light.radius);
-    const bool unlimited = light.type == Light::Type::directional || radius == 0.0;
-    return unlimited ? 0.0 : 1.0 / (radius * radius);
+    return light.type == Light::Type::directional
+               ? 0.0
+               : inverseRadiusSquared(static_cast<double>(light.radius));
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ LightVectors lightVectors(const Light& light, const glm::dmat4& toEye)
     glm::dvec4 axis(0.0);
     if (cone.scale != 0.0) axis = cone.scale * unitDirection(toEye, light.axis);
     const glm::dvec4 position = positionVector(light, toEye);
-    return {glm::vec4(glm::dvec4(Vec3d(position), inverseRadiusSquared(light))),
+    return {glm::vec4(glm::dvec4(Vec3d(position), inverseReachSquared(light))),
             glm::vec4(light.intensity, static_cast<float>(position.w)),
             glm::vec4(glm::dvec4(Vec3d(axis), cone.offset))};
 }

@@ -7,9 +7,44 @@
 namespace fbrdf {
 namespace {
 
-bool fits(const LobeShare& share, int lookups, int vectors)
+bool fits(const LobeShare& share, const LobeRoom& room)
 {
-    return share.lookups() <= lookups && share.vectors() <= vectors;
+    return share.lookups() <= room.lookups && share.vectors() <= room.vectors;
+}
+
+/// The lobes in as few shares as possible, lit by the environment and by one area light where there
+/// are any.
+std::vector<LobeShare> splitLobes(const LobeLayout& table, const LobeLight& light,
+                                  const LobeRoom& room)
+{
+    std::vector<LobeShare> shares;
+    LobeShare share{table, 0, 0, true, light.environment, 0, 0, std::min(1, light.areaLights)};
+    const LobeShare rest{table, 0, 0, false, light.environment, 0, 0, share.areaSlots};
+    if (!fits(share, room)) return {};
+    while (share.first + share.count < table.lobes) {
+        LobeShare larger = share;
+        ++larger.count;
+        if (fits(larger, room)) {
+            share = larger;
+            continue;
+        }
+        // A lobe that does not fit alone fits nowhere.
+        if (share.isEmpty()) return {};
+        shares.push_back(share);
+        const int next = share.first + share.count;
+        share = rest;
+        share.first = next;
+    }
+    shares.push_back(share);
+    return shares;
+}
+
+/// Slots for some lights: a power of two, so that a changed number seldom needs another program.
+int slotsFor(int lights, int most)
+{
+    int slots = 1;
+    while (slots < lights) slots *= 2;
+    return std::max(lights, std::min(slots, most));
 }
 
 /// The kept lobe that stands for a dropped one: of bent lobes the nearer end of the middle ones, of
@@ -32,25 +67,27 @@ LobeLayout layoutOf(const LobeTable& table)
     return {table.axes, table.lobes, table.thetas, table.azimuths};
 }
 
-std::vector<LobeShare> lobeShares(const LobeLayout& table, int lookups, int vectors)
+std::vector<LobeShare> lobeShares(const LobeLayout& table, const LobeLight& light,
+                                  const LobeRoom& room)
 {
+    FBRDF_ASSERT(room.areaLights, >=, 1);
     std::vector<LobeShare> shares;
-    if (table.lobes == 0) return shares;
-    LobeShare share{table, 0, 0, true};
-    if (!fits(share, lookups, vectors)) return {};
-    while (share.first + share.count < table.lobes) {
-        LobeShare larger = share;
-        ++larger.count;
-        if (fits(larger, lookups, vectors)) {
-            share = larger;
+    if (table.lobes == 0 || light.isEmpty()) return shares;
+    for (LobeShare share : splitLobes(table, light, room)) {
+        if (light.areaLights == 0) {
+            shares.push_back(share);
             continue;
         }
-        // A lobe that does not fit alone fits nowhere.
-        if (share.isEmpty()) return {};
-        shares.push_back(share);
-        share = {table, share.first + share.count, 0, false};
+        const int slots = (room.vectors - share.knotVectors()) / kVectorsPerAreaLight,
+                  most = std::min(slots, room.areaLights);
+        for (int first = 0; first < light.areaLights; first += most) {
+            share.firstArea = first;
+            share.areaCount = std::min(most, light.areaLights - first);
+            share.areaSlots = slotsFor(share.areaCount, slots);
+            shares.push_back(share);
+            share.environment = false;
+        }
     }
-    shares.push_back(share);
     return shares;
 }
 

@@ -29,8 +29,9 @@ Limits limitsOf(const Form& form, const PlanRequest& request, const Capabilities
     limits.vectors = freeUniformVectors(form, capabilities);
     const TechniqueInfo& technique = techniqueInfo(request.technique);
     if (technique.lightsPerPass == LightsPerPass::asRequested)
-        limits.lights = std::min(limits.lights, request.lightsPerPass);
-    if (technique.lightsPerPass == LightsPerPass::one) limits.lights = 1;
+        limits.areaLights = request.lightsPerPass;
+    if (technique.lightsPerPass == LightsPerPass::one) limits.areaLights = 1;
+    limits.lights = std::min(limits.lights, limits.areaLights);
     for (const int lookups : {request.maxLookups, technique.maxLookups})
         if (lookups > 0) limits.lookups = std::min(limits.lookups, lookups);
     return limits;
@@ -65,7 +66,7 @@ Plan finished(std::vector<Pass> passes, const PlanRequest& request, ColourFormat
 Plan planStraight(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     const ColourFormat surfaces = floatFormat(capabilities);
-    if (request.lights == 0 && request.environment.lobes == 0) {
+    if (request.lights == 0 && request.lobeLight.isEmpty()) {
         PassList black(form);
         black.append({});
         return finished(black.passes(), request, surfaces);
@@ -77,10 +78,12 @@ Plan planStraight(const Form& form, const PlanRequest& request, const Capabiliti
     return none;
 }
 
-/// Why the environment of a request cannot be drawn in such a context; "" where it can.
-std::string whyNoEnvironment(const PlanRequest& request, const Capabilities& capabilities)
+/// Why the lobes of a request cannot be drawn in such a context; "" where they can.
+std::string whyNoLobes(const PlanRequest& request, const Capabilities& capabilities)
 {
-    if (request.environment.lobes == 0 || capabilities.choosesLevels()) return "";
+    if (request.lobeLight.areaLights > 0 && capabilities.glsl == 100)
+        return Found("area lights in GLSL ES 1.00").expected("uniforms with an index that varies");
+    if (!request.lobeLight.environment || capabilities.choosesLevels()) return "";
     return Found(std::string("an environment in ") +
                  (capabilities.glsl == 120 ? "GLSL 1.20 without GL_ARB_shader_texture_lod"
                                            : "GLSL ES 1.00"))
@@ -115,7 +118,7 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
 bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
 {
     return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
-           request.environment.lobes == 0 && isUnorm(request.target) &&
+           request.lobeLight.isEmpty() && isUnorm(request.target) &&
            capabilities.framebufferObjects && !capabilities.floatTargets &&
            !capabilities.halfTargets;
 }
@@ -176,8 +179,9 @@ Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabiliti
 {
     Plan plan = isCurved(request.transfer) ? planCurved(form, request, capabilities)
                                            : planStraight(form, request, capabilities);
-    // A UNORM target clamps, and no peak of an environment is known by which it could be scaled.
-    if (request.environment.lobes > 0 && plan.passes.size() > 1 && isUnorm(request.target) &&
+    // A UNORM target clamps, and no peak of what lobes reflect is known by which it could be
+    // scaled.
+    if (!request.lobeLight.isEmpty() && plan.passes.size() > 1 && isUnorm(request.target) &&
         !limitsOf(form, request, capabilities).offscreen) {
         plan = {};
         plan.reason = std::string("lights and lobes of several passes do not add up in ") +
@@ -214,7 +218,7 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     validate(request);
     Capabilities capabilities = found;
     Plan none;
-    none.reason = whyNoEnvironment(request, capabilities);
+    none.reason = whyNoLobes(request, capabilities);
     if (!none.feasible()) return none;
     Plan plan = planUnscaled(form, request, capabilities);
     if (plan.surfaces == ColourFormat::rgba16f && isCoarse(errorBound(plan, request.target))) {
@@ -229,7 +233,7 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     plan.technique = request.technique;
     plan.filter = request.filter;
     plan.error = errorBound(plan, request.target, request.maps);
-    if (request.environment.lobes > 0) plan.environmentError = request.environmentError;
+    if (!request.lobeLight.isEmpty()) plan.lobeError = request.lobeError;
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 

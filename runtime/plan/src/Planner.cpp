@@ -68,11 +68,12 @@ public:
           request_(request),
           limits_(limits),
           list_(form),
-          lobes_(lobeShares(request.environment, limits.lookups, limits.vectors))
+          lobes_(lobeShares(request.lobes, request.lobeLight,
+                            {limits.lookups, std::max(0, limits.vectors), limits.areaLights}))
     {
     }
 
-    /// Plans an environment without lights.
+    /// Plans lobes without point lights.
     bool planLobes()
     {
         addUp({}, {});
@@ -144,11 +145,10 @@ private:
 
     void addUp(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
     {
-        if (request_.environment.lobes > 0 && lobes_.empty())
-            return refuse(
-                Found("lobes of " + std::to_string(request_.environment.knots()) + " knots")
-                    .expected("fewer: the uniforms of a pass have room for " +
-                              std::to_string(std::max(0, limits_.vectors)) + " vectors"));
+        if (!request_.lobeLight.isEmpty() && lobes_.empty())
+            return refuse(Found("lobes of " + std::to_string(request_.lobes.knots()) + " knots")
+                              .expected("fewer: the uniforms of a pass have room for " +
+                                        std::to_string(std::max(0, limits_.vectors)) + " vectors"));
         if (accumulatesInTarget(groups, leaving))
             addUpInTarget(groups, leaving);
         else

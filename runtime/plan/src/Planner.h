@@ -8,9 +8,10 @@ namespace fbrdf {
 
 struct Limits {
     static constexpr int kUnlimited = std::numeric_limits<int>::max();
-    int lookups = kUnlimited;  ///< in any pass
-    int lights = 1;            ///< in any pass, > 0
-    int vectors = kUnlimited;  ///< uniforms of lights and lobes in any pass
+    int lookups = kUnlimited;     ///< in any pass
+    int lights = 1;               ///< in any pass, > 0
+    int areaLights = kUnlimited;  ///< in any pass, > 0
+    int vectors = kUnlimited;     ///< uniforms of lights and lobes in any pass
     bool offscreen = true;
 };
 
@@ -19,7 +20,7 @@ struct ListedPasses {
     std::string reason;  ///< why there are no passes
 };
 
-/// The fewest passes. Expects a valid request with at least one light or an environment.
+/// The fewest passes. Expects a valid request with at least one light of any kind.
 ListedPasses listPasses(const Form& form, const PlanRequest& request, const Limits& limits);
 
 }  // namespace fbrdf

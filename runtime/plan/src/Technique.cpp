@@ -57,14 +57,16 @@ void validate(const PlanRequest& request)
     if (request.maxLookups < 0)
         refuse(Found("a limit of " + std::to_string(request.maxLookups) + " look-ups")
                    .expected("0 (none) or more"));
-    if (request.environment.lobes < 0 ||
-        (request.environment.lobes > 0 && request.environment.knots() < 1))
-        refuse(Found(std::to_string(request.environment.lobes) + " lobes at " +
-                     std::to_string(request.environment.knots()) + " knots")
-                   .expected("those of a table"));
-    if (!(request.environmentError >= 0.0))
-        refuse(Found("an error of lobes of " + numberText(request.environmentError))
+    if (request.lobeLight.areaLights < 0)
+        refuse(Found(std::to_string(request.lobeLight.areaLights) + " area lights")
                    .expected("0 or more"));
+    if (!request.lobeLight.isEmpty() && (request.lobes.lobes < 1 || request.lobes.knots() < 1))
+        refuse(Found(std::to_string(request.lobes.lobes) + " lobes at " +
+                     std::to_string(request.lobes.knots()) + " knots")
+                   .expected("those of a table"));
+    if (!(request.lobeError >= 0.0))
+        refuse(
+            Found("an error of lobes of " + numberText(request.lobeError)).expected("0 or more"));
     for (const double error :
          {request.maps.recombination, request.maps.filtering, request.maps.absolute})
         if (!(error >= 0.0))

@@ -147,12 +147,14 @@ std::string litLines(const FragmentContext& c, const std::string& light, const s
 /// same time.
 std::string clusteredLoop(const FragmentContext& c)
 {
-    return "    ivec2 list = fbrdfLightList(gl_FragCoord.xy, -fbrdfPosition.z);\n"
+    return "    ivec2 list = fbrdfLightList(fbrdfLightLists, fbrdfClusterGrid, fbrdfClusterScale, "
+           "gl_FragCoord.xy, -fbrdfPosition.z);\n"
            "    int end = fbrdfLightCount + list.y;\n"
            "    for (int i = 0; i < end; ++i) {\n"
-           "        int light = fbrdfListed(list, i);\n"
-           "        while (i + 1 < end && !fbrdfReaches(light, fbrdfPosition))\n"
-           "            light = fbrdfListed(list, ++i);\n" +
+           "        int light = fbrdfListed(fbrdfLightIndices, list, fbrdfLightCount, i);\n"
+           "        while (i + 1 < end && !fbrdfReaches(texelFetch(fbrdfLightBuffer, 3 * light), "
+           "fbrdfPosition))\n"
+           "            light = fbrdfListed(fbrdfLightIndices, list, fbrdfLightCount, ++i);\n" +
            lightLines(c, "light", "        ") + litLines(c, "light", "        ") + "    }\n";
 }
 
@@ -267,8 +269,13 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert(c.spec.clustered ? "uniform isamplerBuffer fbrdfLightNumbers;\n"
                                       : "uniform int fbrdfLightNumbers[" +
                                             std::to_string(c.spec.lightSlots) + "];\n");
-    if (c.spec.lit && !c.spec.clustered && c.spec.lightSlots > 1)
+    if (c.spec.lit && (c.spec.clustered || c.spec.lightSlots > 1))
         lines.insert("uniform int fbrdfLightCount;\n");
+    if (c.spec.clustered)
+        lines.insert(
+            "uniform samplerBuffer fbrdfLightBuffer;\n"
+            "uniform isamplerBuffer fbrdfLightIndices, fbrdfLightLists;\n"
+            "uniform ivec3 fbrdfClusterGrid;\nuniform vec4 fbrdfClusterScale;\n");
     std::string text;
     for (const std::string& line : lines) text += line;
     return text + lobeUniforms(c);

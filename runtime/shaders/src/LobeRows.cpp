@@ -7,7 +7,7 @@ std::vector<glm::vec4> lobeRows(const LobeTable& table, const LobeShare& share)
 {
     FBRDF_ASSERT(layoutOf(table) == share.table, ==, true);
     std::vector<glm::vec4> rows;
-    rows.reserve(static_cast<size_t>(share.vectors()));
+    rows.reserve(static_cast<size_t>(share.knotVectors()));
     const auto first = static_cast<size_t>(share.first), count = static_cast<size_t>(share.count);
     for (const LobeKnot& knot : table.knots) {
         const auto tilt = [&](size_t k) { return k < count ? knot.lobes[first + k].tilt : 0.0f; };

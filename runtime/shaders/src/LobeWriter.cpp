@@ -4,6 +4,8 @@
 
 #include <fbrdf/shaders/PackedParameters.h>
 
+#include <vector>
+
 namespace fbrdf {
 namespace {
 
@@ -15,8 +17,12 @@ std::string real(int value)
 /// The lobes whose rows there are: those of the pass in uniforms, or all in a buffer.
 LobeShare storedLobes(const FragmentContext& c)
 {
-    const LobeShare& share = c.spec.lobes;
-    return c.packed ? LobeShare{share.table, 0, share.table.lobes, true} : share;
+    LobeShare stored = c.spec.lobes;
+    if (!c.packed) return stored;
+    stored.first = 0;
+    stored.count = stored.table.lobes;
+    stored.cosine = true;
+    return stored;
 }
 
 /// The place of lobe `lobe` of the pass among those that are stored.
@@ -53,7 +59,7 @@ std::string placeLines(const FragmentContext& c)
                 " * fbrdfMaterial;\n        knot += rows;\n";
     if (c.packed && share.table.axes == LobeAxes::bent)
         text += "        vec2 fbrdfLobeBend = texelFetch(fbrdfLobeRows, rows + " +
-                std::to_string(share.vectors()) + ").xy;\n";
+                std::to_string(share.knotVectors()) + ").xy;\n";
     if (share.table.azimuths == 1) return text;
     const std::string end = real(share.table.azimuths - 1);
     return text + "        vec2 azimuth = fbrdfLobeKnot(fbrdfAzimuthPosition(wo.xy, " + end +
@@ -85,40 +91,141 @@ std::string axisOf(const FragmentContext& c, int lobe)
            ", viewer, NoV, " + tilt + " * exp2(" + level + " - " + real(kCosineLevel) + "))";
 }
 
+std::string normalOf(const FragmentContext& c)
+{
+    return needsLocalFrame(c) ? "frame.n" : "n";
+}
+
+/// A lobe of the pass as expressions.
+struct LobeNames {
+    std::string axis, weight, level;
+};
+
+/// All of them, the cosine first.
+std::vector<LobeNames> lobesOf(const FragmentContext& c)
+{
+    std::vector<LobeNames> lobes;
+    if (c.spec.lobes.cosine) lobes.push_back({normalOf(c), "first.rgb", real(kCosineLevel)});
+    for (int k = 0; k < c.spec.lobes.count; ++k) {
+        const std::string number = std::to_string(k);
+        lobes.push_back({"axis" + number, "lobe" + number + ".rgb", "lobe" + number + ".w"});
+    }
+    return lobes;
+}
+
+/// Declares the rows of the lobes of the pass, and their axes.
+std::string lobeRowLines(const FragmentContext& c, const std::string& indent)
+{
+    const LobeShare stored = storedLobes(c);
+    std::string text = indent + "vec4 first = " + interpolated(c, 0) + ";\n";
+    if (stored.rows() > stored.count + 1)
+        text += indent + "vec4 tilts = " + interpolated(c, stored.count + 1) + ";\n";
+    for (int k = 0; k < c.spec.lobes.count; ++k) {
+        const std::string number = std::to_string(k);
+        text += indent + "vec4 lobe" + number + " = " + interpolated(c, 1 + placeOf(c, k)) + ";\n" +
+                indent + "vec3 axis" + number + " = " + axisOf(c, k) + ";\n";
+    }
+    return text;
+}
+
+std::string environmentLines(const FragmentContext& c, const std::string& indent)
+{
+    if (!c.spec.lobes.environment) return "";
+    std::string text = indent + "vec3 reflected = vec3(0.0);\n";
+    for (const LobeNames& lobe : lobesOf(c))
+        text +=
+            indent + "reflected += " + lobe.weight + " * " + fetched(lobe.axis, lobe.level) + ";\n";
+    return text + indent + "total += reflected * fbrdfEnvironmentScale.rgb;\n";
+}
+
+/// The lobes as arrays, so that the text of what is inside of a light exists once.
+std::string lobeArrayLines(const FragmentContext& c, const std::string& indent)
+{
+    const auto lobes = lobesOf(c);
+    const std::string count = std::to_string(lobes.size());
+    std::string text = indent + "vec3 axes[" + count + "], weights[" + count + "];\n" + indent +
+                       "float levels[" + count + "];\n";
+    for (size_t k = 0; k < lobes.size(); ++k) {
+        const std::string at = "[" + std::to_string(k) + "] = ";
+        text += indent + "axes" + at + lobes[k].axis + ";\n" + indent + "weights" + at +
+                lobes[k].weight + ";\n" + indent + "levels" + at + lobes[k].level + ";\n";
+    }
+    return text;
+}
+
+/// The head of the loop over area lights, up to the vector that decides which points a light
+/// reaches.
+std::string areaLoop(const FragmentContext& c, const std::string& indent)
+{
+    const std::string inner = indent + "    ";
+    if (!c.spec.areaLists)
+        return indent + "for (int i = 0; i < fbrdfAreaLightCount; ++i) {\n" + inner +
+               "int light = " + std::to_string(kVectorsPerAreaLight) + " * i;\n" + inner +
+               "vec4 centre = fbrdfAreaLights[light];\n";
+    return indent +
+           "ivec2 areaList = fbrdfLightList(fbrdfAreaLists, fbrdfAreaGrid, fbrdfAreaScale, "
+           "gl_FragCoord.xy, -fbrdfPosition.z);\n" +
+           indent + "for (int i = 0; i < fbrdfAreaLightCount + areaList.y; ++i) {\n" + inner +
+           "int light = " + std::to_string(kVectorsPerAreaLight) +
+           " * fbrdfListed(fbrdfAreaIndices, areaList, fbrdfAreaLightCount, i);\n" + inner +
+           "vec4 centre = texelFetch(fbrdfAreaBuffer, light);\n";
+}
+
+/// The share of the lobes inside of each area light.
+std::string areaLines(const FragmentContext& c, const std::string& indent)
+{
+    if (!hasAreaLights(c)) return "";
+    const std::string inner = indent + "    ", deep = inner + "    ";
+    const auto vector = [&c](const char* k) {
+        return c.spec.areaLists ? std::string("texelFetch(fbrdfAreaBuffer, light + ") + k + ")"
+                                : std::string("fbrdfAreaLights[light + ") + k + "]";
+    };
+    const std::string shadow =
+        c.shadow ? " * fbrdfShadow(int(d.w / 8.0), fbrdfPosition, normalize(toCentre))" : "";
+    return lobeArrayLines(c, indent) + areaLoop(c, indent) + inner +
+           "vec3 toCentre = centre.xyz - fbrdfPosition;\n" + inner +
+           "float window = fbrdfInfluenceWindow(dot(toCentre, toCentre), centre.w);\n" + inner +
+           "if (window > 0.0) {\n" + deep + "vec4 a = " + vector("1") + ", b = " + vector("2") +
+           ", c = " + vector("3") + ", d = " + vector("4") + ";\n" + deep +
+           "FbrdfAreaContour contour = fbrdfAreaContour(a, b, c, d, fbrdfPosition);\n" + deep +
+           "vec3 inside = vec3(0.0);\n" + deep + "for (int k = 0; k < " +
+           std::to_string(lobesOf(c).size()) + "; ++k)\n" + deep +
+           "    inside += weights[k] * fbrdfLobeInArea(contour, " + normalOf(c) +
+           ", axes[k], levels[k]);\n" + deep + "total += inside * window * vec3(a.w, b.w, c.w)" +
+           shadow + ";\n" + inner + "}\n" + indent + "}\n";
+}
+
 }  // namespace
 
 std::string lobeUniforms(const FragmentContext& c)
 {
     if (!hasLobes(c)) return "";
-    const std::string text =
-        "uniform samplerCube fbrdfEnvironment;\nuniform mat3 fbrdfToEnvironment;\n"
-        "uniform vec4 fbrdfEnvironmentScale;\n";
+    std::string text;
+    if (c.spec.lobes.environment)
+        text +=
+            "uniform samplerCube fbrdfEnvironment;\nuniform mat3 fbrdfToEnvironment;\n"
+            "uniform vec4 fbrdfEnvironmentScale;\n";
+    if (hasAreaLights(c) && c.spec.areaLists)
+        text +=
+            "uniform samplerBuffer fbrdfAreaBuffer;\n"
+            "uniform isamplerBuffer fbrdfAreaIndices, fbrdfAreaLists;\n"
+            "uniform ivec3 fbrdfAreaGrid;\nuniform vec4 fbrdfAreaScale;\n"
+            "uniform int fbrdfAreaLightCount;\n";
+    else if (hasAreaLights(c))
+        text += "uniform vec4 fbrdfAreaLights[" +
+                std::to_string(kVectorsPerAreaLight * c.spec.lobes.areaSlots) +
+                "];\nuniform int fbrdfAreaLightCount;\n";
     if (c.packed) return text + "uniform samplerBuffer fbrdfLobeRows;\n";
-    return text + "uniform vec4 fbrdfLobes[" + std::to_string(c.spec.lobes.vectors()) + "];\n" +
+    return text + "uniform vec4 fbrdfLobes[" + std::to_string(c.spec.lobes.knotVectors()) + "];\n" +
            (hasBentLobes(c) ? "uniform vec2 fbrdfLobeBend;\n" : "");
 }
 
 std::string lobeLines(const FragmentContext& c)
 {
     if (!hasLobes(c)) return "";
-    const LobeShare& share = c.spec.lobes;
     const std::string indent = "        ";
-    std::string text = "    if (NoV > 0.0) {\n" + placeLines(c) + indent +
-                       "vec4 first = " + interpolated(c, 0) + ";\n" + indent +
-                       "vec3 lobes = vec3(0.0);\n";
-    if (share.cosine)
-        text += indent + "lobes += first.rgb * " +
-                fetched(needsLocalFrame(c) ? "frame.n" : "n", real(kCosineLevel)) + ";\n";
-    const LobeShare stored = storedLobes(c);
-    if (stored.rows() > stored.count + 1)
-        text += indent + "vec4 tilts = " + interpolated(c, stored.count + 1) + ";\n";
-    for (int k = 0; k < share.count; ++k) {
-        const std::string lobe = "lobe" + std::to_string(k);
-        text += indent + "vec4 " + lobe + " = " + interpolated(c, 1 + placeOf(c, k)) + ";\n" +
-                indent + "lobes += " + lobe + ".rgb * " + fetched(axisOf(c, k), lobe + ".w") +
-                ";\n";
-    }
-    return text + indent + "total += lobes * fbrdfEnvironmentScale.rgb;\n    }\n";
+    return "    if (NoV > 0.0) {\n" + placeLines(c) + lobeRowLines(c, indent) +
+           environmentLines(c, indent) + areaLines(c, indent) + "    }\n";
 }
 
 }  // namespace fbrdf

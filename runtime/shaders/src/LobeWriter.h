@@ -8,6 +8,10 @@ inline bool hasLobes(const FragmentContext& c)
 {
     return !c.spec.lobes.isEmpty();
 }
+inline bool hasAreaLights(const FragmentContext& c)
+{
+    return hasLobes(c) && c.spec.lobes.areaSlots > 0;
+}
 /// True where lobes are about bent normals, which have a tangent frame.
 inline bool hasBentLobes(const FragmentContext& c)
 {

@@ -40,7 +40,7 @@ ParameterLayout parameterLayout(const Form& form)
 int packedLobeStride(const LobeLayout& table)
 {
     const LobeShare all{table, 0, table.lobes, true};
-    return table.lobes == 0 ? 0 : all.vectors() + (table.axes == LobeAxes::bent ? 1 : 0);
+    return table.lobes == 0 ? 0 : all.knotVectors() + (table.axes == LobeAxes::bent ? 1 : 0);
 }
 
 std::vector<glm::vec4> packedLobeRows(const LobeTable& table)

@@ -1,5 +1,6 @@
 #include "EmbeddedShaders.h"
 #include "FragmentWriter.h"
+#include "LobeWriter.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
@@ -95,6 +96,8 @@ ProgramSpec programSpec(const Pass& pass, int maxLights)
     FBRDF_ASSERT(maxLights, >=, 1);
     ProgramSpec spec{pass.parts,       0,     pass.lit,  pass.reads.has_value(), pass.transfer,
                      pass.gain != 1.0, false, pass.lobes};
+    // Which area lights a pass adds does not change its text.
+    spec.lobes.firstArea = spec.lobes.areaCount = 0;
     if (pass.lightCount > 0) {
         spec.lightSlots = 1;
         while (spec.lightSlots < pass.lightCount) spec.lightSlots *= 8;
@@ -112,10 +115,10 @@ std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,
                            const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
 {
-    if (spec.clustered) checkBuffers(glsl, "lists of lights");
+    if (spec.clustered || spec.areaLists) checkBuffers(glsl, "lists of lights");
     if (!spec.lobes.isEmpty() && glsl == kGlslEs100)
         throw Error(ErrorKind::gl, "shader",
-                    Found("GLSL ES 1.00").expected("300 or newer for an environment"));
+                    Found("GLSL ES 1.00").expected("300 or newer for lobes"));
     const FragmentContext context{form,
                                   encodings,
                                   spec,
@@ -129,10 +132,11 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
                       "projection.glsl", "lights.glsl", "transfer.glsl"},
-                     !spec.lobes.isEmpty()) +
-           (spec.lobes.isEmpty() ? "" : joined({"lobes.glsl"})) + filterFunctions(encodings) +
-           (spec.clustered ? joined({"clusters.glsl"}) : "") + inputs.shadowHook + "\n" + uniforms +
-           mainFunction(context);
+                     hasLobes(context) && spec.lobes.environment) +
+           (hasLobes(context) ? joined({"lobes.glsl"}) : "") +
+           (hasAreaLights(context) ? joined({"area.glsl"}) : "") + filterFunctions(encodings) +
+           (spec.clustered || spec.areaLists ? joined({"clusters.glsl"}) : "") + inputs.shadowHook +
+           "\n" + uniforms + mainFunction(context);
 }
 
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,

@@ -1,5 +1,6 @@
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/ShadingFrame.h>
+#include <fbrdf/environment/AreaTruth.h>
 #include <fbrdf/environment/EnvironmentTruth.h>
 #include <fbrdf/scene/CpuRenderer.h>
 
@@ -76,15 +77,20 @@ public:
     explicit Lighting(const Scene& scene) : lights_(scene.lights), environment_(scene.environment)
     {
         if (environment_) truth_.emplace(std::vector<Panorama>{environment_->panorama});
+        // Lights that are not valid light nothing.
+        for (const AreaLight& light : scene.areaLights)
+            if (whyInvalid(light).empty()) areas_.emplace_back(light);
     }
 
-    /// docs/method.md, Eq. 2, and the integral over the environment.
+    /// docs/method.md, Eq. 2, and the integrals over the environment and area lights.
     Vec3d radiance(const Brdf& brdf, const Point& point, const Vec3d& toEye) const
     {
         const ShadingFrame<double> frame = shadingFrame(point.normal, point.tangent);
         const Vec3d wo = frame.local(toEye);
         if (!(wo.z > 0.0)) return Vec3d(0.0);
         Vec3d sum = fromLights(brdf, point, frame, wo);
+        for (const AreaTruth& area : areas_)
+            sum += area.reflected(brdf, point.position, frame, toEye);
         if (environment_) {
             const auto turned = [&](const Vec3d& w) { return environment_->toEnvironment(w); };
             const ShadingFrame<double> inEnvironment{turned(frame.t), turned(frame.s),
@@ -102,6 +108,7 @@ private:
     const std::vector<Light>& lights_;
     const EnvironmentLight* environment_;
     std::optional<EnvironmentTruth> truth_;
+    std::vector<AreaTruth> areas_;
 };
 
 Vec3d Lighting::fromLights(const Brdf& brdf, const Point& point, const ShadingFrame<double>& frame,

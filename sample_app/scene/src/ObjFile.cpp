@@ -1,8 +1,8 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/plan/Triangulate.h>
 #include <fbrdf/scene/ObjFile.h>
 #include <fbrdf/scene/TextFile.h>
-#include <fbrdf/scene/Triangulate.h>
 #include <fbrdf/scene/VertexFrames.h>
 
 #include <charconv>

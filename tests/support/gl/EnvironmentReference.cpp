@@ -1,5 +1,7 @@
 #include "EnvironmentReference.h"
 
+#include <fbrdf/plan/AreaContour.h>
+
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/environment/Prefilter.h>
 
@@ -102,35 +104,66 @@ CubeImage readCube(const GladGLContext& gl, const gl::GpuEnvironment& environmen
     return cube;
 }
 
+namespace {
+
+/// The picture whose radiance is `reflected(frame, position, lobes)` where lobes are those about
+/// the viewer.
+template <class Reflected>
+std::vector<double> lobeImage(const LobeTable& table, const GeometryBuffer& geometry,
+                              const gl::View& view, Reflected reflected)
+{
+    const bool perspective = view.projection[3][3] == 0.0f;
+    std::vector<double> image(geometry.position.size(), 0.0);
+    for (size_t pixel = 0; pixel < image.size() / 4; ++pixel) {
+        if (!geometry.covers(pixel)) continue;
+        const Vec3d position = rgbOf(geometry.position, pixel);
+        const auto frame =
+            shadingFrame(rgbOf(geometry.normal, pixel), rgbOf(geometry.tangent, pixel));
+        const Vec3d viewer = perspective ? glm::normalize(-position) : Vec3d(0.0, 0.0, 1.0);
+        const Vec3d wo = frame.local(viewer);
+        image[4 * pixel + 3] = 1.0;
+        if (!(wo.z > 0.0)) continue;
+        const Vec3d total = reflected(frame, position, lobesAt<double>(table, wo));
+        for (int c = 0; c < 3; ++c) image[4 * pixel + static_cast<size_t>(c)] = total[c];
+    }
+    return image;
+}
+
+}  // namespace
+
 std::vector<double> environmentImage(const LobeTable& table, const CubeImage& cube,
                                      const GeometryBuffer& geometry, const gl::View& view,
                                      const gl::EnvironmentLight& light)
 {
-    const bool perspective = view.projection[3][3] == 0.0f;
     const glm::dmat3 fromEye = glm::transpose(glm::dmat3(light.rotation)) *
                                glm::transpose(glm::dmat3(glm::dmat4(view.view)));
-    std::vector<double> image(geometry.position.size(), 0.0);
-    for (size_t pixel = 0; pixel < image.size() / 4; ++pixel) {
-        if (!geometry.covers(pixel)) continue;
-        const auto frame =
-            shadingFrame(rgbOf(geometry.normal, pixel), rgbOf(geometry.tangent, pixel));
-        const Vec3d viewer =
-            perspective ? glm::normalize(-rgbOf(geometry.position, pixel)) : Vec3d(0.0, 0.0, 1.0);
-        const Vec3d wo = frame.local(viewer);
-        image[4 * pixel + 3] = 1.0;
-        if (!(wo.z > 0.0)) continue;
-        const auto lookUp = [&](const Vec3d& axis, double level) {
-            const Vec3d inEye = frame.t * axis.x + frame.s * axis.y + frame.n * axis.z;
-            return samplePrefiltered(cube, fromEye * inEye, level);
-        };
-        const LobeSum<double> sum = lobesAt<double>(table, wo);
-        Vec3d total = sum.cosine * lookUp({0.0, 0.0, 1.0}, kCosineLevel);
-        for (size_t k = 0; k < static_cast<size_t>(sum.lobes); ++k)
-            total += sum.weight[k] * lookUp(sum.axis[k], sum.level[k]);
-        for (int c = 0; c < 3; ++c)
-            image[4 * pixel + static_cast<size_t>(c)] = total[c] * double(light.intensity[c]);
-    }
-    return image;
+    return lobeImage(
+        table, geometry, view,
+        [&](const ShadingFrame<double>& frame, const Vec3d&, const LobeSum<double>& sum) {
+            const auto lookUp = [&](const Vec3d& axis, double level) {
+                const Vec3d inEye = frame.t * axis.x + frame.s * axis.y + frame.n * axis.z;
+                return samplePrefiltered(cube, fromEye * inEye, level);
+            };
+            Vec3d total = sum.cosine * lookUp({0.0, 0.0, 1.0}, kCosineLevel);
+            for (size_t k = 0; k < static_cast<size_t>(sum.lobes); ++k)
+                total += sum.weight[k] * lookUp(sum.axis[k], sum.level[k]);
+            return total * Vec3d(light.intensity);
+        });
+}
+
+std::vector<double> areaLightImage(const LobeTable& table, const std::vector<AreaLight>& lights,
+                                   const GeometryBuffer& geometry, const gl::View& view)
+{
+    std::vector<AreaVectors> areas;
+    for (const AreaLight& light : lights) appendAreaVectors(light, 0, glm::dmat4(view.view), areas);
+    return lobeImage(
+        table, geometry, view,
+        [&](const ShadingFrame<double>& frame, const Vec3d& position, const LobeSum<double>& sum) {
+            Vec3d total(0.0);
+            for (const AreaVectors& area : areas)
+                total += areaReflected(sum, frame, area, position);
+            return total;
+        });
 }
 
 }  // namespace fbrdf::test

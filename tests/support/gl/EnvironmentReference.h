@@ -1,5 +1,5 @@
-// EnvironmentReference.h - what the renderer should draw under an environment: the lobes of a table
-// and the texels that are on the GPU, on the CPU in double.
+// EnvironmentReference.h - what the renderer should draw under an environment, from the lobes of a
+// table and the texels that are on the GPU, and under area lights: on the CPU in double.
 #pragma once
 #include <fbrdf/environment/CubeImage.h>
 #include <fbrdf/environment/Panorama.h>
@@ -28,5 +28,9 @@ CubeImage readCube(const GladGLContext& gl, const gl::GpuEnvironment& environmen
 std::vector<double> environmentImage(const LobeTable& table, const CubeImage& cube,
                                      const GeometryBuffer& geometry, const gl::View& view,
                                      const gl::EnvironmentLight& light);
+
+/// The same under area lights, in the space of the world.
+std::vector<double> areaLightImage(const LobeTable& table, const std::vector<AreaLight>& lights,
+                                   const GeometryBuffer& geometry, const gl::View& view);
 
 }  // namespace fbrdf::test

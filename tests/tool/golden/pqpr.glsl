@@ -355,14 +355,19 @@ vec2 fbrdfDiscPosition(float size, float gamma, float radius, vec3 direction)
 //   cone      axis x scale, offset; (0, 0, 0, 1) where there is none
 // Directions are unit, so that one expression serves all kinds: branches cost more than the few products.
 
-// Twin: falloff, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9. As there, 1e-12 keeps a light on the
-// surface finite.
+// Twin: influenceWindow, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9.
+float fbrdfInfluenceWindow(float distanceSquared, float inverseRadiusSquared)
+{
+    float ratio = distanceSquared * inverseRadiusSquared;
+    float window = max(1.0 - ratio * ratio, 0.0);
+    return window * window;
+}
+
+// Twin: falloff, Light.h. As there, 1e-12 keeps a light on the surface finite.
 float fbrdfFalloff(float distanceSquared, float inverseRadiusSquared)
 {
     float clamped = max(distanceSquared, 1e-12);
-    float ratio = clamped * inverseRadiusSquared;
-    float window = max(1.0 - ratio * ratio, 0.0);
-    return window * window / clamped;
+    return fbrdfInfluenceWindow(clamped, inverseRadiusSquared) / clamped;
 }
 
 // Twin: coneFactor, Light.h. wi: unit, towards the light.
@@ -677,14 +682,19 @@ vec2 fbrdfDiscPosition(float size, float gamma, float radius, vec3 direction)
 //   cone      axis x scale, offset; (0, 0, 0, 1) where there is none
 // Directions are unit, so that one expression serves all kinds: branches cost more than the few products.
 
-// Twin: falloff, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9. As there, 1e-12 keeps a light on the
-// surface finite.
+// Twin: influenceWindow, Light.h. Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9.
+float fbrdfInfluenceWindow(float distanceSquared, float inverseRadiusSquared)
+{
+    float ratio = distanceSquared * inverseRadiusSquared;
+    float window = max(1.0 - ratio * ratio, 0.0);
+    return window * window;
+}
+
+// Twin: falloff, Light.h. As there, 1e-12 keeps a light on the surface finite.
 float fbrdfFalloff(float distanceSquared, float inverseRadiusSquared)
 {
     float clamped = max(distanceSquared, 1e-12);
-    float ratio = clamped * inverseRadiusSquared;
-    float window = max(1.0 - ratio * ratio, 0.0);
-    return window * window / clamped;
+    return fbrdfInfluenceWindow(clamped, inverseRadiusSquared) / clamped;
 }
 
 // Twin: coneFactor, Light.h. wi: unit, towards the light.

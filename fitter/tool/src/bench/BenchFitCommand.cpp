@@ -1,5 +1,6 @@
 // fbrdf bench-fit: many materials, our forms and the peers, one table.
 #include "Arguments.h"
+#include "bench/AreaBench.h"
 #include "bench/BenchCsv.h"
 #include "bench/BenchSummary.h"
 #include "bench/EnvironmentBench.h"
@@ -24,7 +25,7 @@ struct BenchFitCommand {
     std::string environment;  ///< folder; empty: point lights
     EnvironmentBenchOptions environments;
     BenchOptions options;
-    bool resume = false, json = false, robustness = false;
+    bool resume = false, json = false, robustness = false, areaLights = false;
 };
 
 std::string defaultDataDir()
@@ -103,6 +104,20 @@ int runEnvironment(const BenchFitCommand& command)
     return std::any_of(scores.begin(), scores.end(), failed) ? 1 : 0;
 }
 
+int runAreaLights(const BenchFitCommand& command)
+{
+    AreaBenchOptions options;
+    options.size = command.environments.size;
+    options.threads = command.options.fit.threads;
+    options.source = command.options.source;
+    Progress progress(true);
+    const auto scores = scoreAreaLights(expanded(command.sources), options, progress);
+    progress.clear();
+    writeOut(command.json ? text(areaJson(scores)) : areaText(scores));
+    const auto failed = [](const AreaScores& m) { return !m.error.empty(); };
+    return std::any_of(scores.begin(), scores.end(), failed) ? 1 : 0;
+}
+
 std::string leftOutText(const BenchFitCommand& command)
 {
     return command.peers == "all" && !peersLeftOut().empty() ? "left out: " + peersLeftOut() + "\n"
@@ -113,6 +128,7 @@ int run(BenchFitCommand& command)
 {
     if (command.robustness) return runRobustness(command);
     if (!command.environment.empty()) return runEnvironment(command);
+    if (command.areaLights) return runAreaLights(command);
     command.options.contenders = contendersFrom(command.forms, command.peers);
     command.options.peers.threads = command.options.fit.threads;
     command.options.peers.seed = command.options.fit.seed;
@@ -164,8 +180,10 @@ void addBenchFitCommand(CLI::App& app, Action& action)
                     "instead: light from every .exr and .hdr of a folder, by lobes and by the best "
                     "split sum")
         ->type_name("DIR");
+    sub->add_flag("--area-lights", command->areaLights,
+                  "instead: light from spheres and rectangles, by lobes");
     addInteger(*sub, "--environment-size", command->environments.size, 8, 512,
-               "pixels across the sphere of --environment (64)")
+               "pixels across the sphere of --environment and --area-lights (64)")
         ->type_name("N");
     sub->add_flag("--json", command->json, "print one JSON object");
     sub->callback([command, &action] { action = [command] { return run(*command); }; });

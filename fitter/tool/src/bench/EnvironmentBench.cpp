@@ -143,8 +143,11 @@ std::vector<NamedPanorama> environmentsOf(const std::string& folder)
                         .expected("a folder of .exr or .hdr files"));
     std::sort(paths.begin(), paths.end());
     std::vector<NamedPanorama> environments;
-    for (const fs::path& path : paths)
-        environments.push_back({path.stem().string(), readPanorama(path.string())});
+    for (const fs::path& path : paths) {
+        NamedPanorama& environment = environments.emplace_back();
+        environment.name = path.stem().string();
+        environment.panorama = readPanorama(path.string(), &environment.note);
+    }
     return environments;
 }
 
@@ -212,15 +215,20 @@ std::string environmentText(const std::vector<EnvironmentScores>& materials,
         return way == 0 ? std::string()
                         : fmt::format("{:.2f}", sum / static_cast<double>(scores.size()));
     });
-    return text + "\n" + alignedTable(aligned, rows, 2);
+    text += "\n" + alignedTable(aligned, rows, 2);
+    for (const NamedPanorama& environment : environments)
+        if (!environment.note.empty()) text += environment.name + ": " + environment.note + "\n";
+    return text;
 }
 
 Json environmentJson(const std::vector<EnvironmentScores>& materials,
                      const std::vector<NamedPanorama>& environments)
 {
     Json json = {{"environments", Json::array()}, {"materials", Json::array()}};
-    for (const NamedPanorama& environment : environments)
+    for (const NamedPanorama& environment : environments) {
         json["environments"].push_back(environment.name);
+        if (!environment.note.empty()) json["notes"][environment.name] = environment.note;
+    }
     for (const EnvironmentScores& material : materials) {
         Json entry = {{"source", material.source}, {"ways", Json::array()}};
         if (!material.error.empty()) entry["error"] = material.error;

@@ -37,6 +37,7 @@ struct EnvironmentScores {
 struct NamedPanorama {
     std::string name;
     Panorama panorama;
+    std::string note;  ///< what its file was taken for, and what was repaired; may be empty
 };
 
 /// Every .exr and .hdr of a folder, in the order of their names. Throws Error(input) where there is

@@ -22,6 +22,31 @@ typedef struct fbrdf_light {
     float inner_angle, outer_angle; /* of a spot, radians from the axis */
 } fbrdf_light;
 
+typedef enum fbrdf_area_shape {
+    FBRDF_AREA_SPHERE = 0,
+    FBRDF_AREA_DISC = 1,
+    FBRDF_AREA_RECTANGLE = 2,
+    FBRDF_AREA_TUBE = 3, /* ends in half spheres */
+    FBRDF_AREA_POLYGON = 4
+} fbrdf_area_shape;
+/* A light with a shape, which materials reflect by their lobes (as an environment); fields of other
+ * shapes are not read. One that is not valid (fbrdf/plan/AreaLight.h) is dropped, counted and
+ * logged. */
+typedef struct fbrdf_area_light {
+    float position[3]; /* in the world: the centre, or one end of a tube */
+    float size;        /* radius of a sphere, disc or tube */
+    float radiance[3]; /* W/(sr m^2) */
+    float radius;      /* no influence beyond it from the centre; 0: unlimited */
+    float end[3];      /* the other end of a tube */
+    uint32_t shape;    /* fbrdf_area_shape */
+    float normal[3];   /* of a disc */
+    uint32_t two_sided;
+    float axis_u[3], axis_v[3]; /* half sides of a rectangle, which shines along axis_u x axis_v */
+    uint32_t vertex_count;      /* of a polygon, 3 to 256 */
+    uint32_t reserved;          /* 0 */
+    const float* vertices;      /* x, y, z of each, counterclockwise seen from where it shines */
+} fbrdf_area_light;
+
 /* One object of a draw. */
 typedef struct fbrdf_item {
     const fbrdf_gpu_material* material;
@@ -89,6 +114,9 @@ typedef struct fbrdf_draw_desc {
     uint32_t reserved;        /* 0 */
     const fbrdf_depth_desc* depth;              /* NULL: as in a new context */
     const fbrdf_environment_light* environment; /* NULL: none */
+    const fbrdf_area_light* area_lights;
+    uint32_t area_light_count;
+    uint32_t area_light_size; /* sizeof(fbrdf_area_light) */
 } fbrdf_draw_desc;
 
 typedef struct fbrdf_draw_stats {
@@ -96,17 +124,17 @@ typedef struct fbrdf_draw_stats {
     uint32_t passes;       /* of the item that needed most */
     uint32_t draw_calls;   /* of all items */
     uint32_t items_failed; /* not drawn; the log received why */
-    uint32_t lights_given, lights_used;
-    uint32_t lights_dropped; /* not valid, or above max_lights */
-    uint32_t max_lookups;    /* look-ups of a fragment in any pass, counted from the programs */
-    char accumulation[16];   /* format of the surface in which lights add up: "RGBA32F", ... */
-    uint32_t lights_culled;  /* lights that do not reach an item, summed over items */
-    uint32_t technique;      /* fbrdf_technique of the item that needed most passes */
+    uint32_t lights_given, lights_used; /* area lights included */
+    uint32_t lights_dropped;            /* not valid, or above max_lights */
+    uint32_t max_lookups;   /* look-ups of a fragment in any pass, counted from the programs */
+    char accumulation[16];  /* format of the surface in which lights add up: "RGBA32F", ... */
+    uint32_t lights_culled; /* lights that do not reach an item, summed over items */
+    uint32_t technique;     /* fbrdf_technique of the item that needed most passes */
     /* |stored - exact| <= error_relative max(|exact|, mean / 100) + error_absolute, see
      * fbrdf/plan/Plan.h. */
     float error_relative, error_absolute;
     char why_replaced[160]; /* why another technique than asked for was taken; "": it was not */
-    uint32_t items_without_environment; /* drawn without the one asked for; the log received why */
+    uint32_t items_without_environment; /* drawn without it or area lights; the log received why */
     float environment_error; /* expected error of its light, relative: of the material where it is
                                 largest */
     char why_no_environment[160]; /* why the last of those items was drawn without; "" */

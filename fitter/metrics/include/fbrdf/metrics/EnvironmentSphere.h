@@ -1,13 +1,11 @@
-// EnvironmentSphere.h - the scene in which light from environments is compared: a sphere seen along
-// -z by a parallel projection, once in each environment.
-//
-// Its exposure is such that a Lambertian of albedo 1/2 averages 0.4; values are clamped to [0, 1]
-// and compared by PSNR over the disc. Views below half a degree are left black. Environments are
-// reduced to 128 x 64 texels, so that the sum over all of them stays affordable.
+// EnvironmentSphere.h - the scene in which light from environments is compared: a sphere
+// (SpherePicture.h), once in each environment. Environments are reduced to 128 x 64 texels, so that
+// the sum over all of them stays affordable.
 #pragma once
 #include <fbrdf/brdf/LobeTable.h>
 #include <fbrdf/environment/CubeImage.h>
 #include <fbrdf/environment/EnvironmentTruth.h>
+#include <fbrdf/metrics/SpherePicture.h>
 
 #include <functional>
 #include <vector>
@@ -19,14 +17,8 @@ Panorama reduced(const Panorama& panorama, int width, int height);
 
 class EnvironmentSphere {
 public:
-    /// Radiance of the pixels of the disc.
-    using Image = std::vector<Vec3d>;
-
-    struct Pixel {
-        ShadingFrame<double> frame;
-        Vec3d wo;  ///< local
-        bool isSeen() const;
-    };
+    using Image = SpherePicture;
+    using Pixel = SpherePixel;
 
     /// size: pixels across the sphere; cubeSize: of the prefiltered cubes (Prefilter.h). Expects
     /// valid panoramas, at least one.

@@ -4,6 +4,7 @@
 #include <fbrdf/gl/Depth.h>
 #include <fbrdf/gl/Environment.h>
 #include <fbrdf/gl/Handles.h>
+#include <fbrdf/plan/AreaLight.h>
 #include <fbrdf/plan/Plan.h>
 
 #include <glm/mat4x4.hpp>
@@ -68,27 +69,32 @@ struct DrawOptions {
     Technique technique = Technique::single;
     int lightsPerPass = 8;  ///< Technique::batched only, >= 1
     int maxLookups = 0;     ///< texture look-ups in any pass; 0: what the technique says
-    /// Maximum number of lights for each item or, with lists of lights, for each part of the view;
-    /// the weakest are dropped. 0: unlimited.
+    /// Maximum number of lights, and of area lights, for each item or, with lists of lights, for
+    /// each part of the view; the weakest are dropped. 0: unlimited.
     int maxLights = 0;
     /// Technique::single only: builds lists of the lights that reach each part of the view, so that
     /// the cost follows the lights that reach a pixel, and uniforms set no limit. The CPU builds
     /// them, with up to four threads, for each draw in which a light or a matrix has changed. They
     /// need OpenGL 3.1; without it lights are drawn as if this were false, with a warning. Up to 8
-    /// lights are drawn without lists, which is faster.
+    /// lights are drawn without lists, which is faster. Area lights have lists of their own, from 3
+    /// on.
     bool clustered = false;
     /// Light from everywhere, beside the lights. An item that cannot have it is drawn without, see
     /// DrawStats::whyNoEnvironment.
     EnvironmentLight environment = {};
+    /// Lights with a shape, beside the others. Materials reflect them by their lobes, as they do an
+    /// environment (EnvironmentLight::lobes limits both), without any look-up. A shadow hook
+    /// receives the number of lights plus the index in this list, and the direction to the centre.
+    std::vector<AreaLight> areaLights = {};
 };
 
 struct DrawStats {
-    int passes = 0;       ///< of the item that needed most
-    int drawCalls = 0;    ///< of all items
-    int itemsFailed = 0;  ///< not drawn; the reasons were logged
-    int lightsGiven = 0, lightsUsed = 0;
-    /// Lights that are not valid (Light.h) or above maxLights, for the item or the part of the view
-    /// that lost most.
+    int passes = 0;                       ///< of the item that needed most
+    int drawCalls = 0;                    ///< of all items
+    int itemsFailed = 0;                  ///< not drawn; the reasons were logged
+    int lightsGiven = 0, lightsUsed = 0;  ///< area lights included
+    /// Lights that are not valid (Light.h, AreaLight.h) or above maxLights, for the item or the
+    /// part of the view that lost most.
     int lightsDropped = 0;
     int lightsCulled = 0;  ///< lights that do not reach an item, summed over items
     /// Texture look-ups that a fragment executes in any one pass, counted from the linked programs:
@@ -101,9 +107,10 @@ struct DrawStats {
     std::string whyReplaced;
     ErrorBound error;          ///< the largest of all items
     std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
-    /// The largest LobeTable::error of the items that were drawn with an environment.
+    /// The largest LobeTable::error of the items that were drawn with an environment or area
+    /// lights.
     double environmentError = 0.0;
-    /// Items drawn without the environment that was asked for; the reasons were logged.
+    /// Items drawn without the environment or the area lights; the reasons were logged.
     int itemsWithoutEnvironment = 0;
     std::string whyNoEnvironment;  ///< of the last one of them
 };

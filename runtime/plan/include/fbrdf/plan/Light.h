@@ -40,20 +40,32 @@ inline bool isValid(const Light& light)
            std::isfinite(light.radius) && light.radius >= 0.0f && aimed;
 }
 
-/// Irradiance factor at squared distance d2: 1 / d2, times the window (1 - (d2 / radius^2)^2)^2
-/// when radius > 0 (Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9). Deviation: d2 below
-/// 1e-12 counts as 1e-12, so that a light on the surface stays finite. Twin: fbrdfFalloff in
-/// lights.glsl, whose second argument is 1 / radius^2, or 0 for an unlimited light.
+/// The window (1 - (d2 / radius^2)^2)^2 of a light that ends at a radius, at squared distance d2
+/// (Karis 2013, "Real Shading in Unreal Engine 4", Eq. 9); 0 beyond it. inverseRadiusSquared: 0
+/// for an unlimited light, whose window is 1. Twin: fbrdfInfluenceWindow in lights.glsl.
+template <class T>
+T influenceWindow(T distanceSquared, T inverseRadiusSquared)
+{
+    const T ratio = distanceSquared * inverseRadiusSquared;
+    const T window = std::max(T(1) - ratio * ratio, T(0));
+    return window * window;
+}
+
+/// 1 / radius^2 as the window takes it; 0 for an unlimited light, whose radius is 0.
+template <class T>
+T inverseRadiusSquared(T radius)
+{
+    return radius > T(0) ? T(1) / (radius * radius) : T(0);
+}
+
+/// Irradiance factor at squared distance d2: 1 / d2 times the window. Deviation: d2 below 1e-12
+/// counts as 1e-12, so that a light on the surface stays finite. Twin: fbrdfFalloff in lights.glsl,
+/// whose second argument is 1 / radius^2.
 template <class T>
 T falloff(T distanceSquared, T radius)
 {
-    T factor = T(1) / std::max(distanceSquared, T(1e-12));
-    if (radius > T(0)) {
-        const T ratio = distanceSquared / (radius * radius);
-        const T window = ratio < T(1) ? T(1) - ratio * ratio : T(0);
-        factor *= window * window;
-    }
-    return factor;
+    const T clamped = std::max(distanceSquared, T(1e-12));
+    return influenceWindow(clamped, inverseRadiusSquared(radius)) / clamped;
 }
 
 /// A cone as (scale, offset): the factor of a spot is clamp(scale cos + offset, 0, 1)^2, with the

@@ -1,6 +1,7 @@
 // LightSelection.h - which lights an object needs: those whose influence reaches its bounds, the
 // strongest first, up to a limit. Pure.
 #pragma once
+#include <fbrdf/plan/AreaLight.h>
 #include <fbrdf/plan/Light.h>
 
 #include <vector>
@@ -25,7 +26,12 @@ double strongestIrradiance(const Light& light, const Sphere& bounds);
 /// The same bound for the largest channel, at least 0.
 double largestIrradiance(const Light& light, const Sphere& bounds);
 
+/// The same bound for an area light: it is not stronger than the sphere around it would be. 0 where
+/// its radius ends before the sphere or its plane is behind it.
+double strongestIrradiance(const AreaLight& light, const Sphere& bounds);
+
 /// Expects valid lights. most: the limit, or 0 for none; without a limit the order is that given.
 LightSelection selectLights(const std::vector<Light>& lights, const Sphere& bounds, int most);
+LightSelection selectLights(const std::vector<AreaLight>& lights, const Sphere& bounds, int most);
 
 }  // namespace fbrdf

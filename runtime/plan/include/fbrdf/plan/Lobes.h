@@ -1,17 +1,20 @@
-// Lobes.h - which lobes of an environment a pass adds, and what they take of its program. Pure.
+// Lobes.h - which lobes of a material a pass adds, what lights them, and what they take of its
+// program. Pure.
 //
-// Each lobe, and the cosine, is one look-up in the prefiltered cube (LobeTable.h). The table itself
-// is in uniforms, a few vec4 for each knot, of which a program has room for so many: lobes are
+// Each lobe, and the cosine, is one look-up in the prefiltered cube of an environment
+// (LobeTable.h); area lights need none (AreaContour.h). The table itself is in uniforms, a few vec4
+// for each knot, and so are area lights. A program has room for so many: lobes, and lights, are
 // spread over passes as look-ups and uniforms allow.
 #pragma once
 #include <fbrdf/brdf/LobeTable.h>
+#include <fbrdf/plan/AreaVectors.h>
 
 namespace fbrdf {
 
 /// What plans and programs depend on of a LobeTable.
 struct LobeLayout {
     LobeAxes axes = LobeAxes::tilted;
-    int lobes = 0;  ///< 0: there is no environment
+    int lobes = 0;  ///< 0: the material has none
     int thetas = 0, azimuths = 1;
     int knots() const { return thetas * azimuths; }
     bool operator==(const LobeLayout& other) const
@@ -22,28 +25,51 @@ struct LobeLayout {
 };
 LobeLayout layoutOf(const LobeTable& table);
 
-/// The lobes `first` to `first + count - 1`, and the cosine about the normal where that is set.
+/// What a draw lights lobes with.
+struct LobeLight {
+    bool environment = false;
+    int areaLights = 0;  ///< AreaVectors, >= 0
+    bool isEmpty() const { return !environment && areaLights == 0; }
+};
+
+/// The lobes `first` to `first + count - 1`, and the cosine about the normal where that is set, lit
+/// by the environment where that is set and by some area lights.
 struct LobeShare {
     LobeLayout table = {};
     int first = 0, count = 0;
     bool cosine = false;
+    bool environment = true;
+    int firstArea = 0, areaCount = 0;
+    int areaSlots = 0;  ///< area lights for which the program has room, at least areaCount
 
     bool isEmpty() const { return count == 0 && !cosine; }
-    int lookups() const { return count + (cosine ? 1 : 0); }
+    int lookups() const { return environment ? count + (cosine ? 1 : 0) : 0; }
     /// vec4 of one knot: see lobeRows (LobeRows.h).
     int rows() const { return 1 + count + (table.axes == LobeAxes::tilted && count > 1 ? 1 : 0); }
-    /// vec4 uniforms of the knots; the few others are among those that every program reserves.
-    int vectors() const { return isEmpty() ? 0 : table.knots() * rows(); }
+    /// vec4 uniforms of the knots.
+    int knotVectors() const { return isEmpty() ? 0 : table.knots() * rows(); }
+    /// vec4 uniforms of knots and lights; the few others are among those that every program
+    /// reserves.
+    int vectors() const { return knotVectors() + kVectorsPerAreaLight * areaSlots; }
     bool operator==(const LobeShare& other) const
     {
         return table == other.table && first == other.first && count == other.count &&
-               cosine == other.cosine;
+               cosine == other.cosine && environment == other.environment &&
+               firstArea == other.firstArea && areaCount == other.areaCount &&
+               areaSlots == other.areaSlots;
     }
 };
 
-/// All lobes in as few shares as possible, the cosine with the first; empty where not even one
-/// lobe fits. lookups, vectors: the most of a share, >= 0.
-std::vector<LobeShare> lobeShares(const LobeLayout& table, int lookups, int vectors);
+/// What a pass has for lobes.
+struct LobeRoom {
+    int lookups = 0, vectors = 0;  ///< >= 0
+    int areaLights = 0;            ///< the most in one pass, >= 1; slots do not count
+};
+
+/// All lobes in as few shares as possible, the cosine with the first, each with every light; empty
+/// where nothing lights them or where not even one lobe fits.
+std::vector<LobeShare> lobeShares(const LobeLayout& table, const LobeLight& light,
+                                  const LobeRoom& room);
 
 /// The table with fewer lobes: what the others reflect is added to the one that is most like them,
 /// so that energy stays. Of bent ones the middle ones remain, an odd number. lobes >= 1.

@@ -3,7 +3,7 @@
 //
 // A pass draws the object once. For each fragment it computes
 //     [ sum over its lights of E_j cos_j  x ]  sum over its parts of  scale x prod of the part's
-//     factors [ x the texel of another surface at the fragment ] [ + lobes of an environment ]
+//     factors [ x the texel of another surface at the fragment ] [ + lobes ]
 // and blends it into its surface. p(wo) does not depend on the light, so it leaves the sum:
 // L = s p(wo) sum_j q(h_j) p(wi_j) [n.wi_j] E_j (docs/method.md, Eq. 2 and 6), and `two-lookup`
 // needs N + 1 passes for pqp, never 2 N + N. There is no depth pre-pass: the first pass tests with
@@ -48,7 +48,7 @@ struct Part {
 
 struct Pass {
     std::vector<Part> parts;             ///< empty: no light reaches the object
-    LobeShare lobes;                     ///< added to the product
+    LobeShare lobes = {};                ///< added to the product
     int firstLight = 0, lightCount = 0;  ///< 0 lights: nothing in the pass depends on the light
     bool lit = false;                    ///< times irradiance and cosine, summed over the lights
     Surface writes = Surface::target;
@@ -87,11 +87,12 @@ struct MapErrors {
 
 struct PlanRequest {
     Technique technique = Technique::single;
-    int lights = 0;                 ///< >= 0
-    int lightsPerPass = 8;          ///< where the technique asks for it, >= 1
-    int maxLookups = 0;             ///< in any pass; 0: no limit but the technique's own
-    LobeLayout environment = {};    ///< drawn with the lights; no lobes: there is none
-    double environmentError = 0.0;  ///< LobeTable::error of those lobes
+    int lights = 0;            ///< >= 0
+    int lightsPerPass = 8;     ///< where the technique asks for it, >= 1
+    int maxLookups = 0;        ///< in any pass; 0: no limit but the technique's own
+    LobeLayout lobes = {};     ///< of the material, by which it reflects lobeLight
+    LobeLight lobeLight = {};  ///< drawn with the lights; empty where there are no lobes
+    double lobeError = 0.0;    ///< LobeTable::error of those lobes
     ColourFormat target = ColourFormat::rgba32f;
     /// Accumulation and scratch surfaces may be used. A multisampled target cannot have them: its
     /// edges would read texels that nothing was drawn to.
@@ -128,8 +129,8 @@ struct Plan {
     Technique technique = Technique::single;
     Filter filter = Filter::hardware;
     ErrorBound error;
-    /// LobeTable::error of the environment that is drawn: expected, not bounded; 0 without one.
-    double environmentError = 0.0;
+    /// LobeTable::error where lobes are drawn: expected, not bounded; 0 without.
+    double lobeError = 0.0;
     std::string reason;  ///< why there is no plan; empty where there is one
     bool feasible() const { return reason.empty(); }
 };
@@ -151,7 +152,7 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities,
 /// The plan with the fewest passes within the limits, or a reason why there is none. Sums are
 /// RGBA32F where that can be drawn to, else RGBA16F while few enough lights add up for its error
 /// (kCoarsestSum; halves end at 65504), else scaled UNORM where its error is smaller than that of
-/// one pass. An environment needs sums in floats or a single pass. Expects a form that validate
+/// one pass. Lobes need sums in floats or a single pass. Expects a form that validate
 /// accepts. Throws what validate throws.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 

@@ -13,7 +13,7 @@
 
 namespace fbrdf {
 
-/// The rows of a share of the table, share.vectors() of them. share: of layoutOf(table).
+/// The rows of a share of the table, share.knotVectors() of them. share: of layoutOf(table).
 std::vector<glm::vec4> lobeRows(const LobeTable& table, const LobeShare& share);
 
 /// By how much neighbouring lobes bend the normal, along the tangent and the bitangent.

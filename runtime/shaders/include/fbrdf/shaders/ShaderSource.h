@@ -13,9 +13,11 @@
 //   term t      fbrdfScale<t> (vec3)
 //   surface     fbrdfRead (sampler), fbrdfReadScale (vec2: 1 / size in pixels)
 //   gain        fbrdfGain (float), see Pass
+//   lobes       fbrdfLobes[] (vec4, see LobeRows.h), of bent ones fbrdfLobeBend (vec2)
 //   environment fbrdfEnvironment (samplerCube, prefiltered), fbrdfToEnvironment (mat3: from eye
 //               space), fbrdfEnvironmentScale (vec4: intensity, and what is added to a level of a
-//               lobe), fbrdfLobes[] (vec4, see LobeRows.h), of bent ones fbrdfLobeBend (vec2)
+//               lobe)
+//   area lights fbrdfAreaLights[5 slots] (vec4), fbrdfAreaLightCount (int)      see AreaVectors.h
 // Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
 #include <fbrdf/brdf/DirectionMap.h>
@@ -53,9 +55,11 @@ struct ProgramSpec {
     /// Lights come from the list of the fragment's cluster (clusters.glsl); the first
     /// fbrdfLightCount lights are in every list. Needs GLSL 1.40.
     bool clustered = false;
-    /// Lobes of an environment are added. GLSL 1.20 then needs GL_ARB_shader_texture_lod, and ES
-    /// 1.00 refuses them.
+    /// Lobes are added; firstArea and areaCount are 0. ES 1.00 refuses them, and GLSL 1.20 needs
+    /// GL_ARB_shader_texture_lod where there is an environment.
     LobeShare lobes = {};
+    /// The same as `clustered` for area lights.
+    bool areaLists = false;
 };
 
 /// The program of a pass. lightSlots is the number of lights rounded up to 1, 8, 64, ..., at most

@@ -3,6 +3,7 @@
 // Both pictures contain linear radiance and coverage (0 or 1, no anti-aliasing) and cover the same
 // pixels as OpenGL's (Raster.h). They do not depend on the number of threads.
 #pragma once
+#include <fbrdf/plan/AreaLight.h>
 #include <fbrdf/plan/Light.h>
 #include <fbrdf/scene/Environment.h>
 #include <fbrdf/scene/Image.h>
@@ -22,6 +23,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Brdf> brdfs;
     std::vector<Light> lights;
+    std::vector<AreaLight> areaLights;
     const EnvironmentLight* environment = nullptr;  ///< may be null
     gl::View view;
 };
@@ -32,8 +34,9 @@ struct PictureOptions {
 };
 
 /// docs/method.md, Eq. 2, at every pixel: sum_j f(wo, wi_j) max(0, n.wi_j) E_j, with the
-/// interpolated position, normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h), and the sum
-/// over all texels of an environment (EnvironmentTruth.h).
+/// interpolated position, normal and tangent of the pixel (fbrdf/brdf/ShadingFrame.h), and the sums
+/// over all texels of an environment (EnvironmentTruth.h) and over points of area lights
+/// (AreaTruth.h).
 Image renderReference(const Scene& scene, const PictureOptions& options);
 
 /// Gouraud shading with the true BRDF: docs/method.md, Eq. 2, at every vertex of the mesh, and its

@@ -1,28 +1,19 @@
 #include <fbrdf/base/Assert.h>
-#include <fbrdf/scene/Triangulate.h>
+#include <fbrdf/plan/Triangulate.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace fbrdf::scene {
+namespace fbrdf {
 namespace {
 
 using PlanePoint = Vec2<double>;
 
-/// Newell's normal: twice the vector area, robust against collinear corners (Sutherland et al.
-/// 1974).
-Vec3d newellNormal(const std::vector<Vec3d>& corners)
-{
-    Vec3d sum(0.0);
-    for (size_t i = 0; i < corners.size(); ++i)
-        sum += glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
-    return sum;
-}
-
 /// Drops the coordinate along which the polygon is flattest, keeping its orientation.
 std::vector<PlanePoint> flattened(const std::vector<Vec3d>& corners)
 {
-    const Vec3d normal = newellNormal(corners);
+    const Vec3d normal = vectorArea(corners);
     int axis = 0;
     for (int k = 1; k < 3; ++k)
         if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
@@ -54,7 +45,30 @@ bool isEar(const std::vector<PlanePoint>& points, const std::vector<int>& left, 
     return true;
 }
 
+/// True where every corner turns the same way, or goes straight on. A polygon that crosses itself
+/// turns more than once, so its corners are seen from a side too often: its facets would overlap.
+bool isConvex(const std::vector<PlanePoint>& points)
+{
+    const size_t count = points.size();
+    double turned = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        const PlanePoint a = points[i], b = points[(i + 1) % count], c = points[(i + 2) % count];
+        const double area = doubleArea(a, b, c);
+        if (area < 0.0) return false;
+        turned += std::atan2(area, glm::dot(b - a, c - b));
+    }
+    return turned < 3.0 * kPi;
+}
+
 }  // namespace
+
+Vec3d vectorArea(const std::vector<Vec3d>& corners)
+{
+    Vec3d sum(0.0);
+    for (size_t i = 0; i < corners.size(); ++i)
+        sum += glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+    return 0.5 * sum;
+}
 
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3d>& corners)
 {
@@ -76,4 +90,17 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3d>& corners)
     return triangles;
 }
 
-}  // namespace fbrdf::scene
+std::vector<std::array<int, 4>> convexFacets(const std::vector<Vec3d>& corners)
+{
+    std::vector<std::array<int, 4>> facets;
+    const int count = static_cast<int>(corners.size());
+    if (isConvex(flattened(corners))) {
+        for (int i = 1; i + 1 < count; i += 2)
+            facets.push_back({0, i, i + 1, std::min(i + 2, count - 1)});
+        return facets;
+    }
+    for (const auto& [a, b, c] : triangulate(corners)) facets.push_back({a, b, c, c});
+    return facets;
+}
+
+}  // namespace fbrdf

@@ -1,0 +1,30 @@
+// LightJson.h - fields of a light in a JSON file, checked. All throw Error(input) naming the field.
+#pragma once
+#include <fbrdf/plan/AreaLight.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace fbrdf::scene {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void failLight(const std::string& where, const std::string& what);
+/// A JSON value as an error shows it, cut to a few words.
+std::string quoted(const Json& value);
+/// The named member of a light, or null.
+const Json* member(const Json& light, const char* name);
+const Json& required(const Json& light, const char* name, const std::string& where);
+float finiteFloat(const Json& value, const std::string& where, const char* expected);
+Vec3f vectorFrom(const Json& value, const std::string& field);
+Vec3f vectorOf(const Json& light, const char* name, const std::string& where);
+Vec3f directionOf(const Json& light, const char* name, const std::string& where);
+Json jsonFromVector(const Vec3f& vector);
+
+/// True for the type of a light with a shape.
+bool isAreaLight(const Json& light);
+AreaLight areaLightFromJson(const Json& light, const std::string& where);
+Json jsonFromAreaLight(const AreaLight& light);
+
+}  // namespace fbrdf::scene
