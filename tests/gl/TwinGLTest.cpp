@@ -61,7 +61,8 @@ std::string twinFragment(const std::string& statements)
         text += embeddedShader(file);
     // The output of these programs has another name.
     text += "#undef FBRDF_COLOUR_OUTPUT\n#define FBRDF_COLOUR_OUTPUT\n" +
-            std::string(embeddedShader("prefilter.glsl"));
+            std::string(embeddedShader("prefilter.glsl")) +
+            std::string(embeddedShader("lobe_frame.glsl"));
     return text +
            "uniform sampler2D inputs;\nout vec4 result;\nvoid main()\n{\n"
            "    vec4 a = texelFetch(inputs, ivec2(int(gl_FragCoord.x), 0), 0);\n"

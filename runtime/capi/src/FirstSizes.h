@@ -39,7 +39,7 @@ FBRDF_FIRST_SIZE(fbrdf_environment_desc, reserved, reserved);
 FBRDF_FIRST_SIZE(fbrdf_environment_light, intensity, intensity);
 FBRDF_FIRST_SIZE(fbrdf_instance, material, material);
 FBRDF_FIRST_SIZE(fbrdf_batch_desc, instances, hooks);
-FBRDF_FIRST_SIZE(fbrdf_glsl_desc, max_lights, max_lights);
+FBRDF_FIRST_SIZE(fbrdf_glsl_desc, max_lights, sampling);
 
 #undef FBRDF_FIRST_SIZE
 

@@ -1,5 +1,6 @@
 #include "EmbeddedShaders.h"
 #include "FragmentWriter.h"
+#include "SamplingWriter.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
@@ -150,6 +151,19 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
            radianceFunction(context);
 }
 
+std::string samplingFunctions(const LobeLayout& table, int glsl)
+{
+    checkVersion(glsl);
+    if (table.lobes < 1)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("a material without lobes").expected("those by which it is sampled"));
+    if (glsl == kGlslEs100)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("GLSL ES 1.00, which has no index that varies")
+                        .expected("300 or newer for sampling"));
+    return lobeFunctions(table);
+}
+
 std::string filterProbeVertexSource(int glsl)
 {
     return assembled(glsl, {}, {"version.glsl", "filter_probe.vert"});
@@ -184,7 +198,9 @@ std::string prefilterSourceFragment(int glsl, bool fromCube)
 
 std::string prefilterLobeFragment(int glsl)
 {
-    return assembled(glsl, {}, {"version.glsl", "prefilter.glsl", "prefilter_lobe.frag"}, true);
+    return assembled(glsl, {},
+                     {"version.glsl", "prefilter.glsl", "lobe_frame.glsl", "prefilter_lobe.frag"},
+                     true);
 }
 
 std::string_view shaderSnippet(std::string_view name)

@@ -3,6 +3,7 @@
 #include "bench/BenchCsv.h"
 #include "bench/BenchSummary.h"
 #include "bench/EnvironmentBench.h"
+#include "bench/SamplingBench.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Robustness.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 namespace fbrdf::tool {
 namespace {
@@ -24,7 +26,7 @@ struct BenchFitCommand {
     std::string environment;  ///< folder; empty: point lights
     EnvironmentBenchOptions environments;
     BenchOptions options;
-    bool resume = false, json = false, robustness = false;
+    bool resume = false, json = false, robustness = false, sampling = false;
 };
 
 std::string defaultDataDir()
@@ -103,6 +105,19 @@ int runEnvironment(const BenchFitCommand& command)
     return std::any_of(scores.begin(), scores.end(), failed) ? 1 : 0;
 }
 
+// Returns 1 where the best diffuse and GGX have less variance than our lobes, or a material has no
+// answer.
+int runSampling(const BenchFitCommand& command)
+{
+    const std::vector<Contender> forms = contendersFrom(command.forms, "none");
+    Progress progress(true);
+    const auto scores =
+        scoreSampling(expanded(command.sources), forms.front(), command.options, progress);
+    progress.clear();
+    writeOut(command.json ? text(samplingJson(scores)) : samplingText(scores));
+    return std::all_of(scores.begin(), scores.end(), std::mem_fn(&SamplingScore::isLower)) ? 0 : 1;
+}
+
 std::string leftOutText(const BenchFitCommand& command)
 {
     return command.peers == "all" && !peersLeftOut().empty() ? "left out: " + peersLeftOut() + "\n"
@@ -112,6 +127,7 @@ std::string leftOutText(const BenchFitCommand& command)
 int run(BenchFitCommand& command)
 {
     if (command.robustness) return runRobustness(command);
+    if (command.sampling) return runSampling(command);
     if (!command.environment.empty()) return runEnvironment(command);
     command.options.contenders = contendersFrom(command.forms, command.peers);
     command.options.peers.threads = command.options.fit.threads;
@@ -160,6 +176,10 @@ void addBenchFitCommand(CLI::App& app, Action& action)
                   "keep the materials that the table of --csv has for all of the contenders");
     sub->add_flag("--robustness", command->robustness,
                   "instead: what our forms lose to noise, zeros, spikes and few samples");
+    sub->add_flag(
+        "--sampling", command->sampling,
+        "instead: the variance of directions that are drawn from the lobes of the first of "
+        "our forms, and of the best diffuse + GGX");
     sub->add_option("--environment", command->environment,
                     "instead: light from every .exr and .hdr of a folder, by lobes and by the best "
                     "split sum")

@@ -41,6 +41,12 @@ struct LobeShare {
     }
 };
 
+/// All lobes and the cosine.
+inline LobeShare wholeShare(const LobeLayout& table)
+{
+    return {table, 0, table.lobes, true};
+}
+
 /// All lobes in as few shares as possible, the cosine with the first; empty where not even one
 /// lobe fits. lookups, vectors: the most of a share, >= 0.
 std::vector<LobeShare> lobeShares(const LobeLayout& table, int lookups, int vectors);

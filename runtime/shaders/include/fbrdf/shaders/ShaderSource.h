@@ -106,6 +106,18 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
 
+/// What the same shader needs to draw directions by the lobes of the material, to be put after
+/// materialFunctions. It declares fbrdfLobes and, of bent lobes, fbrdfLobeBend (above; all rows of
+/// LobeRows.h), and the twins of LobeSampling.h:
+///   vec4 fbrdfSampleLobes(vec3 wo, vec2 u)     a direction wi and its density in 1/sr; u in
+///       [0, 1)^2; unit, tangent frame; wi may be below the horizon, where f is 0
+///   float fbrdfLobePdf(vec3 wo, vec3 wi)       that density of any wi
+///   FbrdfLobeMixture fbrdfLobeMixture(vec3 wo), and for many directions of one wo
+///   vec4 fbrdfSampleMixture(FbrdfLobeMixture mixture, vec2 u)
+///   float fbrdfMixturePdf(FbrdfLobeMixture mixture, vec3 wi)
+/// Throws Error(gl) for a table without lobes, and for ES 1.00, which has no index that varies.
+std::string samplingFunctions(const LobeLayout& table, int glsl);
+
 /// Kinds of textures whose filter can be measured.
 enum class ProbedTexture { plane, volume, cube, array };
 
