@@ -33,11 +33,15 @@ typedef struct fbrdf_glsl_desc {
  *       a vec3
  *   uniform vec4 fbrdfLights[3 * max_lights];  uniform int fbrdfLightCount;
  *       what the engine sets, see fbrdf_light_vectors
- * and where `sampling` is 1, which needs lobes in its uniforms and fits those of a material that
- * has none (not ES 1.00): vec4 fbrdfSampleLobes(vec3 wo, vec2 u) a direction wi in proportion to
- * what is reflected, and its density in 1/sr; u in [0, 1); wi may be below the horizon, where f is
- * 0 float fbrdfLobePdf(vec3 wo, vec3 wi) that density of any direction The snippets are included.
- * *text lives until the material is replaced or released. */
+ * and where `sampling` is 1, from GLSL 1.20 and ES 3.00 on, with lobes that are fitted where the
+ * material has none:
+ *   vec4 fbrdfSampleLobes(vec3 wo, vec2 u)
+ *       a direction wi in proportion to what is reflected, and its density in 1/sr; u in [0, 1);
+ *       wi may be below the horizon, where f is 0
+ *   float fbrdfLobePdf(vec3 wo, vec3 wi)
+ *       that density of any direction
+ * The snippets are included. *text lives until the material is replaced or
+ * released. */
 FBRDF_API fbrdf_result fbrdf_gpu_material_glsl(fbrdf_gpu_material* gpu_material,
                                                const fbrdf_glsl_desc* desc, const char** text);
 
