@@ -267,7 +267,9 @@ TEST_F(ShaderValidation, AcceptsLobesAndWhatPrefiltersThem)
                 for (const LobeShare& share : {LobeShare{tilted, 0, 3, true},
                                                {tilted, 2, 1, false},
                                                {bent, 0, 5, true},
-                                               {bent, 1, 2, false}}) {
+                                               {bent, 1, 2, false},
+                                               {tilted, 0, 3, true, 8, 4},
+                                               {bent, 0, 5, true, 8, 4}}) {
                     ProgramSpec spec;
                     if (lights > 0) spec = {{{0, {0, 1}, true}}, lights, true, false};
                     spec.lobes = share;

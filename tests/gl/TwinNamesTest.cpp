@@ -3,6 +3,7 @@
 // the shader snippets was forgotten.
 #include <fbrdf/brdf/LobeSampling.h>
 #include <fbrdf/brdf/Projection.h>
+#include <fbrdf/brdf/SampleLattice.h>
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/environment/Prefilter.h>
 #include <fbrdf/plan/LightClusters.h>
@@ -53,6 +54,8 @@ Names twins()
             FBRDF_TWIN(&mixturePdf<float>),
             FBRDF_TWIN(&sampleLobes<float>),
             FBRDF_TWIN(&lobePdf<float>),
+            FBRDF_TWIN(&samplePoint<float>),
+            FBRDF_TWIN(&levelOfCell),
             FBRDF_TWIN(&srgbFromLinear<float>),
             FBRDF_TWIN(&toneMapped<float>)};
 }
@@ -93,9 +96,9 @@ Names definedFunctions()
 {
     const std::regex definition("\n[A-Za-z0-9]+ (fbrdf[A-Za-z]+)\\(");
     Names names;
-    for (const char* file :
-         {"angles.glsl", "clusters.glsl", "frame.glsl", "lights.glsl", "lobe_frame.glsl",
-          "lobes.glsl", "prefilter.glsl", "projection.glsl", "sampling.glsl", "transfer.glsl"}) {
+    for (const char* file : {"angles.glsl", "clusters.glsl", "frame.glsl", "lights.glsl",
+                             "lobe_frame.glsl", "lobes.glsl", "prefilter.glsl", "projection.glsl",
+                             "samples.glsl", "sampling.glsl", "transfer.glsl"}) {
         const std::string text(shaderSnippet(file));
         EXPECT_FALSE(text.empty()) << file;
         for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)
@@ -120,7 +123,8 @@ TEST(TwinNames, EveryGlslFunctionHasATwinOrAReason)
 }
 
 // fbrdfLightList reads buffers; ManyLightsGLTest.cpp compares it by pictures. What draws directions
-// is compared by SamplingGLTest.cpp, where sampleLobes and lobePdf consist of the others.
+// is compared by SamplingGLTest.cpp, where sampleLobes and lobePdf consist of the others, and by
+// the pictures of SampledEnvironmentGLTest.cpp.
 TEST(TwinNames, EveryTwinIsCompared)
 {
     std::ifstream file("tests/gl/TwinGLTest.cpp");
@@ -128,9 +132,9 @@ TEST(TwinNames, EveryTwinIsCompared)
     ASSERT_FALSE(text.empty());
     Names compared = twins();
     compared.insert(kAngles.begin(), kAngles.end());
-    for (const char* const elsewhere :
-         {"fbrdfLightList", "fbrdfLobesAt", "fbrdfLobeMixture", "fbrdfSampleMixture",
-          "fbrdfMixturePdf", "fbrdfSampleLobes", "fbrdfLobePdf"})
+    for (const char* const elsewhere : {"fbrdfLightList", "fbrdfSamplePoint", "fbrdfLevelOfCell",
+                                        "fbrdfLobesAt", "fbrdfLobeMixture", "fbrdfSampleMixture",
+                                        "fbrdfMixturePdf", "fbrdfSampleLobes", "fbrdfLobePdf"})
         compared.erase(elsewhere);
     for (const std::string& name : compared)
         EXPECT_NE(text.find(name + "("), std::string::npos) << name;

@@ -33,7 +33,9 @@ TEST(BenchFitCommand, ComparesLobesWithTheSplitSum)
     const auto json = jsonFrom(runTool(asJson));
     EXPECT_EQ(json["environments"], std::vector<std::string>{"sky"});
     const auto ways = json["materials"][0]["ways"];
-    ASSERT_EQ(ways.size(), 4u);
+    ASSERT_EQ(ways.size(), 5u);
+    EXPECT_EQ(ways[4]["name"], "64 directions");
+    EXPECT_GT(ways[4]["mean"].get<double>(), 35.0);
     EXPECT_EQ(ways[0]["name"], "split sum");
     for (size_t k = 1; k < 4; ++k) {
         EXPECT_EQ(ways[k]["name"], "K = " + std::to_string(k));

@@ -127,6 +127,7 @@ void findLocations(const Functions& gl, Program& result)
     result.lobes.scale = location("fbrdfEnvironmentScale");
     result.lobes.rows = location("fbrdfLobes");
     result.lobes.bend = location("fbrdfLobeBend");
+    result.lobes.lattice = location("fbrdfSampleLattice");
     result.clusters.grid = location("fbrdfClusterGrid");
     result.clusters.scale = location("fbrdfClusterScale");
 }

@@ -28,6 +28,7 @@ struct Program {
     struct LobeUniforms {
         int mapUnit = -1, rowsUnit = -1;  ///< rows of a packed material
         GLint toEnvironment = -1, scale = -1, rows = -1, bend = -1;
+        GLint lattice = -1;  ///< of directions that are drawn
     } lobes;
     LookupCount lookups;  ///< counted from what the linker left active
 };

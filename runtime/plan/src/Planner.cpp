@@ -61,6 +61,20 @@ int passesFor(int lights, int lightsPerPass)
     return lightsPerPass < 1 ? kUnlimited - 1 : (lights + lightsPerPass - 1) / lightsPerPass;
 }
 
+/// What passes add of an environment: its lobes, or directions that are drawn by all of them.
+std::vector<LobeShare> sharesOf(const Form& form, const PlanRequest& request, const Limits& limits)
+{
+    if (request.environmentSamples == 0)
+        return lobeShares(request.environment, limits.lookups, limits.vectors);
+    LobeShare share = wholeShare(request.environment);
+    share.samples = request.environmentSamples;
+    share.perSample = 1;
+    for (int t = 0; t < static_cast<int>(form.terms.size()); ++t)
+        share.perSample += lookupsOf(form, t, termFactors(form, t).all);
+    if (share.vectors() > limits.vectors) return {};
+    return {share};
+}
+
 class Planner {
 public:
     Planner(const Form& form, const PlanRequest& request, const Limits& limits)
@@ -68,7 +82,7 @@ public:
           request_(request),
           limits_(limits),
           list_(form),
-          lobes_(lobeShares(request.environment, limits.lookups, limits.vectors))
+          lobes_(sharesOf(form, request, limits))
     {
     }
 
@@ -173,6 +187,7 @@ private:
     bool joins(const Pass& pass) const
     {
         if (lobes_.size() != 1 || pass.blend == Blend::multiply) return false;
+        if (lobes_[0].samples > 0) return false;  // its program evaluates the whole material
         if (request_.technique == Technique::batched && pass.lit) return false;
         return pass.lookups + lobes_[0].lookups() <= limits_.lookups &&
                kVectorsPerLight * pass.lightCount + lobes_[0].vectors() <= limits_.vectors;

@@ -62,6 +62,11 @@ void validate(const PlanRequest& request)
         refuse(Found(std::to_string(request.environment.lobes) + " lobes at " +
                      std::to_string(request.environment.knots()) + " knots")
                    .expected("those of a table"));
+    if (request.environmentSamples < 0 ||
+        (request.environmentSamples > 0 && request.environment.lobes == 0))
+        refuse(Found(std::to_string(request.environmentSamples) + " directions of " +
+                     std::to_string(request.environment.lobes) + " lobes")
+                   .expected("0 (none) or more of a table"));
     if (!(request.environmentError >= 0.0))
         refuse(Found("an error of lobes of " + numberText(request.environmentError))
                    .expected("0 or more"));

@@ -93,6 +93,8 @@ std::string lobeUniforms(const FragmentContext& c)
     const std::string text =
         "uniform samplerCube fbrdfEnvironment;\nuniform mat3 fbrdfToEnvironment;\n"
         "uniform vec4 fbrdfEnvironmentScale;\n";
+    // The functions that draw directions declare the lobes themselves.
+    if (c.spec.lobes.samples > 0) return text + "uniform vec2 fbrdfSampleLattice;\n";
     if (c.packed) return text + "uniform samplerBuffer fbrdfLobeRows;\n";
     return text + "uniform vec4 fbrdfLobes[" + std::to_string(c.spec.lobes.vectors()) + "];\n" +
            (hasBentLobes(c) ? "uniform vec2 fbrdfLobeBend;\n" : "");

@@ -26,4 +26,25 @@ std::string lobeFunctions(const LobeLayout& table)
     return text;
 }
 
+std::string sampledMain(const FragmentContext& c)
+{
+    return "void main()\n{\n    vec3 viewer = fbrdfToViewer();\n" + surfaceLines(c) +
+           "    vec3 total = vec3(0.0);\n"
+           "    if (NoV > 0.0) {\n"
+           "        FbrdfLobeMixture mixture = fbrdfLobeMixture(wo);\n"
+           "        int count = int(fbrdfSampleLattice.x);\n"
+           "        for (int i = 0; i < count; ++i) {\n"
+           "            vec4 drawn = fbrdfSampleMixture(mixture, fbrdfSamplePoint(float(i), "
+           "fbrdfSampleLattice));\n"
+           "            if (drawn.z > 0.0 && drawn.w > 0.0) {\n"
+           "                vec3 to = fbrdfToEnvironment * fbrdfFromLocal(frame, drawn.xyz);\n"
+           "                float level = fbrdfLevelOfCell(1.0 / (fbrdfSampleLattice.x * drawn.w), "
+           "to, fbrdfEnvironmentScale.w);\n"
+           "                total += fbrdfEvaluate(wo, drawn.xyz) * (drawn.z / drawn.w) * "
+           "FBRDF_TEXTURE_CUBE_LEVEL(fbrdfEnvironment, to, level).rgb;\n"
+           "            }\n        }\n"
+           "        total *= fbrdfEnvironmentScale.rgb / fbrdfSampleLattice.x;\n    }\n" +
+           outputLines(c);
+}
+
 }  // namespace fbrdf

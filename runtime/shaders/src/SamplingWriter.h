@@ -9,4 +9,8 @@ namespace fbrdf {
 /// sampling.glsl.
 std::string lobeFunctions(const LobeLayout& table);
 
+/// The main function of a pass that draws directions (LobeShare::samples). Expects context.local
+/// and fbrdfEvaluate.
+std::string sampledMain(const FragmentContext& context);
+
 }  // namespace fbrdf

@@ -89,6 +89,26 @@ ProgramSpec wholeSpec(const Form& form, int lights)
     return spec;
 }
 
+/// The program of a pass that draws directions of an environment: the whole material at each.
+std::string sampledSource(const Form& form, const std::vector<TableEncoding>& encodings,
+                          const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
+{
+    if (inputs.instanced)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("directions of an environment for instances").expected("lobes"));
+    ProgramSpec whole = spec;
+    whole.parts = wholeSpec(form, 1).parts;
+    whole.lit = whole.reads = whole.clustered = false;
+    const FragmentContext context{form, encodings, whole, glsl, false, true, inputs.normalMap};
+    const std::string uniforms = uniformDeclarations(context);
+    return assembled(glsl, inputs,
+                     {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
+                      "projection.glsl", "transfer.glsl"},
+                     true) +
+           filterFunctions(encodings) + lobeFunctions(spec.lobes.table) + joined({"samples.glsl"}) +
+           uniforms + evaluateFunction(context) + sampledMain(context);
+}
+
 }  // namespace
 
 ProgramSpec programSpec(const Pass& pass, int maxLights)
@@ -117,6 +137,7 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     if (!spec.lobes.isEmpty() && glsl == kGlslEs100)
         throw Error(ErrorKind::gl, "shader",
                     Found("GLSL ES 1.00").expected("300 or newer for an environment"));
+    if (spec.lobes.samples > 0) return sampledSource(form, encodings, spec, glsl, inputs);
     const FragmentContext context{form,
                                   encodings,
                                   spec,

@@ -1,8 +1,9 @@
 // Lobes.h - which lobes of an environment a pass adds, and what they take of its program. Pure.
 //
-// Each lobe, and the cosine, is one look-up in the prefiltered cube (LobeTable.h). The table itself
-// is in uniforms, a few vec4 for each knot, of which a program has room for so many: lobes are
-// spread over passes as look-ups and uniforms allow.
+// Each lobe, and the cosine, is one look-up in the prefiltered cube (LobeTable.h). Or directions
+// are drawn by the lobes, and looked up in the cube that was not prefiltered (SampledLight.h). The
+// table itself is in uniforms, a few vec4 for each knot, of which a program has room for so many:
+// lobes are spread over passes as look-ups and uniforms allow.
 #pragma once
 #include <fbrdf/brdf/LobeTable.h>
 
@@ -27,24 +28,28 @@ struct LobeShare {
     LobeLayout table = {};
     int first = 0, count = 0;
     bool cosine = false;
+    /// Where not 0, so many directions are drawn by the lobes, all of which the share then has, and
+    /// each costs `perSample` look-ups: the material's, and one in the environment.
+    int samples = 0, perSample = 0;
 
     bool isEmpty() const { return count == 0 && !cosine; }
-    int lookups() const { return count + (cosine ? 1 : 0); }
+    int lookups() const { return samples > 0 ? samples * perSample : count + (cosine ? 1 : 0); }
     /// vec4 of one knot: see lobeRows (LobeRows.h).
     int rows() const { return 1 + count + (table.axes == LobeAxes::tilted && count > 1 ? 1 : 0); }
     /// vec4 uniforms of the knots; the few others are among those that every program reserves.
     int vectors() const { return isEmpty() ? 0 : table.knots() * rows(); }
+    /// True where one program serves both: it has the number of directions in a uniform.
     bool operator==(const LobeShare& other) const
     {
         return table == other.table && first == other.first && count == other.count &&
-               cosine == other.cosine;
+               cosine == other.cosine && (samples > 0) == (other.samples > 0);
     }
 };
 
 /// All lobes and the cosine.
 inline LobeShare wholeShare(const LobeLayout& table)
 {
-    return {table, 0, table.lobes, true};
+    return {table, 0, table.lobes, true, 0, 0};
 }
 
 /// All lobes in as few shares as possible, the cosine with the first; empty where not even one

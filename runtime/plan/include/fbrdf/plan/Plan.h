@@ -92,6 +92,9 @@ struct PlanRequest {
     int maxLookups = 0;             ///< in any pass; 0: no limit but the technique's own
     LobeLayout environment = {};    ///< drawn with the lights; no lobes: there is none
     double environmentError = 0.0;  ///< LobeTable::error of those lobes
+    /// Directions that are drawn by the lobes instead of looking those up, in a pass of their own;
+    /// 0: none. Technique::single without a limit of look-ups only.
+    int environmentSamples = 0;
     ColourFormat target = ColourFormat::rgba32f;
     /// Accumulation and scratch surfaces may be used. A multisampled target cannot have them: its
     /// edges would read texels that nothing was drawn to.
@@ -128,7 +131,8 @@ struct Plan {
     Technique technique = Technique::single;
     Filter filter = Filter::hardware;
     ErrorBound error;
-    /// LobeTable::error of the environment that is drawn: expected, not bounded; 0 without one.
+    /// LobeTable::error of the environment that is drawn: expected, not bounded; 0 without one and
+    /// where directions are drawn.
     double environmentError = 0.0;
     std::string reason;  ///< why there is no plan; empty where there is one
     bool feasible() const { return reason.empty(); }

@@ -16,6 +16,9 @@
 //   environment fbrdfEnvironment (samplerCube, prefiltered), fbrdfToEnvironment (mat3: from eye
 //               space), fbrdfEnvironmentScale (vec4: intensity, and what is added to a level of a
 //               lobe), fbrdfLobes[] (vec4, see LobeRows.h), of bent ones fbrdfLobeBend (vec2)
+//               where directions are drawn: fbrdfEnvironment is not prefiltered, the last of
+//               fbrdfEnvironmentScale texels on a side of its faces, fbrdfSampleLattice (vec2:
+//               their number, latticeStep)
 // Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
 #include <fbrdf/brdf/DirectionMap.h>
@@ -136,8 +139,9 @@ std::string_view shaderSnippet(std::string_view name);
 struct LookupCount {
     int once = 0, perLight = 0;
 };
-/// Counts the fetches in the main function of a fragment shader, outside the loop over lights and
-/// inside it, that read one of `activeSamplers` (those that glGetActiveUniform lists).
+/// Counts the fetches in the main function of a fragment shader, outside the loop over lights, or
+/// over directions of an environment, and inside it, that read one of `activeSamplers` (those that
+/// glGetActiveUniform lists).
 LookupCount countLookups(const std::string& fragmentSource,
                          const std::vector<std::string>& activeSamplers);
 
