@@ -28,14 +28,15 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
 }  // namespace
 
 GlScene::GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded,
-                 int environmentLobes)
+                 const EnvironmentQuality& quality)
     : renderer_(rendererOptions(load))
 {
     if (const auto& light = world.environment) {
-        environment_ = renderer_.createEnvironment(light->panorama);
-        environmentLight_ = {environment_.get(),
-                             gl::environmentRotation(static_cast<float>(light->rotation)),
-                             Vec3f(static_cast<float>(light->intensity)), environmentLobes};
+        environment_ =
+            renderer_.createEnvironment(light->panorama, {0, false, quality.samples > 0});
+        environmentLight_ = {
+            environment_.get(), gl::environmentRotation(static_cast<float>(light->rotation)),
+            Vec3f(static_cast<float>(light->intensity)), quality.lobes, quality.samples};
     }
     for (MaterialSlot& slot : world.materials)
         materials_.push_back(renderer_.createMaterial(slot.material(), uploaded));

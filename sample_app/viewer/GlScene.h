@@ -10,9 +10,12 @@ class GlScene {
 public:
     /// Uploads the mesh and every material (fitting what needs it). Belongs to the context that is
     /// current now. Problems that a draw survives are printed to stderr, each once.
-    /// environmentLobes: as EnvironmentLight::lobes.
+    /// lobes, samples: as those of EnvironmentLight.
+    struct EnvironmentQuality {
+        int lobes = 0, samples = 0;
+    };
     GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded,
-            int environmentLobes = 0);
+            const EnvironmentQuality& quality);
 
     const gl::Renderer& renderer() const { return renderer_; }
     void replaceMesh(const scene::Mesh& mesh);

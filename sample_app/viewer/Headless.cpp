@@ -43,6 +43,7 @@ void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scen
     stats.errorAbsolute = drawn.error.absolute;
     stats.environmentError = drawn.environmentError;
     stats.whyNoEnvironment = drawn.whyNoEnvironment;
+    stats.whyNotSampled = drawn.whyNotSampled;
 }
 
 Picture drawHeadless(const Options& options, World& world)
@@ -53,7 +54,7 @@ Picture drawHeadless(const Options& options, World& world)
     contextOptions.device = options.device;
     const HeadlessContext context(contextOptions);
     GlScene scene(context.loader(), world, {options.lookUp, 0, options.precise},
-                  options.environmentLobes);
+                  {options.environmentLobes, options.environmentSamples});
     Offscreen offscreen(context.loader(), {options.width, options.height});
     FrameTimer timer(context.loader());
     const gl::Target target{offscreen.framebuffer(), options.width, options.height};

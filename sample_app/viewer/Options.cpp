@@ -5,6 +5,7 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/LobeTable.h>
+#include <fbrdf/environment/SampledLight.h>
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/scene/Image.h>
 
@@ -39,6 +40,12 @@ void describeEnvironment(CLI::App& app, Options& options, Texts& texts)
                    "Lobes that are drawn, at most: 1, 2 or 3 (default: all that a material has)")
         ->needs(environment)
         ->check(CLI::Range(1, kMostTiltedLobes));
+    app.add_option(
+           "--environment-samples", options.environmentSamples,
+           "Directions for each pixel that are drawn by the lobes, instead of looking those "
+           "up: 64 are good, 0 none (default)")
+        ->needs(environment)
+        ->check(CLI::Range(0, kMostSamples));
     app.add_option(
         "--background", texts.background,
         "What is seen behind the objects: environment, R,G,B (linear), or none (default)");

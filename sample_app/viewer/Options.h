@@ -27,7 +27,8 @@ struct Options {
     std::string environment;           ///< a file, or the name of a built-in one; empty: none
     double environmentRotation = 0.0;  ///< degrees about +y
     double environmentIntensity = 1.0;
-    int environmentLobes = 0;  ///< 0: all that a material has
+    int environmentLobes = 0;    ///< 0: all that a material has
+    int environmentSamples = 0;  ///< directions that are drawn by them; 0: lobes are looked up
     scene::Background background;
     scene::ViewTechnique technique = scene::viewTechnique(Technique::single);
     LookUp lookUp = LookUp::native;

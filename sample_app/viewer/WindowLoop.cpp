@@ -54,7 +54,7 @@ public:
           timer_(GlfwWindow::loader()),
           toneMapper_(GlfwWindow::loader()),
           scene_(GlfwWindow::loader(), world, {options.lookUp, 0, options.precise},
-                 options.environmentLobes),
+                 {options.environmentLobes, options.environmentSamples}),
           stats_(statsOf(options, world))
     {
         window_.setFilter(

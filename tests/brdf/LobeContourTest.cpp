@@ -61,7 +61,7 @@ TEST(LobeContour, MixesWhatLevelsMix)
 {
     constexpr double kTight = 1e-12;
     for (const double level : {0.0, 0.3, 2.0, 4.75, 5.5, 6.0, 7.0}) {
-        const LobeMixture<double> lobe = lobeMixture(level);
+        const LevelMixture<double> lobe = levelMixture(level);
         for (const double cosine : {1.0, 0.999, 0.7, 0.1})
             EXPECT_NEAR(lobe.share.x * stretchedCosine(cosine, std::sqrt(lobe.squaredWidth.x)) +
                             lobe.share.y * stretchedCosine(cosine, std::sqrt(lobe.squaredWidth.y)),

@@ -3,10 +3,13 @@
 #include <fbrdf/brdf/LobeSampling.h>
 #include <gtest/gtest.h>
 
+#include "support/DirectionCells.h"
+
 #include <cmath>
 #include <random>
 
 using namespace fbrdf;
+using namespace fbrdf::test;
 
 namespace {
 
@@ -35,66 +38,20 @@ std::vector<LobeTable> testTables()
             tableOf(LobeAxes::bent, 3, 3.5f, 0.2f), tableOf(LobeAxes::tilted, 1, 6.0f, 0.3f)};
 }
 
-Vec3d direction(double theta, double phi)
-{
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
-const Vec3d kViews[] = {{0, 0, 1}, direction(0.7, 2.0), direction(1.4, -1.0)};
-
-/// Cells over the whole sphere, even in theta and phi.
-constexpr int kRows = 24, kColumns = 48;
-size_t cellOf(const Vec3d& w)
-{
-    const int row = std::clamp(
-        static_cast<int>(std::acos(std::clamp(w.z, -1.0, 1.0)) / kPi * kRows), 0, kRows - 1);
-    const double turn = std::atan2(w.y, w.x) / (2.0 * kPi) + 0.5;
-    const int column = std::clamp(static_cast<int>(turn * kColumns), 0, kColumns - 1);
-    return static_cast<size_t>(row * kColumns + column);
-}
-
-/// The probability of each cell by a fine sum.
-template <class Density>
-std::vector<double> probabilities(const Density& density)
-{
-    constexpr int kFine = 20;
-    std::vector<double> result(static_cast<size_t>(kRows * kColumns), 0.0);
-    for (int i = 0; i < kRows * kFine; ++i)
-        for (int j = 0; j < kColumns * kFine; ++j) {
-            const double theta = kPi * (i + 0.5) / (kRows * kFine);
-            const double phi = 2.0 * kPi * ((j + 0.5) / (kColumns * kFine) - 0.5);
-            const Vec3d w = direction(theta, phi);
-            result[cellOf(w)] +=
-                density(w) * std::sin(theta) * 2.0 * kPi * kPi / (kRows * kFine * kColumns * kFine);
-        }
-    return result;
-}
-
-/// Standard deviations by which chi-square exceeds its mean, over cells with enough samples.
-double chiSquareExcess(const std::vector<double>& expected, const std::vector<int>& counts,
-                       int samples)
-{
-    double sum = 0.0, cells = 0.0;
-    for (size_t i = 0; i < counts.size(); ++i) {
-        const double mean = expected[i] * samples;
-        if (mean < 5.0) continue;
-        sum += (counts[i] - mean) * (counts[i] - mean) / mean;
-        cells += 1.0;
-    }
-    return (sum - cells) / std::sqrt(2.0 * cells);
-}
+const Vec3d kViews[] = {{0, 0, 1}, directionAt(0.7, 2.0), directionAt(1.4, -1.0)};
 
 double excessOf(const LobeTable& sampled, const LobeTable& claimed, const Vec3d& wo)
 {
     constexpr int kSamples = 200000;
     std::mt19937 random(11);
     std::uniform_real_distribution<double> number(0.0, 1.0);
-    std::vector<int> counts(static_cast<size_t>(kRows * kColumns), 0);
+    std::vector<int> counts(static_cast<size_t>(kCellRows * kCellColumns), 0);
     for (int i = 0; i < kSamples; ++i) {
         const double x = number(random), y = number(random);
-        ++counts[cellOf(sampleLobes(sampled, wo, Vec2<double>(x, y)).wi)];
+        ++counts[directionCell(sampleLobes(sampled, wo, Vec2<double>(x, y)).wi)];
     }
-    const auto expected = probabilities([&](const Vec3d& wi) { return lobePdf(claimed, wo, wi); });
+    const auto expected =
+        cellProbabilities([&](const Vec3d& wi) { return lobePdf(claimed, wo, wi); });
     return chiSquareExcess(expected, counts, kSamples);
 }
 
@@ -133,7 +90,7 @@ TEST(LobeSampling, DensityIntegratesToOne)
         for (const Vec3d& wo : kViews) {
             double sum = 0.0;
             for (const double p :
-                 probabilities([&](const Vec3d& wi) { return lobePdf(table, wo, wi); }))
+                 cellProbabilities([&](const Vec3d& wi) { return lobePdf(table, wo, wi); }))
                 sum += p;
             EXPECT_NEAR(sum, 1.0, 2e-3);
         }
@@ -172,7 +129,7 @@ TEST(LobeSampling, BlackIsSampledByTheCosine)
 {
     LobeTable table = tableOf(LobeAxes::tilted, 1, 3.0f, 0.0f);
     for (LobeKnot& knot : table.knots) knot.cosine = Vec3f(0.0f);
-    EXPECT_NEAR(lobePdf(table, kViews[1], direction(0.5, 1.0)), std::cos(0.5) / kPi, 1e-12);
+    EXPECT_NEAR(lobePdf(table, kViews[1], directionAt(0.5, 1.0)), std::cos(0.5) / kPi, 1e-12);
 }
 
 }  // namespace

@@ -247,6 +247,21 @@ TEST_P(CApiGL, FaultsOfADrawAreResults)
     EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_GL);
 }
 
+TEST_P(CApiGL, FunctionsThatSampleComeOnRequest)
+{
+    Plain plain;
+    makePlain(plain);
+    ASSERT_TRUE(plain.gpuMaterial);
+    auto glsl = abi::describe<fbrdf_glsl_desc>();
+    const char *without = nullptr, *with = nullptr;
+    ASSERT_EQ(fbrdf_gpu_material_glsl(plain.gpuMaterial.get(), &glsl, &without), FBRDF_RESULT_OK);
+    glsl.sampling = 1;
+    ASSERT_EQ(fbrdf_gpu_material_glsl(plain.gpuMaterial.get(), &glsl, &with), FBRDF_RESULT_OK);
+    EXPECT_EQ(std::string(without).find("fbrdfSampleLobes"), std::string::npos);
+    EXPECT_EQ(std::string(with).rfind(without, 0), 0u);
+    EXPECT_NE(std::string(with).find("vec4 fbrdfSampleLobes(vec3 wo, vec2 u)"), std::string::npos);
+}
+
 TEST_P(CApiGL, AMaterialThatCannotBeReplacedStays)
 {
     Plain plain;

@@ -151,6 +151,16 @@ TEST(ShaderSource, RefusesWhatDoesNotAgree)
     EXPECT_THROW(sourceOf(form, spec), Error);
 }
 
+TEST(ShaderSource, RefusesToSampleWithoutLobesAndInEs100)
+{
+    const LobeLayout table{LobeAxes::tilted, 2, 24};
+    EXPECT_THROW(samplingFunctions({}, 330), Error);
+    EXPECT_THROW(samplingFunctions(table, 100), Error);
+    EXPECT_THROW(samplingFunctions(table, 110), Error);
+    EXPECT_NE(samplingFunctions(table, 120).find("uniform vec4 fbrdfLobes[96];"),
+              std::string::npos);
+}
+
 TEST(CountLookups, TellsFetchesInTheLoopFromOthers)
 {
     const Form form = formPqp(8, 0.5);

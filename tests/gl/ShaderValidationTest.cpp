@@ -190,6 +190,31 @@ TEST_F(ShaderValidation, FunctionsAndListsOfEs)
     }
 }
 
+TEST_F(ShaderValidation, FunctionsThatSample)
+{
+    const Material material = test::testMaterials().front();
+    for (const int glsl : {120, 140, 330, 450, 300}) {
+        const std::string head =
+            "#version " + std::to_string(glsl) + (glsl == 300 ? " es\n" : "\n");
+        const std::string output = glsl == 120 ? "" : "out vec4 colour;\n",
+                          name = glsl == 120 ? "gl_FragColor" : "colour";
+        for (const LobeLayout& table :
+             {LobeLayout{LobeAxes::tilted, 1, 24}, LobeLayout{LobeAxes::tilted, 3, 24},
+              LobeLayout{LobeAxes::bent, 3, 12, 7}})
+            EXPECT_EQ(validate(write(
+                          "sampling.frag",
+                          head + materialFunctions(material.form, encodingsOf(material), glsl, 4) +
+                              samplingFunctions(table, glsl) + output +
+                              "void main() { vec3 wo = vec3(0.0, 0.6, 0.8); vec4 drawn = "
+                              "fbrdfSampleLobes(wo, vec2(0.3, 0.7)); " +
+                              name +
+                              " = vec4(fbrdfEvaluate(wo, drawn.xyz), fbrdfLobePdf(wo, drawn.xyz)); "
+                              "}\n")),
+                      0)
+                << glsl;
+    }
+}
+
 TEST_F(ShaderValidation, AcceptsBuiltInInputs)
 {
     const Material material = test::testMaterials().front();
@@ -242,7 +267,9 @@ TEST_F(ShaderValidation, AcceptsLobesAndWhatPrefiltersThem)
                 for (const LobeShare& share : {LobeShare{tilted, 0, 3, true},
                                                {tilted, 2, 1, false},
                                                {bent, 0, 5, true},
-                                               {bent, 1, 2, false}}) {
+                                               {bent, 1, 2, false},
+                                               {tilted, 0, 3, true, 8, 4},
+                                               {bent, 0, 5, true, 8, 4}}) {
                     ProgramSpec spec;
                     if (lights > 0) spec = {{{0, {0, 1}, true}}, lights, true, false};
                     spec.lobes = share;

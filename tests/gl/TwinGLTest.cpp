@@ -60,7 +60,7 @@ std::string twinFragment(const std::string& statements)
 {
     std::string text = "#version 140\n";
     for (const char* file : {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl",
-                             "lights.glsl", "area.glsl", "transfer.glsl"})
+                             "lights.glsl", "lobe_frame.glsl", "area.glsl", "transfer.glsl"})
         text += embeddedShader(file);
     // The output of these programs has another name.
     text += "#undef FBRDF_COLOUR_OUTPUT\n#define FBRDF_COLOUR_OUTPUT\n" +
@@ -362,10 +362,10 @@ TEST_P(Twin, LobesInOutlines)
         kRounding);
     for (float level = -0.5f; level < 7.0f; level += 0.21f) levels.push_back({Vec4(level), {}});
     compare(
-        "FbrdfLobeMixture m = fbrdfLobeMixture(a.x); result = vec4(m.squaredWidth, m.share);",
+        "FbrdfLevelMixture m = fbrdfLevelMixture(a.x); result = vec4(m.squaredWidth, m.share);",
         levels,
         [](const Inputs& i) {
-            const auto m = lobeMixture(i.a.x);
+            const auto m = levelMixture(i.a.x);
             return Vec4(m.squaredWidth, m.share);
         },
         kRounding);

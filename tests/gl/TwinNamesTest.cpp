@@ -2,7 +2,9 @@
 // compares their values; this file checks that both exist under these names and that no function of
 // the shader snippets was forgotten.
 #include <fbrdf/brdf/LobeContour.h>
+#include <fbrdf/brdf/LobeSampling.h>
 #include <fbrdf/brdf/Projection.h>
+#include <fbrdf/brdf/SampleLattice.h>
 #include <fbrdf/brdf/ShadingFrame.h>
 #include <fbrdf/environment/Prefilter.h>
 #include <fbrdf/plan/AreaContour.h>
@@ -46,7 +48,7 @@ Names twins()
             FBRDF_TWIN(&ShadingFrame<float>::local),
             FBRDF_TWIN(&falloff<float>),
             FBRDF_TWIN(&influenceWindow<float>),
-            FBRDF_TWIN(&lobeMixture<float>),
+            FBRDF_TWIN(&levelMixture<float>),
             FBRDF_TWIN(&angleOverSine<float>),
             FBRDF_TWIN(&lobeEdge<float>),
             FBRDF_TWIN(&lobeInCap<float>),
@@ -56,6 +58,14 @@ Names twins()
             FBRDF_TWIN(&coneFactor),
             FBRDF_TWIN(&lightList),
             FBRDF_TWIN(&lobeFrame),
+            FBRDF_TWIN(&lobesAt<float>),
+            FBRDF_TWIN(&lobeMixture<float>),
+            FBRDF_TWIN(&sampleMixture<float>),
+            FBRDF_TWIN(&mixturePdf<float>),
+            FBRDF_TWIN(&sampleLobes<float>),
+            FBRDF_TWIN(&lobePdf<float>),
+            FBRDF_TWIN(&samplePoint<float>),
+            FBRDF_TWIN(&levelOfCell),
             FBRDF_TWIN(&srgbFromLinear<float>),
             FBRDF_TWIN(&toneMapped<float>)};
 }
@@ -77,11 +87,15 @@ const std::map<std::string, std::string> kAlone{
     {"fbrdfInverseLength", "a step of h and theta_d"},
     {"fbrdfIrradiance", "falloff and coneFactor of one light"},
     {"fbrdfFromLocal", "the inverse of fbrdfLocal"},
-    {"fbrdfThetaPosition", "a step of lobesAt, which EnvironmentGLTest.cpp compares by pictures"},
+    {"fbrdfThetaPosition", "a step of lobesAt"},
     {"fbrdfAzimuthPosition", "a step of lobesAt"},
     {"fbrdfLobeKnot", "a step of lobesAt"},
     {"fbrdfTiltedAxis", "a step of lobesAt"},
     {"fbrdfBentAxis", "a step of lobesAt"},
+    {"fbrdfLobeRow", "a step of lobesAt"},
+    {"fbrdfSampledWidths", "a step of lobeMixture"},
+    {"fbrdfPartAxes", "a step of lobeMixture"},
+    {"fbrdfStretchedDensity", "a step of mixturePdf"},
     {"fbrdfFacePoint", "EnvironmentMakingGLTest.cpp compares the cube"},
     {"fbrdfStorable", "what a format can store"},
     {"fbrdfBulge", "a step of areaContour"},
@@ -100,9 +114,9 @@ Names definedFunctions()
 {
     const std::regex definition("\n[A-Za-z0-9]+ (fbrdf[A-Za-z]+)\\(");
     Names names;
-    for (const char* file :
-         {"angles.glsl", "area.glsl", "clusters.glsl", "frame.glsl", "lights.glsl", "lobes.glsl",
-          "prefilter.glsl", "projection.glsl", "transfer.glsl"}) {
+    for (const char* file : {"angles.glsl", "area.glsl", "clusters.glsl", "frame.glsl",
+                             "lights.glsl", "lobe_frame.glsl", "lobes.glsl", "prefilter.glsl",
+                             "projection.glsl", "samples.glsl", "sampling.glsl", "transfer.glsl"}) {
         const std::string text(shaderSnippet(file));
         EXPECT_FALSE(text.empty()) << file;
         for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)
@@ -126,7 +140,9 @@ TEST(TwinNames, EveryGlslFunctionHasATwinOrAReason)
             << name << " needs a C++ twin of that name, or an entry in kAlone";
 }
 
-// fbrdfLightList reads buffers; ManyLightsGLTest.cpp compares it by pictures.
+// fbrdfLightList reads buffers; ManyLightsGLTest.cpp compares it by pictures. What draws directions
+// is compared by SamplingGLTest.cpp, where sampleLobes and lobePdf consist of the others, and by
+// the pictures of SampledEnvironmentGLTest.cpp.
 TEST(TwinNames, EveryTwinIsCompared)
 {
     std::ifstream file("tests/gl/TwinGLTest.cpp");
@@ -134,7 +150,10 @@ TEST(TwinNames, EveryTwinIsCompared)
     ASSERT_FALSE(text.empty());
     Names compared = twins();
     compared.insert(kAngles.begin(), kAngles.end());
-    compared.erase("fbrdfLightList");
+    for (const char* const elsewhere : {"fbrdfLightList", "fbrdfSamplePoint", "fbrdfLevelOfCell",
+                                        "fbrdfLobesAt", "fbrdfLobeMixture", "fbrdfSampleMixture",
+                                        "fbrdfMixturePdf", "fbrdfSampleLobes", "fbrdfLobePdf"})
+        compared.erase(elsewhere);
     for (const std::string& name : compared)
         EXPECT_NE(text.find(name + "("), std::string::npos) << name;
 }

@@ -290,6 +290,59 @@ TEST(LobePlan, StatesTheErrorOfTheLobesThatAreDrawn)
     EXPECT_THROW(planPasses(formPqp(8, 1.0), request, modern()), Error);
 }
 
+TEST(LobePlan, DirectionsHaveAPassOfTheirOwn)
+{
+    const Form form = formPqp(8, 1.0);  // three look-ups
+    for (const ColourFormat target : {ColourFormat::rgba32f, ColourFormat::rgba8})
+        for (const int lights : {0, 1, 9}) {
+            PlanRequest request;
+            request.lights = lights;
+            request.target = target;
+            request.environment = bentLobes(5);
+            request.environmentError = 0.1;
+            request.environmentSamples = 16;
+            const Plan plan = planPasses(form, request, modern());
+            ASSERT_TRUE(plan.feasible()) << plan.reason;
+            EXPECT_EQ(plan.environmentError, 0.0);
+            int sampled = 0;
+            for (const Pass& pass : plan.passes) {
+                if (pass.lobes.isEmpty()) continue;
+                ++sampled;
+                EXPECT_EQ(pass.lobes.samples, 16);
+                EXPECT_EQ(pass.lobes.count, 5);
+                EXPECT_TRUE(pass.parts.empty());
+                EXPECT_EQ(pass.lookups, 16 * (3 + 1));
+            }
+            EXPECT_EQ(sampled, 1);
+        }
+}
+
+TEST(LobePlan, DirectionsNeedSingleWithoutALimitAndRoomForAllLobes)
+{
+    const Form form = formPqp(8, 1.0);
+    PlanRequest request;
+    request.lights = 2;
+    request.environment = bentLobes(7);
+    request.environmentSamples = 16;
+    Capabilities small = modern();
+    small.maxUniformVectors = 256;
+    EXPECT_NE(planPasses(form, request, small).reason.find("room"), std::string::npos);
+    request.maxLookups = 100;
+    EXPECT_NE(planPasses(form, request, modern()).reason.find("limit of look-ups"),
+              std::string::npos);
+    request.maxLookups = 0;
+    for (const Technique technique : {Technique::batched, Technique::twoLookup}) {
+        request.technique = technique;
+        EXPECT_NE(planPasses(form, request, modern()).reason.find(techniqueName(technique)),
+                  std::string::npos);
+    }
+    request.environmentSamples = -1;
+    EXPECT_THROW(planPasses(form, request, modern()), Error);
+    request.environmentSamples = 1;
+    request.environment = {};
+    EXPECT_THROW(planPasses(form, request, modern()), Error);
+}
+
 TEST(LobePlan, FewerLobesKeepTheEnergy)
 {
     LobeTable table;

@@ -33,7 +33,9 @@ TEST(BenchFitCommand, ComparesLobesWithTheSplitSum)
     const auto json = jsonFrom(runTool(asJson));
     EXPECT_EQ(json["environments"], std::vector<std::string>{"sky"});
     const auto ways = json["materials"][0]["ways"];
-    ASSERT_EQ(ways.size(), 4u);
+    ASSERT_EQ(ways.size(), 5u);
+    EXPECT_EQ(ways[4]["name"], "64 directions");
+    EXPECT_GT(ways[4]["mean"].get<double>(), 35.0);
     EXPECT_EQ(ways[0]["name"], "split sum");
     for (size_t k = 1; k < 4; ++k) {
         EXPECT_EQ(ways[k]["name"], "K = " + std::to_string(k));
@@ -43,6 +45,24 @@ TEST(BenchFitCommand, ComparesLobesWithTheSplitSum)
     const ToolRun text = runTool(command);
     EXPECT_EQ(text.code, 0);
     EXPECT_NE(text.out.find("smallest lead over the split sum"), std::string::npos) << text.out;
+}
+
+TEST(BenchFitCommand, ComparesTheVarianceOfDirectionsWithThatOfGgx)
+{
+    const std::vector<std::string> command{"ward:alpha=0.3", "nothing-there", "--sampling"};
+    auto asJson = command;
+    asJson.push_back("--json");
+    const ToolRun run = bench(asJson);
+    EXPECT_EQ(run.code, 1);  // one cannot be read
+    const auto json = nlohmann::json::parse(run.out);
+    const auto ward = json["materials"][0];
+    EXPECT_GT(ward["deviation"].get<double>(), 0.01);
+    EXPECT_GE(ward["ggx_deviation"].get<double>(), ward["ggx_deviation_free_shares"].get<double>());
+    EXPECT_EQ(json["lower"].get<int>(), ward["deviation"] < ward["ggx_deviation"] ? 1 : 0);
+    EXPECT_NE(json["materials"][1]["error"].get<std::string>().find("nothing-there"),
+              std::string::npos);
+    const ToolRun text = bench(command);
+    EXPECT_NE(text.out.find("of 2\n"), std::string::npos) << text.out;
 }
 
 TEST(BenchFitCommand, EnvironmentsHaveToBeThere)

@@ -131,6 +131,24 @@ TEST(GlslCommand, PrintsShadersThatCompile)
     EXPECT_FALSE(validates({"// ---- vertex shader", "#version 330\nvoid main() { oops }\n"}));
 }
 
+TEST(GlslCommand, PrintsFunctionsThatSampleWhereThereAreLobes)
+{
+    const Form form = formPqpr(8, 0.5, 6);
+    const std::string plain = runGlsl(form, {"--functions"}).out;
+    EXPECT_NE(plain.find("vec3 fbrdfEvaluate(vec3 wo, vec3 wi)"), std::string::npos);
+    EXPECT_EQ(plain.find("fbrdfSampleLobes"), std::string::npos);
+    Material material = storedMaterial(form);
+    material.lobes.lobes = 1;
+    material.lobes.thetas = 2;
+    material.lobes.knots.resize(2);
+    const TemporaryDir folder;
+    writeMaterial(material, folder.file("m.fbrdf"));
+    for (const char* const version : {"120", "300"})
+        EXPECT_NE(runTool({"glsl", folder.file("m.fbrdf"), "--functions", "--version", version})
+                      .out.find("vec4 fbrdfSampleLobes(vec3 wo, vec2 u)"),
+                  std::string::npos);
+}
+
 TEST(GlslCommand, RefusesBadInput)
 {
     expectError(runTool({"glsl", "missing.fbrdf"}), 3, "missing.fbrdf");

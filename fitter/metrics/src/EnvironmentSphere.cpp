@@ -1,5 +1,6 @@
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/environment/Prefilter.h>
+#include <fbrdf/environment/SampledLight.h>
 #include <fbrdf/metrics/EnvironmentSphere.h>
 
 #include <algorithm>
@@ -80,8 +81,10 @@ EnvironmentSphere::EnvironmentSphere(const std::vector<Panorama>& environments, 
       truth_(panoramas_),
       pixels_(spherePixels(size))
 {
-    for (const Panorama& panorama : panoramas_)
-        cubes_.push_back(prefiltered(cubeOfPanorama(panorama, cubeSize), cubeSize, threads));
+    for (const Panorama& panorama : panoramas_) {
+        unfiltered_.push_back(cubeOfPanorama(panorama, cubeSize));
+        cubes_.push_back(prefiltered(unfiltered_.back(), cubeSize, threads));
+    }
     // The exposure must not depend on what is judged, so the irradiance is a sum over texels too.
     const Panorama& first = panoramas_.front();
     irradiance_ = imagesOf([&](const Pixel& pixel, size_t environment) {
@@ -136,6 +139,15 @@ std::vector<EnvironmentSphere::Image> EnvironmentSphere::lit(const LobeTable& lo
             radiance += sum.weight[k] * samplePrefiltered(cube, world, sum.level[k]);
         }
         return radiance;
+    });
+}
+
+std::vector<EnvironmentSphere::Image> EnvironmentSphere::sampled(const LobeTable& lobes,
+                                                                 const Reflectance& f,
+                                                                 int samples) const
+{
+    return imagesOf([&](const Pixel& pixel, size_t environment) {
+        return sampledLight(unfiltered_[environment], lobes, f, pixel.frame, pixel.wo, samples);
     });
 }
 

@@ -16,6 +16,7 @@ namespace {
 struct GlslCommand {
     std::string material, technique = techniqueName(Technique::single);
     int version = 330, lights = 8;
+    bool functions = false;
 };
 
 bool isEs(int version)
@@ -166,11 +167,24 @@ std::string programsText(const GlslCommand& command, const Material& material)
     return text;
 }
 
+/// What a host puts into a fragment shader of its own; with lobes, how to draw directions by them.
+std::string functionsText(const GlslCommand& command, const Material& material)
+{
+    const Capabilities context = commonContext(command.version);
+    std::string text = materialFunctions(material.form, encodingsIn(context, material),
+                                         command.version, std::max(1, command.lights));
+    if (!material.lobes.isEmpty() && command.version != 100)
+        text += samplingFunctions(layoutOf(material.lobes), command.version);
+    return text;
+}
+
 int run(const GlslCommand& command)
 {
     checkVersion(command.version);
     techniqueFromName(command.technique);  // bad usage is reported before the file is read
-    writeOut(programsText(command, readMaterial(command.material)));
+    const Material material = readMaterial(command.material);
+    writeOut(command.functions ? functionsText(command, material)
+                               : programsText(command, material));
     return 0;
 }
 
@@ -188,6 +202,9 @@ void addGlslCommand(CLI::App& app, Action& action)
     sub->add_option("--lights", command->lights, "number of lights")
         ->check(CLI::Range(0, 65536))
         ->capture_default_str();
+    sub->add_flag("--functions", command->functions,
+                  "instead: fbrdfEvaluate, fbrdfRadiance and, where the material has lobes, "
+                  "fbrdfSampleLobes and fbrdfLobePdf, for a fragment shader of your own");
     sub->footer(
         "Prints the passes, one vertex shader that serves all of them, and each fragment shader\n"
         "once. A line that starts with '// ----' begins a shader.");

@@ -15,7 +15,7 @@ Vec2<T> inverseSquareRoots(const Vec2<T>& v)
 }  // namespace
 
 template <class T>
-LobeMixture<T> lobeMixture(T level)
+LevelMixture<T> levelMixture(T level)
 {
     const T clamped = std::clamp(level, T(0), T(kCosineLevel)),
             lower = std::min(std::floor(clamped), T(kCosineLevel - 1));
@@ -73,10 +73,10 @@ Vec2<T> lobeInCap(const Vec2<T>& squaredWidth, T cosine, T squaredSine)
     return (cosine > T(0) ? T(1) : T(-1)) * positive / gap * glm::sqrt(lean);
 }
 
-template struct LobeMixture<float>;
-template struct LobeMixture<double>;
-template LobeMixture<float> lobeMixture(float);
-template LobeMixture<double> lobeMixture(double);
+template struct LevelMixture<float>;
+template struct LevelMixture<double>;
+template LevelMixture<float> levelMixture(float);
+template LevelMixture<double> levelMixture(double);
 template float angleOverSine(float);
 template double angleOverSine(double);
 template Vec2<float> lobeEdge(const Vec3<float>&, const Vec2<float>&, const Vec3<float>&,

@@ -49,10 +49,12 @@ fbrdf_result fbrdf_gpu_material_glsl(fbrdf_gpu_material* gpu_material, const fbr
                                .expected("at most 1000 and " + std::to_string(kMostLights)));
         // The text has to live as long as the handle, and hosts ask for it again with other
         // numbers.
-        const uint64_t key = (uint64_t{version} << 32) | lights;
+        const bool sampling = known.sampling != 0;
+        const uint64_t key = (uint64_t{version} << 33) | (uint64_t{sampling} << 32) | lights;
+        const fbrdf::gl::GpuMaterial& gpu = *required(gpu_material, "gpu_material").gpu;
         std::string functions =
-            fbrdf::gl::materialFunctions(*required(gpu_material, "gpu_material").gpu,
-                                         static_cast<int>(version), static_cast<int>(lights));
+            fbrdf::gl::materialFunctions(gpu, static_cast<int>(version), static_cast<int>(lights));
+        if (sampling) functions += fbrdf::gl::samplingFunctions(gpu, static_cast<int>(version));
         return gpu_material->functions.try_emplace(key, std::move(functions)).first->second.c_str();
     });
 }

@@ -69,6 +69,7 @@ fbrdf::gl::EnvironmentLight environmentOf(const fbrdf_environment_light& given)
     result.rotation = fbrdf::gl::environmentRotation(light.rotation);
     result.intensity = {light.intensity[0], light.intensity[1], light.intensity[2]};
     result.lobes = countOf(light.lobes, 0, "lobes");
+    result.samples = countOf(light.samples, 0, "samples");
     return result;
 }
 
@@ -129,6 +130,7 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.items_without_environment = count(from.itemsWithoutEnvironment);
     stats.environment_error = static_cast<float>(from.environmentError);
     from.whyNoEnvironment.copy(stats.why_no_environment, sizeof stats.why_no_environment - 1);
+    from.whyNotSampled.copy(stats.why_not_sampled, sizeof stats.why_not_sampled - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
     // A newer caller has fields that this library does not know; they become 0.
     std::memset(to, 0, to->struct_size);

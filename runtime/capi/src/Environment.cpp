@@ -40,6 +40,7 @@ fbrdf_result fbrdf_environment_create(fbrdf_renderer* renderer, const fbrdf_envi
         // Numbers that no int can represent are refused as other sizes are that are none.
         options.size = static_cast<int>(std::min(known.size, uint32_t(INT32_MAX)));
         options.floats = known.floats != 0;
+        options.unfiltered = known.unfiltered != 0;
         auto gpu = known.texture
                        ? shared->renderer.createEnvironment(
                              fbrdf::gl::HostEnvironment{known.texture, known.cube != 0}, options)

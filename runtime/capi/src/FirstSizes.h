@@ -35,12 +35,12 @@ FBRDF_FIRST_SIZE(fbrdf_item, model, reserved);
 FBRDF_FIRST_SIZE(fbrdf_depth_desc, clear, clear);
 FBRDF_FIRST_SIZE(fbrdf_area_light, vertices, vertices);
 FBRDF_FIRST_SIZE(fbrdf_draw_desc, max_lookups, area_light_size);
-FBRDF_FIRST_SIZE(fbrdf_draw_stats, passes, why_no_environment);
-FBRDF_FIRST_SIZE(fbrdf_environment_desc, reserved, reserved);
-FBRDF_FIRST_SIZE(fbrdf_environment_light, intensity, intensity);
+FBRDF_FIRST_SIZE(fbrdf_draw_stats, passes, why_not_sampled);
+FBRDF_FIRST_SIZE(fbrdf_environment_desc, unfiltered, unfiltered);
+FBRDF_FIRST_SIZE(fbrdf_environment_light, intensity, reserved);
 FBRDF_FIRST_SIZE(fbrdf_instance, material, material);
 FBRDF_FIRST_SIZE(fbrdf_batch_desc, instances, hooks);
-FBRDF_FIRST_SIZE(fbrdf_glsl_desc, max_lights, max_lights);
+FBRDF_FIRST_SIZE(fbrdf_glsl_desc, max_lights, sampling);
 
 #undef FBRDF_FIRST_SIZE
 

@@ -7,6 +7,7 @@
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Parallel.h>
+#include <fbrdf/environment/SampledLight.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -175,6 +176,12 @@ void setEnvironment(DrawRequest& request, const Device& device)
         fail(Found("a matrix that is no rotation").expected("orthonormal columns"));
     if (light.lobes < 0)
         fail(Found(std::to_string(light.lobes) + " lobes").expected("0 (all) or more"));
+    if (light.samples < 0 || light.samples > kMostSamples)
+        fail(Found(std::to_string(light.samples) + " directions")
+                 .expected("0 (none) to " + std::to_string(kMostSamples)));
+    if (light.samples > 0 && map.unfiltered() == 0)
+        fail(Found("directions of an environment whose unfiltered cube was not kept")
+                 .expected("EnvironmentOptions::unfiltered"));
     if (light.intensity == Vec3f(0.0f)) return;
     const bool exposed = request.target.transfer != Transfer::linear;
     request.environment.map = &map;
@@ -186,6 +193,7 @@ void setEnvironment(DrawRequest& request, const Device& device)
         glm::vec4(light.intensity * (exposed ? request.target.exposure : 1.0f),
                   static_cast<float>(map.levels() - kLobeLevels));
     request.environment.lobes = light.lobes;
+    request.environment.samples = light.samples;
 }
 
 EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats)

@@ -28,7 +28,7 @@ struct EyeEnvironment {
     const EnvironmentResources* map = nullptr;  ///< null: there is none, or it is black
     glm::mat3 fromEye{1.0f};                    ///< eye space to that of the environment
     glm::vec4 scale{0.0f};                      ///< fbrdfEnvironmentScale
-    int lobes = 0;                              ///< as EnvironmentLight
+    int lobes = 0, samples = 0;                 ///< as EnvironmentLight
 };
 
 /// What one call of draw() is about, and all of its items share.

@@ -137,11 +137,13 @@ EnvironmentPtr drawnEnvironment(const DevicePtr& device, const RadianceSource& s
     const MeshBinding binding(triangle);
     CubePainter painter(device, state, triangle);
     Object result = emptyCube(device, state, format.size, format.levels(), format.floats);
-    const Object cube = sourceCube(device, state, painter, source, format.size);
+    Object cube = sourceCube(device, state, painter, source, format.size);
     drawLevels(device, state, painter, cube, result, format);
     label(*device, ObjectKind::texture, result, "environment");
     checkErrors(*device, "environment");
-    return std::make_shared<EnvironmentResources>(device, std::move(result), format);
+    const auto made = std::make_shared<EnvironmentResources>(device, std::move(result), format);
+    if (format.unfiltered) made->keepUnfiltered(std::move(cube));
+    return made;
 }
 
 EnvironmentPtr drawnPanorama(const DevicePtr& device, const Panorama& panorama,
@@ -197,8 +199,11 @@ EnvironmentPtr makeEnvironment(const DevicePtr& device, const Panorama& panorama
         discardErrors(*device);
     }
     device->log(Severity::note, "an environment is prefiltered by the CPU: " + why);
-    return std::make_shared<EnvironmentResources>(
-        device, prefiltered(cubeOfPanorama(panorama, format.size), format.size), format, why);
+    const CubeImage cube = cubeOfPanorama(panorama, format.size);
+    const auto made =
+        std::make_shared<EnvironmentResources>(device, prefiltered(cube, format.size), format, why);
+    if (format.unfiltered) made->keepUnfiltered(cube);
+    return made;
 }
 
 EnvironmentPtr makeEnvironment(const DevicePtr& device, const HostEnvironment& source,

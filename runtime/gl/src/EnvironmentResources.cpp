@@ -71,7 +71,8 @@ EnvironmentFormat environmentFormat(const Device& device, const EnvironmentOptio
 {
     const Capabilities& c = device.capabilities;
     const int usual = std::min(c.softwareSampling ? kSoftwareSize : kUsualSize, c.maxCubeSize);
-    const EnvironmentFormat format{options.size == 0 ? usual : options.size, options.floats};
+    const EnvironmentFormat format{options.size == 0 ? usual : options.size, options.floats,
+                                   options.unfiltered};
     if (!isPowerOfTwo(format.size) || format.size < kSmallestFace)
         throw Error(ErrorKind::usage, "environment",
                     Found(std::to_string(format.size) + " texels on a side of a face")
@@ -80,7 +81,7 @@ EnvironmentFormat environmentFormat(const Device& device, const EnvironmentOptio
         throw Error(ErrorKind::gl, "environment",
                     Found(std::to_string(format.size) + " texels on a side of a face")
                         .expected("at most " + std::to_string(c.maxCubeSize)));
-    if (options.floats && device.gl.es != 0 &&
+    if ((options.floats || options.unfiltered) && device.gl.es != 0 &&
         !device.gl.hasExtension("GL_OES_texture_float_linear"))
         throw Error(ErrorKind::gl, "environment",
                     Found("float textures that are not filtered").expected("filtered ones"));
@@ -109,31 +110,47 @@ void allocateCube(const Functions& gl, int size, int levels, bool floats)
                           size >> level, 0, GL_RGBA, floats ? GL_FLOAT : GL_HALF_FLOAT, nullptr);
 }
 
+namespace {
+
+Object uploadedCube(const DevicePtr& device, const CubeImage& cube, int levels, bool floats)
+{
+    Object texture = createObject(device, ObjectKind::texture);
+    device->gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.name());
+    allocateCube(device->gl, cube.size, levels, floats);
+    for (int level = 0; level < levels; ++level) {
+        const GLsizei side = cube.size >> level;
+        const size_t count = static_cast<size_t>(side) * static_cast<size_t>(side);
+        const auto& texels = cube.levels[static_cast<size_t>(level)];
+        for (size_t face = 0; face < 6; ++face)
+            (floats ? uploadFloats : uploadHalves)(device->gl, faceOf(face), level, side,
+                                                   texels.data() + face * count, count);
+    }
+    label(*device, ObjectKind::texture, texture, "environment");
+    checkErrors(*device, "environment");
+    return texture;
+}
+
+}  // namespace
+
 EnvironmentResources::EnvironmentResources(DevicePtr device, const CubeImage& prefiltered,
                                            const EnvironmentFormat& format, std::string whyNotOnGpu)
     : device_(std::move(device)), format_(format), whyNotOnGpu_(std::move(whyNotOnGpu))
 {
     checkCube(prefiltered, format);
     const UploadGuard guard(*device_);
-    cube_ = createObject(device_, ObjectKind::texture);
-    device_->gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube_.name());
-    allocateCube(device_->gl, format.size, format.levels(), format.floats);
-    for (int level = 0; level < format.levels(); ++level) {
-        const GLsizei side = format.size >> level;
-        const size_t count = static_cast<size_t>(side) * static_cast<size_t>(side);
-        const auto& texels = prefiltered.levels[static_cast<size_t>(level)];
-        for (size_t face = 0; face < 6; ++face)
-            (format.floats ? uploadFloats : uploadHalves)(device_->gl, faceOf(face), level, side,
-                                                          texels.data() + face * count, count);
-    }
-    label(*device_, ObjectKind::texture, cube_, "environment");
-    checkErrors(*device_, "environment");
+    cube_ = uploadedCube(device_, prefiltered, format.levels(), format.floats);
 }
 
 EnvironmentResources::EnvironmentResources(DevicePtr device, Object cube,
                                            const EnvironmentFormat& format)
     : device_(std::move(device)), format_(format), cube_(std::move(cube))
 {
+}
+
+void EnvironmentResources::keepUnfiltered(const CubeImage& cube)
+{
+    const UploadGuard guard(*device_);
+    unfiltered_ = uploadedCube(device_, cube, static_cast<int>(cube.levels.size()), true);
 }
 
 int GpuEnvironment::size() const
@@ -149,6 +166,11 @@ int GpuEnvironment::levels() const
 uint32_t GpuEnvironment::texture() const
 {
     return resources_->texture();
+}
+
+uint32_t GpuEnvironment::unfilteredTexture() const
+{
+    return resources_->unfiltered();
 }
 
 const std::string& GpuEnvironment::whyNotOnGpu() const

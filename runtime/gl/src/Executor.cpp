@@ -3,6 +3,7 @@
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/brdf/SampleLattice.h>
 #include <fbrdf/shaders/LobeRows.h>
 
 #include <glm/geometric.hpp>
@@ -202,11 +203,19 @@ void Executor::setEnvironment(const MaterialResources& material, const Program& 
     if (program.lobes.rowsUnit >= 0)
         state_.bindTexture(program.lobes.rowsUnit, GL_TEXTURE_BUFFER, material.lobeRows());
     if (program.lobes.mapUnit < 0) return;
-    state_.bindTexture(program.lobes.mapUnit, GL_TEXTURE_CUBE_MAP, environment.map->texture());
+    const bool sampled = program.lobes.lattice >= 0;
+    state_.bindTexture(program.lobes.mapUnit, GL_TEXTURE_CUBE_MAP,
+                       sampled ? environment.map->unfiltered() : environment.map->texture());
     state_.filterAcrossEdges();
     gl_.UniformMatrix3fv(program.lobes.toEnvironment, 1, GL_FALSE,
                          glm::value_ptr(environment.fromEye));
-    gl_.Uniform4fv(program.lobes.scale, 1, glm::value_ptr(environment.scale));
+    glm::vec4 scale = environment.scale;
+    if (sampled) {
+        scale.w = static_cast<float>(environment.map->size());
+        gl_.Uniform2f(program.lobes.lattice, static_cast<float>(environment.samples),
+                      static_cast<float>(latticeStep(environment.samples)));
+    }
+    gl_.Uniform4fv(program.lobes.scale, 1, glm::value_ptr(scale));
 }
 
 /// Passes that share a program add different lobes.
@@ -234,6 +243,7 @@ void Executor::setAreaLights(const Pass& pass, const Program& program)
 
 int Executor::lightsOf(const Pass& pass, const Program& program) const
 {
+    if (program.lobes.lattice >= 0) return pass.lobes.samples;
     return program.clusters.listsUnit >= 0 ? request_.clusters->longest : pass.lightCount;
 }
 

@@ -3,7 +3,11 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/gl/MaterialBinding.h>
+#include <fbrdf/plan/Plan.h>
+#include <fbrdf/shaders/LobeRows.h>
 #include <fbrdf/shaders/ShaderSource.h>
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
@@ -24,10 +28,58 @@ std::string materialFunctions(const GpuMaterial& material, int glsl, int maxLigh
     return fbrdf::materialFunctions(resources.form(), resources.encodings(), glsl, maxLights);
 }
 
+std::string samplingFunctions(const GpuMaterial& material, int glsl)
+{
+    const MaterialResources& resources = material.resources();
+    resources.lobes().wait();
+    const LobeTable* const table = resources.lobes().find(0);
+    if (!table)
+        throw Error(ErrorKind::gl, "material '" + material.name() + "'",
+                    resources.lobes().whyNot());
+    const int vectors = wholeShare(layoutOf(*table)).vectors(),
+              room = freeUniformVectors(resources.form(), resources.device()->capabilities);
+    if (vectors > room)
+        throw Error(ErrorKind::gl, "material '" + material.name() + "'",
+                    Found("lobes in " + std::to_string(vectors) + " vectors of uniforms")
+                        .expected("at most the " + std::to_string(room) + " that there are"));
+    return fbrdf::samplingFunctions(layoutOf(*table), glsl);
+}
+
+/// Where a program wants the lobes by which it samples, and what they are.
+struct BoundLobes {
+    GLint rows = -1, bend = -1;  ///< -1 where a program has no such uniform
+    std::vector<glm::vec4> values = {};
+    glm::vec2 bendValue{0.0f};
+
+    BoundLobes() = default;
+    BoundLobes(const MaterialResources& material, GLuint program);
+    void set(const Functions& gl) const;
+};
+
+BoundLobes::BoundLobes(const MaterialResources& material, GLuint program)
+{
+    // The functions that the program contains have been written for this table.
+    const LobeTable* const table = material.isPacked() ? nullptr : material.lobes().known();
+    if (!table) return;
+    const Functions& gl = material.device()->gl;
+    rows = gl.GetUniformLocation(program, "fbrdfLobes");
+    bend = gl.GetUniformLocation(program, "fbrdfLobeBend");
+    values = lobeRows(*table, wholeShare(layoutOf(*table)));
+    bendValue = lobeBend(*table);
+}
+
+void BoundLobes::set(const Functions& gl) const
+{
+    if (rows >= 0)
+        gl.Uniform4fv(rows, static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+    if (bend >= 0) gl.Uniform2f(bend, bendValue.x, bendValue.y);
+}
+
 struct MaterialBinding::State {
     std::shared_ptr<const GpuMaterial> material;
     GLuint program = 0;
     MaterialUniforms uniforms;
+    BoundLobes lobes;
 
     const MaterialResources& resources() const { return material->resources(); }
     const Device& device() const { return *resources().device(); }
@@ -42,10 +94,13 @@ MaterialBinding::MaterialBinding(std::shared_ptr<const GpuMaterial> material, ui
     // Errors from before must not be blamed on the program.
     discardHostErrors(state_->device());
     state_->uniforms = findUniforms(state_->resources(), program);
+    state_->lobes = BoundLobes(state_->resources(), program);
     checkErrors(state_->device(), "binding of program " + std::to_string(program));
     const auto& scales = state_->uniforms.scales;
-    // Every term has a scale that the linker cannot remove where the functions are called.
-    if (std::all_of(scales.begin(), scales.end(), [](GLint at) { return at < 0; }))
+    // Every term has a scale that the linker cannot remove where the functions are called; a
+    // program that only samples has lobes.
+    if (state_->lobes.rows < 0 &&
+        std::all_of(scales.begin(), scales.end(), [](GLint at) { return at < 0; }))
         throw Error(ErrorKind::gl, "binding of program " + std::to_string(program),
                     Found("no uniform of material '" + state_->material->name() + "'")
                         .expected("a linked program that calls its functions"));
@@ -72,6 +127,7 @@ int MaterialBinding::apply(int firstUnit) const
     // The program stays current: the host draws with it next, and has its own state afterwards.
     gl.UseProgram(state_->program);
     setUniforms(state_->resources(), state_->uniforms);
+    state_->lobes.set(gl);
     // Samplers are set each time: the host may have several materials for one program.
     int unit = firstUnit;
     for (size_t i = 0; i < tables.size(); ++i) {

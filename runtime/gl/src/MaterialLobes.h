@@ -21,6 +21,8 @@ public:
     const LobeTable* find(int most);
     /// Starts a fit that has to be, and waits for it.
     void wait();
+    /// The lobes that there are already; null where there are none, and nothing is started.
+    const LobeTable* known() const { return table_.isEmpty() ? nullptr : &table_; }
     /// Why find has returned null.
     const std::string& whyNot() const { return whyNot_; }
     /// True where the lobes that came with the material are about bent normals.

@@ -129,6 +129,7 @@ void findLocations(const Functions& gl, Program& result)
     result.lobes.bend = location("fbrdfLobeBend");
     result.lobes.areaLights = location("fbrdfAreaLights");
     result.lobes.areaLightCount = location("fbrdfAreaLightCount");
+    result.lobes.lattice = location("fbrdfSampleLattice");
     result.clusters.grid = location("fbrdfClusterGrid");
     result.clusters.scale = location("fbrdfClusterScale");
     result.areas.grid = location("fbrdfAreaGrid");

@@ -29,6 +29,7 @@ struct Program {
         int mapUnit = -1, rowsUnit = -1;  ///< rows of a packed material
         GLint toEnvironment = -1, scale = -1, rows = -1, bend = -1;
         GLint areaLights = -1, areaLightCount = -1;
+        GLint lattice = -1;  ///< of directions that are drawn
     } lobes;
     LookupCount lookups;  ///< counted from what the linker left active
 };

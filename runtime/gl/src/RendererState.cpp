@@ -174,12 +174,34 @@ ReadyPlan Renderer::State::planOf(const Form& form, PlanRequest& wanted,
     return {planPasses(form, wanted, capabilities), nullptr, {}};
 }
 
+ReadyPlan Renderer::State::sampledPlan(const MaterialResources& material, PlanRequest& wanted,
+                                       const Capabilities& capabilities, const DrawRequest* draw,
+                                       PlanNotes& notes)
+{
+    ReadyPlan ready;
+    if (material.isPacked())
+        ready.plan.reason = Found("a material of a packed library").expected("one by itself");
+    else
+        ready = planOf(material.form(), wanted, capabilities, draw);
+    if (ready.plan.feasible()) return ready;
+    notes.whyNotSampled = ready.plan.reason;
+    device->logOnce(Severity::warning,
+                    "material '" + material.name() +
+                        "': directions of the environment replaced by lobes: " + ready.plan.reason);
+    wanted.environmentSamples = 0;
+    return ready;
+}
+
 ReadyPlan Renderer::State::planFor(const MaterialResources& material, const CompiledHooks* hooks,
                                    PlanRequest wanted, const DrawRequest* draw, PlanNotes& notes)
 {
     const Capabilities capabilities = remaining(device->capabilities, hooks);
     wanted.signs = material.hasSigns();
     wanted.filter = material.filter();
+    if (wanted.environmentSamples > 0) {
+        ReadyPlan sampled = sampledPlan(material, wanted, capabilities, draw, notes);
+        if (sampled.plan.feasible()) return sampled;
+    }
     ReadyPlan ready = planOf(material.form(), wanted, capabilities, draw);
     if (ready.plan.feasible()) return ready;
     // The lights are drawn as asked for where even one pass cannot have the lobes; area lights are
@@ -241,6 +263,7 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
         if (!material.isPacked()) material.lobes().wait();
         wanted.lobes = lobesOf(material, options.environment.lobes).layout;
         if (wanted.lobes.lobes == 0) wanted.lobeLight = {};
+        if (wanted.lobeLight.environment) wanted.environmentSamples = options.environment.samples;
     }
     const ReadyPlan ready = planFor(material, surface.hooks, wanted, nullptr, notes);
     programsOf(material, surface, ready.plan,
@@ -281,10 +304,12 @@ void Renderer::State::draw(Executor& executor, const Drawable& item, const Spher
     if (lobes.layout.lobes == 0) wanted.lobeLight = {};
     wanted.lobes = lobes.layout;
     wanted.lobeError = lobes.error;
-    PlanNotes notes{"", lobes.whyNot};
+    if (wanted.lobeLight.environment) wanted.environmentSamples = draw.environment.samples;
+    PlanNotes notes{"", lobes.whyNot, ""};
     ReadyPlan ready = planFor(material, item.surface.hooks, wanted, &draw, notes);
     ready.lobes = lobes.table;
     if (!notes.whyReplaced.empty()) stats.whyReplaced = notes.whyReplaced;
+    if (!notes.whyNotSampled.empty()) stats.whyNotSampled = notes.whyNotSampled;
     if (!notes.whyNoEnvironment.empty())
         leaveEnvironmentOut(material, notes.whyNoEnvironment, std::max(1, item.instances.count),
                             stats);

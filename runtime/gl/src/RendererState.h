@@ -14,7 +14,7 @@ namespace fbrdf::gl {
 
 /// What became of what was asked for; empty where it is drawn.
 struct PlanNotes {
-    std::string whyReplaced, whyNoEnvironment;
+    std::string whyReplaced, whyNoEnvironment, whyNotSampled;
 };
 
 struct Renderer::State {
@@ -62,6 +62,11 @@ struct Renderer::State {
                    DrawStats& stats);
 
 private:
+    /// The plan with directions of an environment, where such a plan is wanted and possible; else
+    /// none, with the reason.
+    ReadyPlan sampledPlan(const MaterialResources& material, PlanRequest& wanted,
+                          const Capabilities& capabilities, const DrawRequest* draw,
+                          PlanNotes& notes);
     /// The plan and its surfaces; where those cannot be made, a plan without.
     ReadyPlan planOf(const Form& form, PlanRequest& wanted, const Capabilities& capabilities,
                      const DrawRequest* draw);

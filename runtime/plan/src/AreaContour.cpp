@@ -121,7 +121,7 @@ bool cutEdge(const Vec3<T>& n, Vec3<T>& a, Vec3<T>& b, Vec3<T>& leaves, Vec3<T>&
 template <class T>
 T lobeInOutline(const AreaContour<T>& contour, const Vec3<T>& n, const Vec3<T>& axis, T level)
 {
-    const LobeMixture<T> lobe = lobeMixture(level);
+    const LevelMixture<T> lobe = levelMixture(level);
     Vec3<T> leaves(T(0)), enters(T(0)), equatorLeaves(T(0)), equatorEnters(T(0));
     Vec2<T> sum(T(0));
     const int count = 2 * contour.points;
@@ -193,7 +193,7 @@ T lobeInArea(const AreaContour<T>& contour, const Vec3<T>& n, const Vec3<T>& axi
         if (height <= -sine) return T(0);
         // The whole circle is above the horizon and the equator.
         if (height > sine && cosine > sine) {
-            const LobeMixture<T> lobe = lobeMixture(level);
+            const LevelMixture<T> lobe = levelMixture(level);
             return glm::dot(lobeInCap(lobe.squaredWidth, cosine, contour.squaredSine), lobe.share);
         }
     }

@@ -90,6 +90,20 @@ std::string whyNoLobes(const PlanRequest& request, const Capabilities& capabilit
         .expected("fragment shaders that choose the level of a cube map");
 }
 
+/// Why directions of an environment cannot be drawn in such a plan; "" where they can.
+std::string whyNotSampled(const PlanRequest& request)
+{
+    if (request.environmentSamples == 0 ||
+        (request.technique == Technique::single && request.maxLookups == 0))
+        return "";
+    return Found(std::to_string(request.environmentSamples) +
+                 " directions of an environment with " +
+                 (request.maxLookups > 0
+                      ? "a limit of look-ups"
+                      : std::string("technique ") + techniqueName(request.technique)))
+        .expected("single without a limit");
+}
+
 /// The plan of a material with signs, or a reason. A UNORM target clamps the output of every pass
 /// to 0, so it can take the sum of such terms but not the terms one by one.
 Plan withSigns(Plan plan, const PlanRequest& request)
@@ -219,6 +233,7 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     Capabilities capabilities = found;
     Plan none;
     none.reason = whyNoLobes(request, capabilities);
+    if (none.feasible()) none.reason = whyNotSampled(request);
     if (!none.feasible()) return none;
     Plan plan = planUnscaled(form, request, capabilities);
     if (plan.surfaces == ColourFormat::rgba16f && isCoarse(errorBound(plan, request.target))) {
@@ -233,7 +248,8 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     plan.technique = request.technique;
     plan.filter = request.filter;
     plan.error = errorBound(plan, request.target, request.maps);
-    if (!request.lobeLight.isEmpty()) plan.lobeError = request.lobeError;
+    const bool sampledAlone = request.environmentSamples > 0 && request.lobeLight.areaLights == 0;
+    if (!request.lobeLight.isEmpty() && !sampledAlone) plan.lobeError = request.lobeError;
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;
 }
 

@@ -61,6 +61,27 @@ int passesFor(int lights, int lightsPerPass)
     return lightsPerPass < 1 ? kUnlimited - 1 : (lights + lightsPerPass - 1) / lightsPerPass;
 }
 
+/// What passes add of lobes; or directions of the environment that are drawn by all of them, and
+/// the lobes for area lights alone.
+std::vector<LobeShare> sharesOf(const Form& form, const PlanRequest& request, const Limits& limits)
+{
+    const LobeRoom room{limits.lookups, std::max(0, limits.vectors), limits.areaLights};
+    if (request.environmentSamples == 0) return lobeShares(request.lobes, request.lobeLight, room);
+    LobeShare share = wholeShare(request.lobes);
+    share.samples = request.environmentSamples;
+    share.perSample = 1;
+    for (int t = 0; t < static_cast<int>(form.terms.size()); ++t)
+        share.perSample += lookupsOf(form, t, termFactors(form, t).all);
+    if (share.vectors() > limits.vectors) return {};
+    std::vector<LobeShare> shares{share};
+    const int areaLights = request.lobeLight.areaLights;
+    if (areaLights == 0) return shares;
+    const auto lit = lobeShares(request.lobes, {false, areaLights}, room);
+    if (lit.empty()) return {};
+    shares.insert(shares.end(), lit.begin(), lit.end());
+    return shares;
+}
+
 class Planner {
 public:
     Planner(const Form& form, const PlanRequest& request, const Limits& limits)
@@ -68,8 +89,7 @@ public:
           request_(request),
           limits_(limits),
           list_(form),
-          lobes_(lobeShares(request.lobes, request.lobeLight,
-                            {limits.lookups, std::max(0, limits.vectors), limits.areaLights}))
+          lobes_(sharesOf(form, request, limits))
     {
     }
 
@@ -173,6 +193,7 @@ private:
     bool joins(const Pass& pass) const
     {
         if (lobes_.size() != 1 || pass.blend == Blend::multiply) return false;
+        if (lobes_[0].samples > 0) return false;  // its program evaluates the whole material
         if (request_.technique == Technique::batched && pass.lit) return false;
         return pass.lookups + lobes_[0].lookups() <= limits_.lookups &&
                kVectorsPerLight * pass.lightCount + lobes_[0].vectors() <= limits_.vectors;

@@ -57,6 +57,11 @@ void validate(const PlanRequest& request)
     if (request.maxLookups < 0)
         refuse(Found("a limit of " + std::to_string(request.maxLookups) + " look-ups")
                    .expected("0 (none) or more"));
+    if (request.environmentSamples < 0 ||
+        (request.environmentSamples > 0 && !request.lobeLight.environment))
+        refuse(Found(std::to_string(request.environmentSamples) + " directions" +
+                     (request.lobeLight.environment ? "" : " without an environment"))
+                   .expected("0 (none) or more of one"));
     if (request.lobeLight.areaLights < 0)
         refuse(Found(std::to_string(request.lobeLight.areaLights) + " area lights")
                    .expected("0 or more"));

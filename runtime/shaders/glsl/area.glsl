@@ -2,16 +2,16 @@
 // AreaContour.h, step by step.
 
 // The two stretched cosines whose mixture is a lobe.
-struct FbrdfLobeMixture {
+struct FbrdfLevelMixture {
     vec2 squaredWidth, share;
 };
 
-FbrdfLobeMixture fbrdfLobeMixture(float level)
+FbrdfLevelMixture fbrdfLevelMixture(float level)
 {
     float clamped = clamp(level, 0.0, 6.0);
     float lower = min(floor(clamped), 5.0);
     float squared = exp2(2.0 * (lower - 6.0));
-    return FbrdfLobeMixture(vec2(squared, 4.0 * squared), vec2(1.0 - clamped + lower, clamped - lower));
+    return FbrdfLevelMixture(vec2(squared, 4.0 * squared), vec2(1.0 - clamped + lower, clamped - lower));
 }
 
 // Of two cosines. Fitted to acos(c) / sqrt(1 - c^2) on [0, 1]; beyond 90 degrees the angle is pi less that of -c. 1e-12
@@ -82,13 +82,10 @@ FbrdfAreaContour fbrdfSphereContour(vec3 centre, float radius)
 {
     float squaredSine = radius * radius / dot(centre, centre);
     vec3 axis = normalize(centre);
-    // Duff et al. 2017, Listing 3.
-    float side = axis.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (side + axis.z), b = axis.x * axis.y * a;
+    mat3 frame = fbrdfLobeFrame(axis);
     float sine = sqrt(squaredSine);
-    FbrdfAreaContour contour = fbrdfWholeCircle(axis * sqrt(max(1.0 - squaredSine, 0.0)),
-        sine * vec3(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x),
-        sine * vec3(b, side + axis.y * axis.y * a, -axis.y));
+    FbrdfAreaContour contour = fbrdfWholeCircle(axis * sqrt(max(1.0 - squaredSine, 0.0)), frame[0] * sine,
+                                                frame[1] * sine);
     contour.axis = axis;
     contour.squaredSine = squaredSine;
     return contour;
@@ -176,7 +173,7 @@ bool fbrdfCutEdge(vec3 n, inout vec3 a, inout vec3 b, inout vec3 leaves, inout v
 // The outline cut by the horizon and by the equator of the lobe, edge by edge; the last edge runs along the horizon.
 float fbrdfLobeInOutline(FbrdfAreaContour contour, vec3 n, vec3 axis, float level)
 {
-    FbrdfLobeMixture lobe = fbrdfLobeMixture(level);
+    FbrdfLevelMixture lobe = fbrdfLevelMixture(level);
     vec3 leaves = vec3(0.0), enters = vec3(0.0), equatorLeaves = vec3(0.0), equatorEnters = vec3(0.0);
     vec2 sum = vec2(0.0);
     int count = 2 * int(contour.points);
@@ -206,7 +203,7 @@ float fbrdfLobeInArea(FbrdfAreaContour contour, vec3 n, vec3 axis, float level)
         float sine = sqrt(contour.squaredSine), height = dot(n, contour.axis), cosine = dot(axis, contour.axis);
         if (height <= -sine) return 0.0;
         if (height > sine && cosine > sine) {
-            FbrdfLobeMixture lobe = fbrdfLobeMixture(level);
+            FbrdfLevelMixture lobe = fbrdfLevelMixture(level);
             return dot(fbrdfLobeInCap(lobe.squaredWidth, cosine, contour.squaredSine), lobe.share);
         }
     }

@@ -20,21 +20,6 @@ namespace {
     throw Error(ErrorKind::gl, "shader", what);
 }
 
-std::string surfaceLines(const FragmentContext& c)
-{
-    const bool local = needsLocalFrame(c);
-    std::string text;
-    if (local || c.normalMap)
-        text += "    FbrdfShadingFrame frame = fbrdfShadingFrame(fbrdfNormal, fbrdfTangent);\n";
-    if (c.normalMap)
-        text +=
-            "    frame = fbrdfPerturbed(frame, 2.0 * FBRDF_TEXTURE_MIPMAPPED(fbrdfNormalMap, "
-            "fbrdfTextureCoordinate).xyz - 1.0);\n";
-    if (local) return text + "    vec3 wo = fbrdfLocal(frame, viewer);\n    float NoV = wo.z;\n";
-    return text + "    vec3 n = " + (c.normalMap ? "frame.n" : "normalize(fbrdfNormal)") +
-           ";\n    vec3 wo = viewer;\n    float NoV = dot(n, wo);\n";
-}
-
 /// How a program computes an angle or a vector of the pair.
 struct Variable {
     const char *type, *name;
@@ -207,7 +192,7 @@ void check(const FragmentContext& c)
     if (c.encodings.size() != c.form.tables.size())
         fail(Found(std::to_string(c.encodings.size()) + " encodings")
                  .expected("one for each of " + std::to_string(c.form.tables.size()) + " tables"));
-    if (dependsOnLight(c) && c.spec.lightSlots < 1)
+    if (dependsOnLight(c) && c.spec.lightSlots < 1 && c.spec.lobes.samples == 0)
         fail(Found("factors that depend on the light in a program without lights")
                  .expected("light slots"));
 }
@@ -234,6 +219,21 @@ std::string samplerType(const FragmentContext& c, const Factor& factor)
 }
 
 }  // namespace
+
+std::string surfaceLines(const FragmentContext& c)
+{
+    const bool local = needsLocalFrame(c);
+    std::string text;
+    if (local || c.normalMap)
+        text += "    FbrdfShadingFrame frame = fbrdfShadingFrame(fbrdfNormal, fbrdfTangent);\n";
+    if (c.normalMap)
+        text +=
+            "    frame = fbrdfPerturbed(frame, 2.0 * FBRDF_TEXTURE_MIPMAPPED(fbrdfNormalMap, "
+            "fbrdfTextureCoordinate).xyz - 1.0);\n";
+    if (local) return text + "    vec3 wo = fbrdfLocal(frame, viewer);\n    float NoV = wo.z;\n";
+    return text + "    vec3 n = " + (c.normalMap ? "frame.n" : "normalize(fbrdfNormal)") +
+           ";\n    vec3 wo = viewer;\n    float NoV = dot(n, wo);\n";
+}
 
 std::string uniformDeclarations(const FragmentContext& c)
 {
@@ -262,7 +262,7 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert("uniform vec2 fbrdfReadScale;\n");
     }
     if (c.spec.gained) lines.insert("uniform float fbrdfGain;\n");
-    if (dependsOnLight(c) && !c.spec.clustered)
+    if (dependsOnLight(c) && !c.spec.clustered && c.spec.lobes.samples == 0)
         lines.insert("uniform vec4 fbrdfLights[" +
                      std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
     if (c.shadow && c.spec.lit && !c.spec.parts.empty())
@@ -281,6 +281,16 @@ std::string uniformDeclarations(const FragmentContext& c)
     return text + lobeUniforms(c);
 }
 
+std::string outputLines(const FragmentContext& c)
+{
+    std::string text;
+    if (c.spec.gained) text += "    total *= fbrdfGain;\n";
+    if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
+    if (isCurved(c.spec.transfer))
+        text += "    total = fbrdfSrgbFromLinear(min(total, vec3(1.0)));\n";
+    return text + "    fbrdfColour = vec4(total, 1.0);\n}\n";
+}
+
 std::string mainFunction(const FragmentContext& c)
 {
     std::string text = "void main()\n{\n";
@@ -291,11 +301,7 @@ std::string mainFunction(const FragmentContext& c)
     if (c.spec.reads)
         text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";
     text += lobeLines(c);
-    if (c.spec.gained) text += "    total *= fbrdfGain;\n";
-    if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
-    if (isCurved(c.spec.transfer))
-        text += "    total = fbrdfSrgbFromLinear(min(total, vec3(1.0)));\n";
-    return text + "    fbrdfColour = vec4(total, 1.0);\n}\n";
+    return text + outputLines(c);
 }
 
 std::string evaluateFunction(const FragmentContext& c)

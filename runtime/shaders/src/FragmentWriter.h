@@ -19,6 +19,10 @@ struct FragmentContext {
 };
 
 std::string uniformDeclarations(const FragmentContext& context);
+/// Statements that declare frame (or n), wo and NoV of the fragment, from viewer.
+std::string surfaceLines(const FragmentContext& context);
+/// The end of main(): what becomes of total.
+std::string outputLines(const FragmentContext& context);
 std::string mainFunction(const FragmentContext& context);
 /// vec3 fbrdfEvaluate(vec3 wo, vec3 wi). Expects context.local.
 std::string evaluateFunction(const FragmentContext& context);

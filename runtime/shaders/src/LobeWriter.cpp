@@ -205,6 +205,8 @@ std::string lobeUniforms(const FragmentContext& c)
         text +=
             "uniform samplerCube fbrdfEnvironment;\nuniform mat3 fbrdfToEnvironment;\n"
             "uniform vec4 fbrdfEnvironmentScale;\n";
+    // The functions that draw directions declare the lobes themselves.
+    if (c.spec.lobes.samples > 0) return text + "uniform vec2 fbrdfSampleLattice;\n";
     if (hasAreaLights(c) && c.spec.areaLists)
         text +=
             "uniform samplerBuffer fbrdfAreaBuffer;\n"

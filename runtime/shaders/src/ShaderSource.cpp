@@ -1,6 +1,7 @@
 #include "EmbeddedShaders.h"
 #include "FragmentWriter.h"
 #include "LobeWriter.h"
+#include "SamplingWriter.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
@@ -89,6 +90,26 @@ ProgramSpec wholeSpec(const Form& form, int lights)
     return spec;
 }
 
+/// The program of a pass that draws directions of an environment: the whole material at each.
+std::string sampledSource(const Form& form, const std::vector<TableEncoding>& encodings,
+                          const ProgramSpec& spec, int glsl, const SurfaceInputs& inputs)
+{
+    if (inputs.instanced)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("directions of an environment for instances").expected("lobes"));
+    ProgramSpec whole = spec;
+    whole.parts = wholeSpec(form, 1).parts;
+    whole.lit = whole.reads = whole.clustered = false;
+    const FragmentContext context{form, encodings, whole, glsl, false, true, inputs.normalMap};
+    const std::string uniforms = uniformDeclarations(context);
+    return assembled(glsl, inputs,
+                     {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
+                      "projection.glsl", "transfer.glsl"},
+                     true) +
+           filterFunctions(encodings) + lobeFunctions(spec.lobes.table) + joined({"samples.glsl"}) +
+           uniforms + evaluateFunction(context) + sampledMain(context);
+}
+
 }  // namespace
 
 ProgramSpec programSpec(const Pass& pass, int maxLights)
@@ -119,6 +140,7 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
     if (!spec.lobes.isEmpty() && glsl == kGlslEs100)
         throw Error(ErrorKind::gl, "shader",
                     Found("GLSL ES 1.00").expected("300 or newer for lobes"));
+    if (spec.lobes.samples > 0) return sampledSource(form, encodings, spec, glsl, inputs);
     const FragmentContext context{form,
                                   encodings,
                                   spec,
@@ -134,7 +156,8 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
                       "projection.glsl", "lights.glsl", "transfer.glsl"},
                      hasLobes(context) && spec.lobes.environment) +
            (hasLobes(context) ? joined({"lobes.glsl"}) : "") +
-           (hasAreaLights(context) ? joined({"area.glsl"}) : "") + filterFunctions(encodings) +
+           (hasAreaLights(context) ? joined({"lobe_frame.glsl", "area.glsl"}) : "") +
+           filterFunctions(encodings) +
            (spec.clustered || spec.areaLists ? joined({"clusters.glsl"}) : "") + inputs.shadowHook +
            "\n" + uniforms + mainFunction(context);
 }
@@ -152,6 +175,19 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
                    "transfer.glsl"}) +
            filterFunctions(encodings) + uniforms + evaluateFunction(local) +
            radianceFunction(context);
+}
+
+std::string samplingFunctions(const LobeLayout& table, int glsl)
+{
+    checkVersion(glsl);
+    if (table.lobes < 1)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("a material without lobes").expected("those by which it is sampled"));
+    if (glsl == kGlslEs100)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("GLSL ES 1.00, which has no index that varies")
+                        .expected("300 or newer for sampling"));
+    return lobeFunctions(table);
 }
 
 std::string filterProbeVertexSource(int glsl)
@@ -188,7 +224,9 @@ std::string prefilterSourceFragment(int glsl, bool fromCube)
 
 std::string prefilterLobeFragment(int glsl)
 {
-    return assembled(glsl, {}, {"version.glsl", "prefilter.glsl", "prefilter_lobe.frag"}, true);
+    return assembled(glsl, {},
+                     {"version.glsl", "prefilter.glsl", "lobe_frame.glsl", "prefilter_lobe.frag"},
+                     true);
 }
 
 std::string_view shaderSnippet(std::string_view name)

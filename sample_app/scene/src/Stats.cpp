@@ -34,7 +34,8 @@ OrderedJson environmentJson(const Stats& stats)
     return {{"name", stats.environment},
             {"note", textOrNull(stats.environmentNote)},
             {"error", stats.environmentError},
-            {"why_not", textOrNull(stats.whyNoEnvironment)}};
+            {"why_not", textOrNull(stats.whyNoEnvironment)},
+            {"why_not_sampled", textOrNull(stats.whyNotSampled)}};
 }
 
 }  // namespace

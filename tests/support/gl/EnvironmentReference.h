@@ -24,6 +24,15 @@ Panorama turnedPanorama(const Panorama& panorama);
 /// The texels of an environment's cube map as the GPU has them. The desktop's GL only.
 CubeImage readCube(const GladGLContext& gl, const gl::GpuEnvironment& environment);
 
+/// The same of the cube that was not prefiltered.
+CubeImage readUnfilteredCube(const GladGLContext& gl, const gl::GpuEnvironment& environment);
+
+/// RGBA per pixel, 0 outside the mesh: directions that are drawn by the lobes of the material, as
+/// many as the light asks for. cube: from readUnfilteredCube.
+std::vector<double> sampledImage(const Material& material, const CubeImage& cube,
+                                 const GeometryBuffer& geometry, const gl::View& view,
+                                 const gl::EnvironmentLight& light);
+
 /// RGBA per pixel, 0 outside the mesh. cube: from readCube.
 std::vector<double> environmentImage(const LobeTable& table, const CubeImage& cube,
                                      const GeometryBuffer& geometry, const gl::View& view,

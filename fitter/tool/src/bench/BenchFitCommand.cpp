@@ -4,6 +4,7 @@
 #include "bench/BenchCsv.h"
 #include "bench/BenchSummary.h"
 #include "bench/EnvironmentBench.h"
+#include "bench/SamplingBench.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Robustness.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 namespace fbrdf::tool {
 namespace {
@@ -25,7 +27,7 @@ struct BenchFitCommand {
     std::string environment;  ///< folder; empty: point lights
     EnvironmentBenchOptions environments;
     BenchOptions options;
-    bool resume = false, json = false, robustness = false, areaLights = false;
+    bool resume = false, json = false, robustness = false, sampling = false, areaLights = false;
 };
 
 std::string defaultDataDir()
@@ -118,6 +120,19 @@ int runAreaLights(const BenchFitCommand& command)
     return std::any_of(scores.begin(), scores.end(), failed) ? 1 : 0;
 }
 
+// Returns 1 where the best diffuse and GGX have less variance than our lobes, or a material has no
+// answer.
+int runSampling(const BenchFitCommand& command)
+{
+    const std::vector<Contender> forms = contendersFrom(command.forms, "none");
+    Progress progress(true);
+    const auto scores =
+        scoreSampling(expanded(command.sources), forms.front(), command.options, progress);
+    progress.clear();
+    writeOut(command.json ? text(samplingJson(scores)) : samplingText(scores));
+    return std::all_of(scores.begin(), scores.end(), std::mem_fn(&SamplingScore::isLower)) ? 0 : 1;
+}
+
 std::string leftOutText(const BenchFitCommand& command)
 {
     return command.peers == "all" && !peersLeftOut().empty() ? "left out: " + peersLeftOut() + "\n"
@@ -127,6 +142,7 @@ std::string leftOutText(const BenchFitCommand& command)
 int run(BenchFitCommand& command)
 {
     if (command.robustness) return runRobustness(command);
+    if (command.sampling) return runSampling(command);
     if (!command.environment.empty()) return runEnvironment(command);
     if (command.areaLights) return runAreaLights(command);
     command.options.contenders = contendersFrom(command.forms, command.peers);
@@ -176,6 +192,10 @@ void addBenchFitCommand(CLI::App& app, Action& action)
                   "keep the materials that the table of --csv has for all of the contenders");
     sub->add_flag("--robustness", command->robustness,
                   "instead: what our forms lose to noise, zeros, spikes and few samples");
+    sub->add_flag(
+        "--sampling", command->sampling,
+        "instead: the variance of directions that are drawn from the lobes of the first of "
+        "our forms, and of the best diffuse + GGX");
     sub->add_option("--environment", command->environment,
                     "instead: light from every .exr and .hdr of a folder, by lobes and by the best "
                     "split sum")

@@ -20,6 +20,7 @@ namespace fbrdf::tool {
 namespace {
 
 constexpr char kSplitSum[] = "split sum";
+constexpr int kDirections = 64;  // drawn by the lobes of the default fit
 
 size_t bytesOf(const LobeTable& table)
 {
@@ -65,7 +66,8 @@ EnvironmentScores scoreSource(const std::string& name, const EnvironmentSphere& 
     const auto truth = sphere.truth(source.evaluate);
     const bool isotropic = isIsotropic(source.evaluate);
     std::vector<EnvironmentScore> ours;
-    LobeTable table;
+    LobeTable table, drawnBy;
+    EnvironmentScore directions;
     for (const int lobes : options.lobes) {
         LobeFitOptions fit;
         fit.lobes = lobes;
@@ -77,7 +79,13 @@ EnvironmentScores scoreSource(const std::string& name, const EnvironmentSphere& 
         ours.push_back(
             {isotropic ? fmt::format("K = {}", lobes) : fmt::format("{} normals", fit.normals),
              psnrs(sphere, sphere.lit(table), truth), bytesOf(table), seconds.count()});
+        if (lobes > LobeFitOptions().lobes) continue;
+        drawnBy = table;
+        directions = ours.back();
     }
+    directions.label = fmt::format("{} directions", kDirections);
+    directions.psnr = psnrs(sphere, sphere.sampled(drawnBy, source.evaluate, kDirections), truth);
+    ours.push_back(directions);
     const SplitSum::Fit best = splitSum.best(truth, albedos(table, sphere));
     result.scores.push_back({kSplitSum, best.psnr, 0, 0.0});
     result.scores.insert(result.scores.end(), ours.begin(), ours.end());

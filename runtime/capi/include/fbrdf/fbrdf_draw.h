@@ -138,6 +138,7 @@ typedef struct fbrdf_draw_stats {
     float environment_error; /* expected error of its light, relative: of the material where it is
                                 largest */
     char why_no_environment[160]; /* why the last of those items was drawn without; "" */
+    char why_not_sampled[160];    /* why lobes were drawn instead of the environment's `samples` */
 } fbrdf_draw_stats;
 
 /* Draws the items into the framebuffer, in front of what its depth buffer contains. stats may be

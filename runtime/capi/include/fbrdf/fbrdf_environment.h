@@ -23,7 +23,7 @@ typedef struct fbrdf_environment_desc {
     uint32_t size;          /* texels on a side of a face, a power of two from 8 on; 0: 512, or 256
                                where a CPU samples textures */
     uint32_t floats;        /* 1: RGBA32F instead of RGBA16F, which ends at 65504 */
-    uint32_t reserved;      /* 0 */
+    uint32_t unfiltered;    /* 1: keeps what fbrdf_environment_light::samples needs: RGBA32F */
 } fbrdf_environment_desc;
 FBRDF_API fbrdf_result fbrdf_environment_create(fbrdf_renderer* renderer,
                                                 const fbrdf_environment_desc* desc,
@@ -37,6 +37,11 @@ typedef struct fbrdf_environment_light {
     const fbrdf_environment* environment;
     float rotation;     /* radians about +y of the world, counter-clockwise seen from above */
     float intensity[3]; /* times the radiance; finite, >= 0 */
+    uint32_t samples;   /* 0: lobes; else directions that are drawn by them, at most 4096, for each
+                           of which the material and the environment are looked up. Needs
+                           `unfiltered` and FBRDF_TECHNIQUE_SINGLE without max_lookups, see
+                           why_not_sampled */
+    uint32_t reserved;  /* 0 */
 } fbrdf_environment_light;
 
 #ifdef __cplusplus

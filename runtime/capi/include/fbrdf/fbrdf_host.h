@@ -22,6 +22,7 @@ typedef struct fbrdf_glsl_desc {
     uint32_t struct_size;
     uint32_t glsl_version; /* 120, 140, 150, 330, 450; ES: 100, 300; 0: 330 */
     uint32_t max_lights;   /* room of the uniform array fbrdfLights; 0: 8 */
+    uint32_t sampling;     /* 1: with the functions that draw directions */
 } fbrdf_glsl_desc;
 /* The functions of one material, to be put after the engine's #version line and before its main():
  *   vec3 fbrdfEvaluate(vec3 wo, vec3 wi)
@@ -32,6 +33,13 @@ typedef struct fbrdf_glsl_desc {
  *       a vec3
  *   uniform vec4 fbrdfLights[3 * max_lights];  uniform int fbrdfLightCount;
  *       what the engine sets, see fbrdf_light_vectors
+ * and where `sampling` is 1, from GLSL 1.20 and ES 3.00 on, with lobes that are fitted where the
+ * material has none:
+ *   vec4 fbrdfSampleLobes(vec3 wo, vec2 u)
+ *       a direction wi in proportion to what is reflected, and its density in 1/sr; u in [0, 1);
+ *       wi may be below the horizon, where f is 0
+ *   float fbrdfLobePdf(vec3 wo, vec3 wi)
+ *       that density of any direction
  * The snippets are included. *text lives until the material is replaced or
  * released. */
 FBRDF_API fbrdf_result fbrdf_gpu_material_glsl(fbrdf_gpu_material* gpu_material,

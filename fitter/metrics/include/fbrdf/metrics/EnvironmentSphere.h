@@ -35,6 +35,8 @@ public:
     /// One image for each environment: by brute force, and by the lobes as a renderer draws them.
     std::vector<Image> truth(const Reflectance& f) const;
     std::vector<Image> lit(const LobeTable& lobes) const;
+    /// By directions that are drawn by the lobes (SampledLight.h).
+    std::vector<Image> sampled(const LobeTable& lobes, const Reflectance& f, int samples) const;
     /// By any function of a pixel and an environment.
     std::vector<Image> imagesOf(
         const std::function<Vec3d(const Pixel&, size_t environment)>& radiance) const;
@@ -48,7 +50,7 @@ private:
     int threads_;
     std::vector<Panorama> panoramas_;
     EnvironmentTruth truth_;
-    std::vector<CubeImage> cubes_;
+    std::vector<CubeImage> unfiltered_, cubes_;
     std::vector<Pixel> pixels_;
     std::vector<Image> irradiance_;
     std::vector<double> exposures_;

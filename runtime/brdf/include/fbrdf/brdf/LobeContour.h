@@ -8,13 +8,13 @@ namespace fbrdf {
 
 /// The two stretched cosines whose mixture is the lobe of a level (lobeValue).
 template <class T>
-struct LobeMixture {
+struct LevelMixture {
     Vec2<T> squaredWidth;  ///< of the narrower and the wider one
     Vec2<T> share;         ///< add up to 1
 };
-/// level is clamped to 0 to 6. Twin: fbrdfLobeMixture.
+/// level is clamped to 0 to 6. Twin: fbrdfLevelMixture.
 template <class T>
-LobeMixture<T> lobeMixture(T level);
+LevelMixture<T> levelMixture(T level);
 
 /// The angle over its sine of an angle whose cosine is given, relative error 4e-8: a rational
 /// approximation, because acos has no digits left where the sine is small. Twin:

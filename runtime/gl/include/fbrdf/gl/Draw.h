@@ -107,12 +107,15 @@ struct DrawStats {
     std::string whyReplaced;
     ErrorBound error;          ///< the largest of all items
     std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
-    /// The largest LobeTable::error of the items that were drawn with an environment or area
+    /// The largest LobeTable::error of the items whose lobes were drawn with an environment or area
     /// lights.
     double environmentError = 0.0;
     /// Items drawn without the environment or the area lights; the reasons were logged.
     int itemsWithoutEnvironment = 0;
     std::string whyNoEnvironment;  ///< of the last one of them
+    /// Why an item was drawn by its lobes although EnvironmentLight::samples asks for directions;
+    /// of the last item where that happened.
+    std::string whyNotSampled;
 };
 
 }  // namespace fbrdf::gl

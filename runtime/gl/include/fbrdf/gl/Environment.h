@@ -25,6 +25,9 @@ struct EnvironmentOptions {
     /// Stores RGBA32F instead of RGBA16F, which ends at 65504 and is half as large: radiance beyond
     /// that is clamped.
     bool floats = false;
+    /// Keeps the cube that was not prefiltered as well, with all levels, which
+    /// EnvironmentLight::samples needs: RGBA32F, 32 MiB where faces have 512 texels.
+    bool unfiltered = false;
 };
 
 /// Radiance in a texture of the host, linear Rec. 709. It is read while the environment is made.
@@ -49,6 +52,8 @@ public:
     int levels() const;  ///< see prefilteredLevels (Prefilter.h)
     /// The name of the cube map, which is the renderer's; for backgrounds and tests.
     uint32_t texture() const;
+    /// That of the cube that was not prefiltered; 0 without EnvironmentOptions::unfiltered.
+    uint32_t unfilteredTexture() const;
     /// Why the CPU made it; empty where the GPU did.
     const std::string& whyNotOnGpu() const;
 
@@ -66,6 +71,14 @@ struct EnvironmentLight {
     Vec3f intensity{1.0f};  ///< multiplies the radiance; finite, >= 0
     int lobes = 0;          ///< 0: as a material's table has; else at most so many. Packed ones
                             ///< (GpuLibrary) have all
+    /// 0: lobes are looked up. Else so many directions are drawn by the lobes, at most kMostSamples
+    /// (SampledLight.h), and for each the material's own maps and the unfiltered cube are looked
+    /// up, at the level that its density asks for: the quality mode, in a pass of its own. It needs
+    /// EnvironmentOptions::unfiltered and Technique::single without a limit of look-ups; packed
+    /// materials, and those whose lobes uniforms have no room for, are drawn by their lobes
+    /// (DrawStats::whyNotSampled). There is no noise: every pixel has the same directions about its
+    /// normal.
+    int samples = 0;
 };
 
 /// The rotation about +y by an angle in radians.

@@ -1,5 +1,5 @@
 // MaterialBinding.h - a material in a program of the host: for engines that draw by themselves. The
-// program contains the functions that materialFunctions returns.
+// program contains the functions that materialFunctions returns, and perhaps samplingFunctions.
 #pragma once
 #include <fbrdf/gl/Handles.h>
 
@@ -13,6 +13,12 @@ namespace fbrdf::gl {
 /// declare. glsl: the version, as there. maxLights >= 1: the number of lights that fbrdfLights has
 /// room for.
 std::string materialFunctions(const GpuMaterial& material, int glsl, int maxLights);
+
+/// Functions that draw directions of the material by its lobes, to be put after materialFunctions;
+/// ShaderSource.h lists them. Waits for the lobes of a material that has none, see Environment.h.
+/// Throws Error(gl) where those cannot be fitted, where the uniforms of a fragment shader have no
+/// room for them, and for ES 1.00. Not for materials of a packed library.
+std::string samplingFunctions(const GpuMaterial& material, int glsl);
 
 /// Where a linked program of the host wants what a material consists of. It shares the ownership of
 /// the material; the program stays the host's, which must not delete or relink it while it applies

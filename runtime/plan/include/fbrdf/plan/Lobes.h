@@ -2,9 +2,10 @@
 // program. Pure.
 //
 // Each lobe, and the cosine, is one look-up in the prefiltered cube of an environment
-// (LobeTable.h); area lights need none (AreaContour.h). The table itself is in uniforms, a few vec4
-// for each knot, and so are area lights. A program has room for so many: lobes, and lights, are
-// spread over passes as look-ups and uniforms allow.
+// (LobeTable.h); area lights need none (AreaContour.h). Or directions are drawn by the lobes, and
+// looked up in the cube that was not prefiltered (SampledLight.h). The table itself is in uniforms,
+// a few vec4 for each knot, and so are area lights. A program has room for so many: lobes, and
+// lights, are spread over passes as look-ups and uniforms allow.
 #pragma once
 #include <fbrdf/brdf/LobeTable.h>
 #include <fbrdf/plan/AreaVectors.h>
@@ -41,9 +42,17 @@ struct LobeShare {
     bool environment = true;
     int firstArea = 0, areaCount = 0;
     int areaSlots = 0;  ///< area lights for which the program has room, at least areaCount
+    /// Where not 0, so many directions of the environment are drawn by the lobes, all of which the
+    /// share then has, and each costs `perSample` look-ups: the material's, and one in the
+    /// environment. Such a share has no area lights.
+    int samples = 0, perSample = 0;
 
     bool isEmpty() const { return count == 0 && !cosine; }
-    int lookups() const { return environment ? count + (cosine ? 1 : 0) : 0; }
+    int lookups() const
+    {
+        if (samples > 0) return samples * perSample;
+        return environment ? count + (cosine ? 1 : 0) : 0;
+    }
     /// vec4 of one knot: see lobeRows (LobeRows.h).
     int rows() const { return 1 + count + (table.axes == LobeAxes::tilted && count > 1 ? 1 : 0); }
     /// vec4 uniforms of the knots.
@@ -51,14 +60,24 @@ struct LobeShare {
     /// vec4 uniforms of knots and lights; the few others are among those that every program
     /// reserves.
     int vectors() const { return knotVectors() + kVectorsPerAreaLight * areaSlots; }
+    /// True where one program serves both: it has the number of directions in a uniform.
     bool operator==(const LobeShare& other) const
     {
         return table == other.table && first == other.first && count == other.count &&
                cosine == other.cosine && environment == other.environment &&
                firstArea == other.firstArea && areaCount == other.areaCount &&
-               areaSlots == other.areaSlots;
+               areaSlots == other.areaSlots && (samples > 0) == (other.samples > 0);
     }
 };
+
+/// All lobes and the cosine.
+inline LobeShare wholeShare(const LobeLayout& table)
+{
+    LobeShare share{table};
+    share.count = table.lobes;
+    share.cosine = true;
+    return share;
+}
 
 /// What a pass has for lobes.
 struct LobeRoom {

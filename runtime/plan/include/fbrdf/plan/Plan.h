@@ -93,6 +93,9 @@ struct PlanRequest {
     LobeLayout lobes = {};     ///< of the material, by which it reflects lobeLight
     LobeLight lobeLight = {};  ///< drawn with the lights; empty where there are no lobes
     double lobeError = 0.0;    ///< LobeTable::error of those lobes
+    /// Directions of the environment that are drawn by the lobes instead of looking those up, in a
+    /// pass of their own; 0: none. Technique::single without a limit of look-ups only.
+    int environmentSamples = 0;
     ColourFormat target = ColourFormat::rgba32f;
     /// Accumulation and scratch surfaces may be used. A multisampled target cannot have them: its
     /// edges would read texels that nothing was drawn to.
@@ -129,7 +132,8 @@ struct Plan {
     Technique technique = Technique::single;
     Filter filter = Filter::hardware;
     ErrorBound error;
-    /// LobeTable::error where lobes are drawn: expected, not bounded; 0 without.
+    /// LobeTable::error where lobes are drawn: expected, not bounded; 0 without, and where
+    /// directions are drawn instead.
     double lobeError = 0.0;
     std::string reason;  ///< why there is no plan; empty where there is one
     bool feasible() const { return reason.empty(); }

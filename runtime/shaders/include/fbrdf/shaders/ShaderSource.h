@@ -16,7 +16,9 @@
 //   lobes       fbrdfLobes[] (vec4, see LobeRows.h), of bent ones fbrdfLobeBend (vec2)
 //   environment fbrdfEnvironment (samplerCube, prefiltered), fbrdfToEnvironment (mat3: from eye
 //               space), fbrdfEnvironmentScale (vec4: intensity, and what is added to a level of a
-//               lobe)
+//               lobe); where directions are drawn: fbrdfEnvironment is not prefiltered, the last of
+//               fbrdfEnvironmentScale texels on a side of its faces, fbrdfSampleLattice (vec2:
+//               their number, latticeStep)
 //   area lights fbrdfAreaLights[5 slots] (vec4), fbrdfAreaLightCount (int)      see AreaVectors.h
 // Instanced programs read maps from arrays, and buffers: see PackedParameters.h.
 #pragma once
@@ -110,6 +112,18 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
 
+/// What the same shader needs to draw directions by the lobes of the material, to be put after
+/// materialFunctions. It declares fbrdfLobes and, of bent lobes, fbrdfLobeBend (above; all rows of
+/// LobeRows.h), and the twins of LobeSampling.h:
+///   vec4 fbrdfSampleLobes(vec3 wo, vec2 u)     a direction wi and its density in 1/sr; u in
+///       [0, 1)^2; unit, tangent frame; wi may be below the horizon, where f is 0
+///   float fbrdfLobePdf(vec3 wo, vec3 wi)       that density of any wi
+///   FbrdfLobeMixture fbrdfLobeMixture(vec3 wo), and for many directions of one wo
+///   vec4 fbrdfSampleMixture(FbrdfLobeMixture mixture, vec2 u)
+///   float fbrdfMixturePdf(FbrdfLobeMixture mixture, vec3 wi)
+/// Throws Error(gl) for a table without lobes, and for ES 1.00, which has no index that varies.
+std::string samplingFunctions(const LobeLayout& table, int glsl);
+
 /// Kinds of textures whose filter can be measured.
 enum class ProbedTexture { plane, volume, cube, array };
 
@@ -128,8 +142,9 @@ std::string_view shaderSnippet(std::string_view name);
 struct LookupCount {
     int once = 0, perLight = 0;
 };
-/// Counts the fetches in the main function of a fragment shader, outside the loop over lights and
-/// inside it, that read one of `activeSamplers` (those that glGetActiveUniform lists).
+/// Counts the fetches in the main function of a fragment shader, outside the loop over lights, or
+/// over directions of an environment, and inside it, that read one of `activeSamplers` (those that
+/// glGetActiveUniform lists).
 LookupCount countLookups(const std::string& fragmentSource,
                          const std::vector<std::string>& activeSamplers);
 

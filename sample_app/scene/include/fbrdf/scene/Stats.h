@@ -24,6 +24,7 @@ struct Stats {
     std::string environmentNote;    ///< what its file was taken for; empty for a built-in one
     double environmentError = 0.0;  ///< LobeTable::error of the material where it is largest
     std::string whyNoEnvironment;   ///< why a material was drawn without it; empty: none was
+    std::string whyNotSampled;  ///< why lobes were drawn instead of directions; empty: none were
     double errorRelative = 0.0, errorAbsolute = 0.0;  ///< ErrorBound (Plan.h); 0 on the CPU
     std::vector<std::string> materials;               ///< names
     std::string evaluated;  ///< "source" or "material": what the BRDF values came from
