@@ -136,8 +136,9 @@ int main(int argc, char** argv)
     if (arguments.read("--environment", environment)) lightCount = 0;
     arguments.read("--lights", lightCount);
     arguments.read("--model", model);
-    if (arguments.errors() || arguments.containsOptions() || lightCount < 0 ||
-        lightCount > kMostLights || argc > 3 || (argc > 1) == !model.empty())
+    if (arguments.errors() || arguments.containsOptions() ||
+        lightCount < (environment.empty() ? 1 : 0) || lightCount > kMostLights || argc > 3 ||
+        (argc > 1) == !model.empty())
         return usage();
     if (!model.empty()) return osgDB::writeNodeFile(*knotOf(), model) ? 0 : 5;
     // 1. The material over the model.
