@@ -177,6 +177,11 @@ TEST_F(LimitedDriver, WithoutFloatTexturesHasTheFallback)
     for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view.frame(), 3), 0.3);
     EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
     EXPECT_NE(notices.text().find("no float textures"), std::string::npos) << notices.text();
+    // Nor can it have the cube map of an environment.
+    const double dark = meanOf(view.frame(), 0);
+    root->addChild(osgEnvironment(testPanorama(8)));
+    for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view.frame(), 0), dark);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 bool lacks(const char* extension)

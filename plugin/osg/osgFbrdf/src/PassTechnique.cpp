@@ -286,7 +286,8 @@ std::string PassTechnique::reasonAgainst(const Drawing& drawing) const
 {
     const fbrdf::Plan& plan = drawing.passes->plan;
     if (!plan.feasible()) return (drawing.surfacesFailed ? kNoSurfaces : "") + plan.reason;
-    return refusalBy(internals_.choice->limits(), drawing.passes->needed);
+    const ContextLimits& needed = drawing.passes->needed;
+    return needed.textureUnits > 0 ? refusalBy(internals_.choice->limits(), needed) : "";
 }
 
 PassTechnique::Drawing PassTechnique::drawingOfMost(const EffectCull& cull, EyeLights& lights,

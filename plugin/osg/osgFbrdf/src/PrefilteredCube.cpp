@@ -13,9 +13,9 @@
 namespace osgFbrdf {
 namespace {
 
-// One core takes 5 s for such faces, and a minute for 512.
+// One core takes 6 s for such faces, and a minute for 512.
 constexpr int kComputedFaceSize = 128;
-// As the runtime chooses (fbrdf/gl/Environment.h): two cores take 4 s, and 12 s for 512.
+// As the runtime chooses (fbrdf/gl/Environment.h): 5 s of processor time in Mesa, for 512 13 s.
 constexpr int kSoftwareFaceSize = 256;
 
 // OSG takes the OpenGL of the libraries that are linked, whatever made the context; so do we.
