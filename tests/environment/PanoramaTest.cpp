@@ -66,6 +66,29 @@ TEST(Panorama, SolidAnglesAddUpToTheSphere)
     }
 }
 
+Vec3d lightOf(const Panorama& panorama)
+{
+    Vec3d sum(0.0);
+    for (int y = 0; y < panorama.height; ++y)
+        for (int x = 0; x < panorama.width; ++x)
+            sum += texelSolidAngle(panorama, y) * Vec3d(panorama.texel(x, y));
+    return sum;
+}
+
+TEST(Panorama, LosesNoLightWhereItIsMadeSmaller)
+{
+    const Panorama large = randomPanorama(60, 30, 1);
+    for (const int most : {1, 7, 20, 45, 60, 100}) {
+        const Panorama small = reduced(large, most);
+        EXPECT_EQ(small.width, std::min(most, 60));
+        EXPECT_EQ(small.height, std::min(most, 30));
+        // Rows that are cut are shared by angle; else floats are rounded.
+        const double tolerance = 30 % small.height == 0 ? 1e-5 : 1e-3;
+        EXPECT_NEAR(glm::distance(lightOf(small), lightOf(large)), 0.0, tolerance) << most;
+    }
+    EXPECT_EQ(reduced(large, 60).texels, large.texels);
+}
+
 TEST(Panorama, RefusesWhatIsNoLight)
 {
     const Panorama good = randomPanorama(4, 2, 1);

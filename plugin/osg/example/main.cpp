@@ -1,8 +1,10 @@
 // fbrdf-osg-knot draws a torus knot of a measured material under many lights with OpenSceneGraph.
-//   fbrdf-osg-knot [--lights N] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
+//   fbrdf-osg-knot [--lights N] [--environment PICTURE.hdr|studio|overcast|clear] MATERIAL.fbrdf
+//                  [SCENE.osgt | PICTURE.png]
 //   fbrdf-osg-knot --model MODEL.osgt
 // With a second name the scene is saved instead of shown, as a scene file or as a picture. --model
 // saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
+#include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
@@ -116,8 +118,10 @@ bool savePicture(osg::Node& scene, const std::string& file)
 
 int usage()
 {
-    std::cerr << "usage: fbrdf-osg-knot [--lights N] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
-                 "       fbrdf-osg-knot --model MODEL.osgt\n";
+    std::cerr
+        << "usage: fbrdf-osg-knot [--lights N] [--environment PICTURE|studio|overcast|clear]\n"
+           "                      MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
+           "       fbrdf-osg-knot --model MODEL.osgt\n";
     return 2;
 }
 
@@ -127,23 +131,31 @@ int main(int argc, char** argv)
 {
     osg::ArgumentParser arguments(&argc, argv);
     int lightCount = kLights;
-    std::string model;
+    std::string model, environment;
+    // Where the environment lights the knot there are no other lights, unless they are asked for.
+    if (arguments.read("--environment", environment)) lightCount = 0;
     arguments.read("--lights", lightCount);
     arguments.read("--model", model);
-    if (arguments.errors() || arguments.containsOptions() || lightCount < 1 ||
-        lightCount > kMostLights || argc > 3 || (argc > 1) == !model.empty())
+    if (arguments.errors() || arguments.containsOptions() ||
+        lightCount < (environment.empty() ? 1 : 0) || lightCount > kMostLights || argc > 3 ||
+        (argc > 1) == !model.empty())
         return usage();
     if (!model.empty()) return osgDB::writeNodeFile(*knotOf(), model) ? 0 : 5;
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
     effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, which shows sRGB codes
-    effect->setExposure(2.5f);
+    effect->setExposure(environment.empty() ? 2.5f : 1.0f);
     effect->addChild(knotOf());
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(effect);
-    scene->addChild(lightsAround(lightCount));
+    if (lightCount > 0) scene->addChild(lightsAround(lightCount));
+    if (!environment.empty()) {
+        osg::ref_ptr<osgFbrdf::EnvironmentLight> light = new osgFbrdf::EnvironmentLight;
+        if (!light->setPictureFile(environment)) return 3;
+        scene->addChild(light);
+    }
     // 3. The scene is saved or shown.
     if (argc == 3 && osgDB::getLowerCaseFileExtension(argv[2]) == "png")
         return savePicture(*scene, argv[2]) ? 0 : 5;

@@ -1,11 +1,13 @@
 #include "Arguments.h"
 
+#include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/base/Text.h>
 
 #include <osgDB/FileNameUtils>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <sstream>
@@ -63,8 +65,8 @@ bool integer(const std::string& text, int least, int& value)
     return !text.empty() && *end == '\0' && number >= least && number <= 1000000;
 }
 
-bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::string& text,
-                 bool& known)
+/// True for names of others too.
+bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::string& text)
 {
     int number = 0;
     if (name == "technique") return setTechnique(effect, text);
@@ -89,10 +91,47 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
         if (name == "derivedTangents") effect.setDerivedTangents(text == "1");
         if (name == "preciseFiltering") effect.setPreciseFiltering(text == "1");
         if (name == "reload") effect.setReloading(text == "1");
-    } else {
-        known = false;
     }
     return true;
+}
+
+/// Sets one property of an environment, whose picture is set last.
+bool applyEnvironmentOption(EnvironmentLight& light, const std::string& name,
+                            const std::string& text, std::string& picture)
+{
+    double value = 0.0;
+    int lobes = 0;
+    if (name == "environment") {
+        picture = text;
+        return !text.empty();
+    }
+    if (name == "environmentRotation") {
+        if (!fbrdf::parseNumber(text, value)) return false;
+        light.setRotation(static_cast<float>(value * osg::PI / 180.0));
+    } else if (name == "environmentIntensity") {
+        if (!fbrdf::parseNumber(text, value) || !(value >= 0.0)) return false;
+        const auto factor = static_cast<float>(value);
+        light.setIntensity({factor, factor, factor});
+    } else if (name == "environmentLobes") {
+        if (!integer(text, 0, lobes)) return false;
+        light.setLobes(lobes);
+    }
+    return true;
+}
+
+/// Calls use with each NAME and VALUE of "NAME=VALUE NAME=VALUE", and returns what it refuses.
+template <class Use>
+std::vector<std::string> refusedOf(const std::string& options, Use use)
+{
+    std::vector<std::string> problems;
+    std::istringstream words(options);
+    for (std::string word; words >> word;) {
+        const size_t equals = word.find('=');
+        if (equals == std::string::npos) continue;
+        if (!use(word.substr(0, equals), word.substr(equals + 1)))
+            problems.push_back("option '" + word + "': found a value out of range");
+    }
+    return problems;
 }
 
 }  // namespace
@@ -130,21 +169,35 @@ std::vector<OptionText> optionTexts()
             {"derivedTangents=0|1", "1 derives tangents along texture coordinate s; default 0"},
             {"preciseFiltering=0|1", "1 filters maps in the shader, finer than a GPU; default 0"},
             {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
-            {"reload=0|1", "1 reads the material again when its file changes; default 0"}};
+            {"reload=0|1", "1 reads the material again when its file changes; default 0"},
+            {"environment=<file>|studio|overcast|clear",
+             "Light from everywhere: a picture of latitude and longitude, or a sky; default none"},
+            {"environmentRotation=<degrees>", "Turns it about the vertical; default 0"},
+            {"environmentIntensity=<number>", "Multiplies its radiance; default 1"},
+            {"environmentLobes=<n>",
+             "The most lobes by which a material reflects it; default 0: all that it has"}};
 }
 
 std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options)
 {
-    std::vector<std::string> problems;
-    std::istringstream words(options);
-    for (std::string word; words >> word;) {
-        const size_t equals = word.find('=');
-        if (equals == std::string::npos) continue;
-        bool known = true;
-        if (!applyOption(effect, word.substr(0, equals), word.substr(equals + 1), known))
-            problems.push_back("option '" + word + "': found a value out of range");
-    }
-    return problems;
+    return refusedOf(options, [&](const std::string& name, const std::string& text) {
+        return applyOption(effect, name, text);
+    });
+}
+
+osg::ref_ptr<EnvironmentLight> environmentOf(const std::string& options,
+                                             const osgDB::Options* paths,
+                                             std::vector<std::string>& problems)
+{
+    osg::ref_ptr<EnvironmentLight> light = new EnvironmentLight;
+    std::string picture;
+    const auto refused = refusedOf(options, [&](const std::string& name, const std::string& text) {
+        return applyEnvironmentOption(*light, name, text, picture);
+    });
+    problems.insert(problems.end(), refused.begin(), refused.end());
+    if (picture.empty()) return nullptr;
+    light->setPictureFile(picture, paths);
+    return light;
 }
 
 }  // namespace osgFbrdf

@@ -1,10 +1,14 @@
 // Arguments.h - reads names of pseudo files and option strings. It needs neither files nor GL.
 #pragma once
+#include <osg/ref_ptr>
+#include <osgDB/Options>
+
 #include <string>
 #include <vector>
 
 namespace osgFbrdf {
 
+class EnvironmentLight;
 class FactorizedBrdf;
 
 /// MODEL.EXT.[MATERIAL].fbrdf, or MODEL.EXT.NAME.fbrdf with MATERIAL = NAME.fbrdf.
@@ -26,5 +30,11 @@ std::vector<OptionText> optionTexts();
 /// Sets the properties of a string such as "exposure=2 technique=batched"; returns what is wrong
 /// with it, one sentence each. Words without '=' are left to others.
 std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string& options);
+
+/// The environment of a string such as "environment=studio environmentRotation=90", null where it
+/// names none. paths: where a picture is looked for; may be null. Adds what is wrong to problems.
+osg::ref_ptr<EnvironmentLight> environmentOf(const std::string& options,
+                                             const osgDB::Options* paths,
+                                             std::vector<std::string>& problems);
 
 }  // namespace osgFbrdf

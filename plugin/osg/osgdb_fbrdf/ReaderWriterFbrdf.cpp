@@ -8,6 +8,7 @@
 #include "MaterialsInUse.h"
 #include "Sphere.h"
 
+#include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PlainForm.h>
 
@@ -59,7 +60,7 @@ public:
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setMaterial(material, options);
         effect->addChild(unitSphere());
-        return effect.get();
+        return lit(effect, options).get();
     }
 
     /// The bytes of a .fbrdf, as a scene file has them.
@@ -81,7 +82,7 @@ public:
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setMaterial(material);
         effect->addChild(unitSphere());
-        return effect.get();
+        return lit(effect, options).get();
     }
 
     WriteResult writeObject(const osg::Object& object, const std::string& file,
@@ -198,6 +199,21 @@ private:
         return effect;
     }
 
+    /// The effect, or a group with the environment that the option string names.
+    static osg::ref_ptr<osg::Node> lit(FactorizedBrdf* effect, const Options* options)
+    {
+        std::vector<std::string> problems;
+        const auto environment =
+            environmentOf(options ? options->getOptionString() : "", options, problems);
+        for (const std::string& problem : problems)
+            OSG_WARN << "osgdb_fbrdf: " << problem << std::endl;
+        if (!environment) return effect;
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        group->addChild(effect);
+        group->addChild(environment);
+        return group;
+    }
+
     static ReadResult readModel(const PseudoName& name, const Options* options)
     {
         osg::ref_ptr<osg::Node> model = osgDB::readRefNodeFile(name.model, options);
@@ -210,7 +226,7 @@ private:
         effect->setMaterialFile(name.material,
                                 besides(osgDB::findDataFile(name.model, options), options));
         effect->addChild(model);
-        return effect.get();
+        return lit(effect, options).get();
     }
 
     mutable MaterialsInUse inUse_;

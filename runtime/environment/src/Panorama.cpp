@@ -56,4 +56,30 @@ double texelSolidAngle(const Panorama& panorama, int y)
     return 2.0 * kPi / panorama.width * zone;
 }
 
+Panorama reduced(const Panorama& panorama, int most)
+{
+    Panorama result{std::min(panorama.width, most), std::min(panorama.height, most), {}};
+    const double across = double(panorama.width) / result.width,
+                 down = double(panorama.height) / result.height;
+    const auto share = [](double low, double high, int i) {
+        return std::min(high, i + 1.0) - std::max(low, double(i));
+    };
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            const double left = x * across, right = left + across, top = y * down,
+                         bottom = top + down;
+            Vec3d sum(0.0);
+            double area = 0.0;
+            for (int j = static_cast<int>(top); j < bottom && j < panorama.height; ++j)
+                for (int i = static_cast<int>(left); i < right && i < panorama.width; ++i) {
+                    const double weight = texelSolidAngle(panorama, j) * share(top, bottom, j) *
+                                          share(left, right, i);
+                    sum += weight * Vec3d(panorama.texel(i, j));
+                    area += weight;
+                }
+            result.texels.emplace_back(sum / area);
+        }
+    return result;
+}
+
 }  // namespace fbrdf

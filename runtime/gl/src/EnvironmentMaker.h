@@ -16,7 +16,4 @@ EnvironmentPtr makeEnvironment(const DevicePtr& device, const Panorama& panorama
 EnvironmentPtr makeEnvironment(const DevicePtr& device, const HostEnvironment& source,
                                const EnvironmentFormat& format);
 
-/// The panorama with at most `most` texels on a side: each the mean over its solid angle.
-Panorama reduced(const Panorama& panorama, int most);
-
 }  // namespace fbrdf::gl

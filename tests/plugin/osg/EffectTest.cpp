@@ -16,9 +16,10 @@ void EffectTest::SetUp()
 
 std::vector<float> EffectTest::runtimeImage(const Material& material, const gl::MeshData& mesh,
                                             const std::vector<Light>& lights,
-                                            const std::vector<glm::mat4>& places)
+                                            const std::vector<glm::mat4>& places,
+                                            const RuntimeEnvironment* environment)
 {
-    gl::Renderer renderer = this->renderer();
+    gl::Renderer& renderer = this->renderer();
     const auto gpuMaterial =
         renderer.createMaterial(material, {LookUp::native, 0, filtersCoarsely()});
     const auto gpuMesh = renderer.createMesh(mesh);
@@ -27,22 +28,42 @@ std::vector<float> EffectTest::runtimeImage(const Material& material, const gl::
         items.push_back({gpuMaterial.get(), gpuMesh.get(), place});
     Offscreen target(context().loader(), {kSize, kSize, OffscreenFormat::rgba32f, true});
     target.clear();
-    renderer.draw({target.framebuffer(), kSize, kSize}, perspectiveView(), items, lights, {});
+    gl::DrawOptions options;
+    if (environment) {
+        options.environment = {&mapOf(*environment), gl::environmentRotation(environment->rotation),
+                               environment->intensity, environment->lobes};
+        renderer.prepare(*gpuMaterial, options, static_cast<int>(lights.size()));
+    }
+    const auto stats = renderer.draw({target.framebuffer(), kSize, kSize}, perspectiveView(), items,
+                                     lights, options);
+    EXPECT_EQ(stats.itemsWithoutEnvironment, 0) << stats.whyNoEnvironment;
     return target.readPixels();
 }
 
-gl::Renderer EffectTest::renderer()
+gl::Renderer& EffectTest::renderer()
 {
-    gl::RendererOptions options;
-    options.load = context().loader();
-    return gl::Renderer(options);
+    if (!renderer_) {
+        gl::RendererOptions options;
+        options.load = context().loader();
+        renderer_ = std::make_unique<gl::Renderer>(options);
+    }
+    return *renderer_;
+}
+
+gl::GpuEnvironment& EffectTest::mapOf(const RuntimeEnvironment& environment)
+{
+    if (!map_ || map_->size() != environment.faceSize ||
+        panorama_.texels != environment.panorama.texels)
+        map_ = renderer().createEnvironment(environment.panorama, {environment.faceSize, false});
+    panorama_ = environment.panorama;
+    return *map_;
 }
 
 bool EffectTest::filtersCoarsely()
 {
     constexpr double kCoarse = 1e-4;  // octaves: float arithmetic is a hundred times finer
     try {
-        gl::Renderer renderer = this->renderer();
+        gl::Renderer& renderer = this->renderer();
         const auto noise = renderer.createMaterial(noiseMaterial(formIo(), Storage::half));
         return noise->filterError() > kCoarse;
     } catch (const Error&) {

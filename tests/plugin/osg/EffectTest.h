@@ -2,20 +2,38 @@
 #pragma once
 #include "OsgScene.h"
 
+#include <fbrdf/environment/Panorama.h>
+
 #include <memory>
 #include <vector>
 
 namespace fbrdf::test {
 
+/// How the runtime's renderer has an environment.
+struct RuntimeEnvironment {
+    Panorama panorama;
+    int faceSize = 32;
+    float rotation = 0.0f;  ///< radians about +y
+    Vec3f intensity{1.0f};
+    int lobes = 0;
+};
+
 class EffectTest : public OsgTest {
 protected:
     void SetUp() override;
-    void TearDown() override { view_.reset(); }
+    void TearDown() override
+    {
+        if (view_) context().makeCurrent();
+        view_.reset();
+        map_.reset();
+        renderer_.reset();
+    }
 
     /// One item for each of `places`.
     std::vector<float> runtimeImage(const Material& material, const gl::MeshData& mesh,
                                     const std::vector<Light>& lights,
-                                    const std::vector<glm::mat4>& places = {glm::mat4(1.0f)});
+                                    const std::vector<glm::mat4>& places = {glm::mat4(1.0f)},
+                                    const RuntimeEnvironment* environment = nullptr);
     /// True where the context filters textures so coarsely that two programs, which round
     /// coordinates differently, draw different pictures: effect and runtime then filter in shaders.
     bool filtersCoarsely();
@@ -25,7 +43,12 @@ protected:
     std::unique_ptr<OsgView> view_;
 
 private:
-    gl::Renderer renderer();
+    gl::Renderer& renderer();
+    gl::GpuEnvironment& mapOf(const RuntimeEnvironment& environment);
+
+    std::unique_ptr<gl::Renderer> renderer_;
+    std::shared_ptr<gl::GpuEnvironment> map_;
+    Panorama panorama_;  ///< that map_ is made of
 };
 
 }  // namespace fbrdf::test

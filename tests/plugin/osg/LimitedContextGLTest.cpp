@@ -1,9 +1,11 @@
 // Contexts that lack what the techniques need draw what they can, and the report has the reason.
 #include "EffectTest.h"
+#include "EnvironmentTest.h"
 
 #include <fbrdf/base/Error.h>
 
 #include "support/gl/CompareImages.h"
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/Scenes.h"
 
 #include <dlfcn.h>
@@ -84,6 +86,7 @@ private:
 };
 
 using LimitedDriver = OsgTest;
+using PoorDriver = EffectTest;
 
 GLenum GL_APIENTRY unsupported(GLenum)
 {
@@ -174,6 +177,58 @@ TEST_F(LimitedDriver, WithoutFloatTexturesHasTheFallback)
     for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view.frame(), 3), 0.3);
     EXPECT_EQ(effect->lastReport().technique, "diffuse fallback");
     EXPECT_NE(notices.text().find("no float textures"), std::string::npos) << notices.text();
+    // Nor can it have the cube map of an environment.
+    const double dark = meanOf(view.frame(), 0);
+    root->addChild(osgEnvironment(testPanorama(8)));
+    for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view.frame(), 0), dark);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+bool lacks(const char* extension)
+{
+    const char* missing = std::getenv("MESA_EXTENSION_OVERRIDE");
+    return missing && std::string(missing).find(extension) != std::string::npos;
+}
+
+// Shaders of GLSL 1.20 then cannot say which level of the cube map they want.
+TEST_F(PoorDriver, WithoutAChoiceOfLevelsDrawsWithoutTheEnvironment)
+{
+    if (!lacks("-GL_ARB_shader_texture_lod"))
+        GTEST_SKIP() << "needs a driver without a choice of levels: see osg_as_no_levels";
+    const Material material = withLobes(testMaterials()[0], testLobes(LobeAxes::tilted, 2));
+    const auto effect = osgEffect(material, sphereMesh(24));
+    const auto root = scene(effect, osgLights(testLights(9)));
+    const auto without = view_->frame();
+    root->addChild(osgEnvironment(testPanorama(16)));
+    const Notices notices;
+    for (int frame = 0; frame < 3; ++frame) EXPECT_EQ(view_->frame(), without);
+    EXPECT_EQ(effect->lastReport().technique, "single pass");
+    const size_t at = notices.text().find("without the environment: found no choice of levels");
+    ASSERT_NE(at, std::string::npos) << notices.text();
+    EXPECT_EQ(notices.text().find("without the environment", at + 1), std::string::npos);
+}
+
+// A cube that is drawn where nothing is filtered across edges would be wrong there.
+TEST_F(PoorDriver, WithoutSeamlessCubesTheCpuMakesTheEnvironment)
+{
+    if (!lacks("-GL_ARB_seamless_cube_map"))
+        GTEST_SKIP() << "needs a driver without seamless cubes: see osg_as_no_seamless_cubes";
+    const Material material = withLobes(testMaterials()[0], testLobes(LobeAxes::tilted, 2));
+    const auto effect = osgEffect(material, sphereMesh(24));
+    const auto root = scene(effect, osgLights(testLights(9)));
+    const auto without = view_->frame();
+    root->addChild(osgEnvironment(testPanorama(16)));
+    EXPECT_EQ(view_->frame(), without) << "a black cube";
+    for (int i = 0; i < 3000; ++i) {
+        view_->draw();
+        if (effect->lastReport().whyNoEnvironment.empty()) break;
+        EXPECT_NE(effect->lastReport().whyNoEnvironment.find("the CPU prefilters"),
+                  std::string::npos);
+        OpenThreads::Thread::microSleep(10000);
+    }
+    EXPECT_EQ(effect->lastReport().whyNoEnvironment, "");
+    EXPECT_GT(meanOf(view_->frame(), 0), 1.2 * meanOf(without, 0));
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // OSG asks for the extensions of shaders where the version is too old to have them.

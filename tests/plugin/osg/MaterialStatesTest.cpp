@@ -1,6 +1,7 @@
 // What a material keeps from frame to frame: plans and the state sets of their passes. No GL.
 #include "MaterialStates.h"
 
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/Scenes.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,8 @@ TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
 {
     const osg::ref_ptr<MaterialStates> states = new MaterialStates(testMaterials()[0]);
     const PlanRequest usual = requestFor(3);
-    std::vector<PlanRequest> requests(7, usual);
+    const LobeTable lobes = testLobes(LobeAxes::tilted, 2);
+    std::vector<PlanRequest> requests(8, usual);
     requests[0].technique = Technique::batched;
     requests[1].lights = 4;
     requests[2].lightsPerPass = 2;
@@ -41,9 +43,10 @@ TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
     requests[4].target = ColourFormat::rgba8;
     requests[5].offscreen = false;
     requests[6].transfer = Transfer::srgb;
+    requests[7].environment = layoutOf(lobes);
     const auto first = states->passes(usual, {});
     for (size_t i = 0; i < requests.size(); ++i)
-        EXPECT_NE(states->passes(requests[i], {}), first) << "request " << i;
+        EXPECT_NE(states->passes(requests[i], {}, &lobes), first) << "request " << i;
     std::vector<PassInputs> inputs(3);
     inputs[0].firstTextureUnit = 2;
     inputs[1].derivedTangents = true;
@@ -53,6 +56,43 @@ TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
         ASSERT_EQ(other->states.size(), first->states.size());
         EXPECT_NE(other->states.front(), first->states.front()) << "inputs " << i;
     }
+}
+
+std::vector<std::string> programsOf(const osgFbrdf::PlannedPasses& passes)
+{
+    std::vector<std::string> texts;
+    for (const auto& state : passes.states) {
+        const auto* program =
+            static_cast<const osg::Program*>(state->getAttribute(osg::StateAttribute::PROGRAM));
+        texts.push_back(program->getShader(1)->getShaderSource());
+    }
+    return texts;
+}
+
+// An effect that no environment lights has the programs and the state that it always had.
+TEST(MaterialStates, GivesNothingOfAnEnvironmentWithoutOne)
+{
+    const Material material = withLobes(testMaterials()[0], testLobes(LobeAxes::tilted, 2));
+    const osg::ref_ptr<MaterialStates> states = new MaterialStates(material),
+                                       plain = new MaterialStates(testMaterials()[0]);
+    const auto expected = plain->passes(requestFor(3), {});
+    const auto before = states->passes(requestFor(3), {});
+    EXPECT_EQ(programsOf(*before), programsOf(*expected));
+    EXPECT_EQ(before->needed.textureUnits, 0);
+    PlanRequest request = requestFor(3);
+    request.lobes = layoutOf(material.lobes);
+    request.lobeLight.environment = true;
+    const auto lit = states->passes(request, {}, &material.lobes);
+    ASSERT_TRUE(lit->plan.feasible()) << lit->plan.reason;
+    EXPECT_NE(programsOf(*lit), programsOf(*expected));
+    EXPECT_EQ(lit->needed.textureUnits, states->textureUnits() + 1);
+    EXPECT_TRUE(lit->needed.choosesLevels);
+    EXPECT_EQ(states->passes(requestFor(3), {}), before);
+    size_t counts[2] = {};
+    for (const auto& state : lit->states) counts[state->getUniform("fbrdfLobes") ? 1 : 0]++;
+    EXPECT_GT(counts[0], 0u);  // passes that add lights
+    EXPECT_EQ(counts[1], 2u);  // three look-ups, two in a pass
+    for (const auto& state : before->states) EXPECT_FALSE(state->getUniform("fbrdfLobes"));
 }
 
 // Lights come into reach and go: the plans of long ago are dropped, and made again when asked for.

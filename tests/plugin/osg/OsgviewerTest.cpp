@@ -1,6 +1,7 @@
 #include "OsgviewerTest.h"
 
 #include "support/DataDir.h"
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/Scenes.h"
 
 #include <fbrdf/io/MaterialFile.h>
@@ -17,7 +18,8 @@ void OsgviewerTest::SetUp()
     OsgTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     for (const size_t kind : {size_t(0), size_t(4)})
-        writeMaterial(testMaterials()[kind], path("noise" + std::to_string(kind) + ".fbrdf"));
+        writeMaterial(withLobes(testMaterials()[kind], testLobes(LobeAxes::tilted, 2)),
+                      path("noise" + std::to_string(kind) + ".fbrdf"));
     if (Osgviewer::installed()) return;
     if (dataIsMandatory()) FAIL() << "needs xvfb-run, osgviewer, osgfxbrowser and xdotool";
     GTEST_SKIP() << "needs xvfb-run (xvfb, xauth), osgviewer and osgfxbrowser (openscenegraph) "

@@ -2,7 +2,9 @@
 // after a frame with an ordinary geometry instead.
 #include "ContextState.h"
 #include "EffectTest.h"
+#include "EnvironmentTest.h"
 
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/Scenes.h"
 
 #include <osg/Texture2D>
@@ -66,6 +68,37 @@ TEST_F(StateLeft, IsThatOfAnOrdinaryGeometry)
                     << floatTarget << ", transfer " << static_cast<int>(transfer);
             }
     EXPECT_EQ(changes(expected, stateAfterGeometry()), "");
+}
+
+/// Without what OSG leaves of any cube map: it stays bound to its unit where a 2D texture takes the
+/// place, and the alignment of its image stays.
+ContextState withoutCubes(ContextState state)
+{
+    const std::string cubes = std::to_string(0x8514);  // GL_TEXTURE_BINDING_CUBE_MAP
+    for (auto at = state.begin(); at != state.end();)
+        at = at->first.find(cubes) != std::string::npos || at->first == "GL_UNPACK_ALIGNMENT"
+                 ? state.erase(at)
+                 : std::next(at);
+    return state;
+}
+
+// The frame that makes the cube map of an environment draws and reads in the same context.
+TEST_F(StateLeft, IsThatOfAnOrdinaryGeometryUnderAnEnvironment)
+{
+    const auto expected = withoutCubes(stateAfterGeometry());
+    for (int technique = 0; technique <= osgFbrdf::kDiffuseFallback; ++technique) {
+        const auto effect =
+            osgEffect(withLobes(testMaterials()[0], testLobes(LobeAxes::tilted, 2)), sphereMesh(4));
+        effect->setChild(0, mesh_);
+        effect->selectTechnique(technique);
+        const osg::ref_ptr<osg::Group> lit = new osg::Group;
+        lit->addChild(effect);
+        lit->addChild(osgEnvironment(testPanorama(16)));
+        EXPECT_EQ(changes(expected, withoutCubes(stateAfter(lit, effect))), "")
+            << "technique " << technique;
+        EXPECT_EQ(effect->lastReport().whyNoEnvironment, "");
+    }
+    EXPECT_EQ(changes(expected, withoutCubes(stateAfterGeometry())), "");
 }
 
 /// Binds a framebuffer to read from, as a host does that copies pictures.

@@ -2,7 +2,9 @@
 // traversal changes it and the last frame may still be being drawn.
 #include "EffectTest.h"
 #include "EglWindow.h"
+#include "EnvironmentTest.h"
 
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/Scenes.h"
 
 #include <osg/Fog>
@@ -43,17 +45,25 @@ osg::ref_ptr<osg::MatrixTransform> at(double x, osg::Node* node)
     return place;
 }
 
+Material material(size_t i)
+{
+    return withLobes(testMaterials()[i], testLobes(LobeAxes::tilted, 2));
+}
+
 /// An effect with its lights, another effect that comes and goes, and a script that changes them.
 struct Stage {
     osg::ref_ptr<osg::Group> root = new osg::Group;
-    osg::ref_ptr<FactorizedBrdf> effect = osgEffect(testMaterials()[0], sphereMesh(12)), guest;
+    osg::ref_ptr<FactorizedBrdf> effect = osgEffect(material(0), sphereMesh(12)), guest;
     osg::ref_ptr<osgFbrdf::PointLights> lights = osgLights(testLights(9));
+    osg::ref_ptr<osgFbrdf::EnvironmentLight> environment;
     osg::ref_ptr<Script> script;
 
     Stage()
     {
         root->addChild(at(-0.7, effect));
         root->addChild(lights);
+        addEnvironment();
+        environment->setNodeMask(0);
         script = new Script({
             [] {},
             [this] {
@@ -75,9 +85,17 @@ struct Stage {
             },
             [this] { effect->setFirstTextureUnit(2); },
             [this] { addLightSource(); },
+            [this] { environment->setNodeMask(~0u); },
+            [this] {
+                environment->setRotation(2.0f);
+                environment->setIntensity({0.5f, 1.0f, 0.3f});
+                environment->setLobes(1);
+            },
+            [this] { addEnvironment(); },  // the last one may still be being drawn
             [this] { addFog(); },
             [this] {
                 root->setStateSet(nullptr);
+                environment->setNodeMask(0);
                 root->removeChildren(2, 2);
                 guest = nullptr;  // it may still be being drawn
                 setMaterial(0);
@@ -92,9 +110,15 @@ struct Stage {
         root->setUpdateCallback(script);
     }
 
-    void setMaterial(size_t i)
+    void setMaterial(size_t i) { effect->setMaterial(new osgFbrdf::MaterialObject(material(i))); }
+
+    /// In place of the one that there was.
+    void addEnvironment()
     {
-        effect->setMaterial(new osgFbrdf::MaterialObject(testMaterials()[i]));
+        root->removeChild(environment);
+        environment = osgEnvironment(testPanorama(16));
+        environment->setFaceSize(8);
+        root->addChild(environment);
     }
 
     /// A light whose attenuation is not the runtime's.
@@ -118,7 +142,7 @@ struct Stage {
 
     void addGuest()
     {
-        guest = osgEffect(testMaterials()[1], sphereMesh(12));
+        guest = osgEffect(material(1), sphereMesh(12));
         guest->setFloatTarget(false);
         root->addChild(at(0.9, guest));
     }
@@ -168,7 +192,7 @@ protected:
                     << "window " << i << ", frame " << frame;
             }
         for (const size_t frame : std::initializer_list<size_t>{
-                 1, 2, 3, 4, 5, 6, 10, 11, 12})  // what the script did is to be seen
+                 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15})  // what the script did is to be seen
             EXPECT_FALSE(expected[0][frame] == expected[0][frame - 1]) << frame;
         EXPECT_EQ(notices.text(), "");
     }

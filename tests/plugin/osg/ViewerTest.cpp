@@ -1,8 +1,10 @@
 // The real osgviewer in a window (Xvfb), set up by OSG_LIBRARY_PATH alone, shows a scene file with
 // 64 lights in every threading model, with what real scenes have beside the effect, while a user
 // acts.
+#include "EnvironmentTest.h"
 #include "OsgviewerTest.h"
 
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/Scenes.h"
 
 #include <osg/BlendFunc>
@@ -171,6 +173,31 @@ protected:
         return root;
     }
 };
+
+// In a window passes add up in surfaces, under lights and an environment.
+TEST_F(RealScene, IsLitFromEverywhere)
+{
+    const auto sky = osgEnvironment(testPanorama(16));
+    const auto ofProduct = ball(0), ofSum = ball(4, osgFX::Effect::AUTO_DETECT);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    for (const auto& [x, effect] : {std::pair(-1.1, ofProduct), std::pair(1.1, ofSum)}) {
+        effect->setExposure(0.05f);
+        osg::ref_ptr<osg::MatrixTransform> place =
+            new osg::MatrixTransform(osg::Matrixd::translate(x, 0.0, 0.0));
+        place->addChild(effect);
+        root->addChild(place);
+    }
+    sky->setIntensity({5.0f, 10.0f, 5.0f});
+    root->addChild(sky);
+    const std::string scene = written(root);
+    Osgviewer::Options options;
+    options.width = kWidth;
+    options.height = kHeight;
+    Osgviewer viewer(scene, options);
+    ViewerTwin twin(context().loader(), read(scene), kWidth, kHeight);
+    expectSame(viewer, twin, "environment");
+    expectGoodEnd(viewer);
+}
 
 TEST_F(RealScene, LooksAsItDoesWithoutADisplay)
 {

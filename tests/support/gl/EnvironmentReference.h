@@ -2,24 +2,12 @@
 // table and the texels that are on the GPU, and under area lights: on the CPU in double.
 #pragma once
 #include <fbrdf/environment/CubeImage.h>
-#include <fbrdf/environment/Panorama.h>
 #include <fbrdf/gl/Renderer.h>
 
+#include "EnvironmentScenes.h"
 #include "Reference.h"
 
 namespace fbrdf::test {
-
-/// A smooth table of lobes: tilted, or bent along the tangent or across it. 8 x 1 or 8 x 4 knots.
-LobeTable testLobes(LobeAxes axes, int lobes, bool acrossTangent = false);
-/// A material with these lobes.
-Material withLobes(Material material, const LobeTable& lobes);
-
-/// Colours that differ in every direction, and a lamp of one texel, unless that is 0.
-Panorama testPanorama(int width, float lamp = 200.0f);
-/// 1 everywhere.
-Panorama whitePanorama();
-/// The panorama as it is after environmentRotation(pi / 2). The width is a multiple of 4.
-Panorama turnedPanorama(const Panorama& panorama);
 
 /// The texels of an environment's cube map as the GPU has them. The desktop's GL only.
 CubeImage readCube(const GladGLContext& gl, const gl::GpuEnvironment& environment);

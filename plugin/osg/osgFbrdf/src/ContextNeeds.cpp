@@ -22,6 +22,25 @@ std::string tooFew(const std::string& what, int needed, int limit)
            fbrdf::Found(std::to_string(limit)).expected("at least " + std::to_string(needed));
 }
 
+ContextLimits limitsOf(osg::State& state)
+{
+    return {limitOf(GL_MAX_TEXTURE_IMAGE_UNITS), limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
+            osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod")};
+}
+
+std::string refusalBy(const ContextLimits& context, const ContextLimits& needed)
+{
+    if (needed.choosesLevels && !context.choosesLevels)
+        return fbrdf::Found("no choice of levels in fragment shaders")
+            .expected("GL_ARB_shader_texture_lod");
+    if (needed.textureUnits > context.textureUnits)
+        return tooFew("texture units", needed.textureUnits, context.textureUnits);
+    return needed.uniformComponents <= context.uniformComponents
+               ? ""
+               : tooFew("fragment uniform components", needed.uniformComponents,
+                        context.uniformComponents);
+}
+
 std::string refusalBy(osg::State& state, const ContextNeeds& needs)
 {
     if (!needs.refusal.empty()) return needs.refusal;

@@ -1,13 +1,39 @@
-// ContextNeeds.h - what a technique needs of a context. It is a value, as contexts are asked while
-// they draw, when the properties of the effect may already be others.
+// ContextNeeds.h - what a technique and an environment need of a context. They are values, as
+// contexts are asked while they draw, when the properties of the effect may already be others.
 #pragma once
 #include <fbrdf/base/Found.h>
 
 #include <osg/State>
 
+#include <algorithm>
 #include <string>
 
 namespace osgFbrdf {
+
+/// What a context has, or what passes with an environment need of it.
+struct ContextLimits {
+    int textureUnits = 0;
+    int uniformComponents = 0;
+    bool choosesLevels = false;  ///< of cube maps, in fragment shaders of GLSL 1.20
+};
+
+inline ContextLimits larger(const ContextLimits& a, const ContextLimits& b)
+{
+    return {std::max(a.textureUnits, b.textureUnits),
+            std::max(a.uniformComponents, b.uniformComponents), a.choosesLevels || b.choosesLevels};
+}
+
+inline ContextLimits smaller(const ContextLimits& a, const ContextLimits& b)
+{
+    return {std::min(a.textureUnits, b.textureUnits),
+            std::min(a.uniformComponents, b.uniformComponents), a.choosesLevels && b.choosesLevels};
+}
+
+/// Of the context, which is current.
+ContextLimits limitsOf(osg::State& state);
+
+/// Why a context cannot draw what needs so much; empty where it can.
+std::string refusalBy(const ContextLimits& context, const ContextLimits& needed);
 
 struct ContextNeeds {
     std::string refusal;  ///< why no context can draw; empty: the other members decide

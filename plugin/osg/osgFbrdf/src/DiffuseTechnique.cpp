@@ -10,6 +10,7 @@
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <osg/LightModel>
 #include <osg/Material>
 #include <osgUtil/CullVisitor>
 
@@ -67,6 +68,12 @@ osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const Sce
     material->setColorMode(osg::Material::OFF);
     material->setAmbient(osg::Material::FRONT_AND_BACK, {0.0f, 0.0f, 0.0f, 1.0f});
     material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
+    if (scene.environment.cube) {
+        material->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
+        osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
+        model->setAmbientIntensity(osg::Vec4f(meanOf(scene.environment), 1.0f));
+        state->setAttribute(model, kOurs);
+    }
     state->setAttributeAndModes(material, kOurs);
     state->setMode(GL_LIGHTING, kOurs);
     const auto numbers = freeNumbers(scene);
@@ -94,7 +101,7 @@ void cullDiffuse(const EffectCull& cull, const std::string& reason)
                       [&](const PlacedOsgLight& source) { return isOn(source, inherited); });
     cull.internals.log.report(effect,
                               {"diffuse fallback", reason, 1, used + static_cast<int>(sources),
-                               scene.dropped + given - used});
+                               scene.dropped + given - used, 0, 0, "", scene.environment.leftOut});
     const auto state = diffuseState(effect, scene, inherited);
     visitor.pushStateSet(state);
     effect.inherited_traverse(visitor);

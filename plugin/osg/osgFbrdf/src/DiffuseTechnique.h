@@ -1,5 +1,6 @@
 // DiffuseTechnique.h - the fallback, which draws wherever OSG draws: fixed function with a diffuse
-// colour as bright as the material, under the brightest lights.
+// colour as bright as the material, under the brightest lights. An environment is as bright from
+// all sides there as it is on average.
 #pragma once
 #include "EffectCull.h"
 

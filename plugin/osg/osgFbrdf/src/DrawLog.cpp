@@ -1,5 +1,7 @@
 #include "DrawLog.h"
 
+#include <fbrdf/base/Found.h>
+
 #include <osg/Notify>
 
 #include <OpenThreads/ScopedLock>
@@ -39,6 +41,14 @@ void DrawLog::report(const FactorizedBrdf& effect, const DrawReport& report)
     const Lock lock(mutex_);
     if (!report.reason.empty())
         warnOnce(effect, report.reason, report.technique + " is drawn: " + report.reason);
+    if (!report.whyNoEnvironment.empty())
+        warnOnce(effect, report.whyNoEnvironment,
+                 "drawn without the environment: " + report.whyNoEnvironment);
+    if (report.environmentsLeftOut > 0)
+        warnOnce(effect, "environments",
+                 fbrdf::Found(std::to_string(report.environmentsLeftOut + 1) +
+                              " environments in the scene, the first of which lights it")
+                     .expected("one"));
     // Whoever forces the fallback knows that it has eight lights.
     if (report.lightsDropped > 0 && effect.getSelectedTechnique() != kDiffuseFallback)
         warnOnce(effect, "lights", lightsLeftOut(report));

@@ -51,13 +51,15 @@ std::vector<fbrdf::Light> pointLightsInEye(const SceneLights& scene, const osg::
 }
 
 EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
-                   const InheritedState& state)
+                   const InheritedState& state, bool withSpare)
 {
     EyeLights all;
     all.lights = pointLightsInEye(scene, toEye);
     all.attenuationOf.assign(all.lights.size(), -1);
     for (const PlacedOsgLight& source : scene.sources)
         if (isOn(source, state)) add(all, converted(source, toEye), toOsg(bounds.centre));
+    if (withSpare && scene.spare && isOn(*scene.spare, state))
+        add(all, converted(*scene.spare, toEye), toOsg(bounds.centre));
     return selected(all, fbrdf::selectLights(all.lights, bounds, 0));
 }
 

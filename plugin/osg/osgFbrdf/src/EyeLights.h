@@ -25,9 +25,10 @@ bool isOn(const PlacedOsgLight& source, const InheritedState& state);
 /// The lights of PointLights, all of them.
 std::vector<fbrdf::Light> pointLightsInEye(const SceneLights& scene, const osg::Matrixd& toEye);
 
-/// The lights that are on; bounds: of the object, in eye coordinates.
+/// The lights that are on; bounds: of the object, in eye coordinates. withSpare: the spare light of
+/// the scene too, where there is one.
 EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
-                   const InheritedState& state);
+                   const InheritedState& state, bool withSpare = true);
 
 /// The `most` lights that are the strongest on the object; most > 0.
 EyeLights strongest(const EyeLights& lights, const fbrdf::Sphere& bounds, int most);

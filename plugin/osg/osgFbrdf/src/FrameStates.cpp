@@ -63,14 +63,24 @@ osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuatio
 }  // namespace
 
 FrameStates::FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
-                         EyeLights lights, Surfaces* surfaces)
+                         EyeLights lights, const EyeEnvironment& environment, Surfaces* surfaces)
     : lights_(std::move(lights)),
       attenuations_(lights_.attenuations.empty() ? nullptr
                                                  : attenuationUniform(lights_.attenuations)),
+      environment_(environment.cube),
       surfaces_(surfaces),
+      effect_(effect),
       readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
       eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
 {
+    if (environment_) {
+        const osg::Vec4f& scale = environment.scale;
+        toEnvironment_ = new osg::Uniform("fbrdfToEnvironment", environment.fromEye);
+        environmentScale_ = new osg::Uniform(
+            "fbrdfEnvironmentScale",
+            osg::Vec4f(osg::Vec3f(scale.x(), scale.y(), scale.z()) * effect.getExposure(),
+                       scale.w()));
+    }
     const auto& scales = effect.getMaterial()->material().scales;
     for (size_t t = 0; t < scales.size(); ++t) {
         const fbrdf::Vec3f scale = scales[t] * effect.getExposure();
@@ -87,6 +97,7 @@ osg::ref_ptr<osg::StateSet> FrameStates::stateOf(const fbrdf::Pass& pass) const
         if (part.scaled) state->addUniform(scales_[static_cast<size_t>(part.term)]);
     if (pass.lightCount > 0) addLights(*state, pass);
     if (pass.reads) addSurface(*state, *pass.reads);
+    if (!pass.lobes.isEmpty()) addEnvironment(*state, pass);
     return state;
 }
 
@@ -97,6 +108,16 @@ void FrameStates::addLights(osg::StateSet& state, const fbrdf::Pass& pass) const
     if (!attenuations_) return;
     state.addUniform(attenuations_);
     state.addUniform(attenuationNumbers(lights_.attenuationOf, pass));
+}
+
+void FrameStates::addEnvironment(osg::StateSet& state, const fbrdf::Pass& pass) const
+{
+    FBRDF_ASSERT(environment_.valid(), ==, true);
+    const int unit =
+        effect_.getMaterial()->states()->environmentUnit(pass, effect_.getFirstTextureUnit());
+    state.setTextureAttribute(static_cast<unsigned int>(unit), environment_, kOurs);
+    state.addUniform(toEnvironment_);
+    state.addUniform(environmentScale_);
 }
 
 void FrameStates::addSurface(osg::StateSet& state, fbrdf::Surface surface) const

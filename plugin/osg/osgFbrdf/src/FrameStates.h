@@ -1,6 +1,7 @@
-// FrameStates.h - what changes in the passes of an effect with frame and view: lights, exposure,
-// the eye. It is made anew each time, as the last one may still be being drawn.
+// FrameStates.h - what changes in the passes of an effect with frame and view: lights, environment,
+// exposure, the eye. It is made anew each time, as the last one may still be being drawn.
 #pragma once
+#include "EyeEnvironment.h"
 #include "EyeLights.h"
 #include "Surfaces.h"
 
@@ -18,18 +19,22 @@ class FrameStates {
 public:
     /// surfaces: null where no pass reads one.
     FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
-                Surfaces* surfaces);
+                const EyeEnvironment& environment, Surfaces* surfaces);
 
     /// The uniforms of the pass and the surface that it reads; MaterialStates has the rest.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const;
 
 private:
     void addLights(osg::StateSet& state, const fbrdf::Pass& pass) const;
+    void addEnvironment(osg::StateSet& state, const fbrdf::Pass& pass) const;
     void addSurface(osg::StateSet& state, fbrdf::Surface surface) const;
 
     EyeLights lights_;
-    osg::ref_ptr<osg::Uniform> attenuations_;  ///< null: no light has one
+    osg::ref_ptr<osg::Uniform> attenuations_;    ///< null: no light has one
+    osg::ref_ptr<EnvironmentCube> environment_;  ///< null: no pass adds lobes
+    osg::ref_ptr<osg::Uniform> toEnvironment_, environmentScale_;
     osg::ref_ptr<Surfaces> surfaces_;
+    const FactorizedBrdf& effect_;
     int readUnit_;
     osg::ref_ptr<osg::Uniform> eye_;
     std::vector<osg::ref_ptr<osg::Uniform>> scales_;

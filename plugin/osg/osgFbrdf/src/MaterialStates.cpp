@@ -4,9 +4,12 @@
 #include "FogPass.h"
 #include "OsgLights.h"
 #include "PassState.h"
+#include "SeamlessCubes.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <fbrdf/plan/LightVectors.h>
+#include <fbrdf/shaders/LobeRows.h>
 #include <fbrdf/shaders/TextureImage.h>
 
 #include <osg/BlendFunc>
@@ -15,6 +18,7 @@
 
 #include <OpenThreads/ScopedLock>
 
+#include <algorithm>
 #include <cstring>
 
 namespace osgFbrdf {
@@ -83,7 +87,14 @@ std::string keyOf(const PassInputs& inputs)
            (inputs.preciseFiltering ? "p" : "") + (inputs.attenuated ? "a" : "");
 }
 
-/// The key of all that PassTechnique sets in a request.
+std::string keyOf(const fbrdf::LobeLayout& layout)
+{
+    return std::to_string(static_cast<int>(layout.axes)) + '/' + std::to_string(layout.lobes) +
+           '/' + std::to_string(layout.thetas) + '/' + std::to_string(layout.azimuths);
+}
+
+/// The key of all that PassTechnique sets in a request. Tables of one material that have the same
+/// layout are the same.
 std::string keyOf(const fbrdf::PlanRequest& request, const PassInputs& inputs)
 {
     std::string key = keyOf(inputs);
@@ -92,7 +103,7 @@ std::string keyOf(const fbrdf::PlanRequest& request, const PassInputs& inputs)
           request.maxLookups, static_cast<int>(request.target), static_cast<int>(request.offscreen),
           static_cast<int>(request.transfer), static_cast<int>(request.signs)})
         key += ',' + std::to_string(value);
-    return key;
+    return request.lobeLight.isEmpty() ? key : key + 'e' + keyOf(request.lobes);
 }
 
 std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, int bin,
@@ -107,6 +118,10 @@ std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, int b
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
         for (const int factor : part.factors) key += ',' + std::to_string(factor);
     }
+    const fbrdf::LobeShare& share = pass.lobes;
+    if (!share.isEmpty())
+        key += 'e' + keyOf(share.table) + (share.cosine ? "c" : "-") + std::to_string(share.first) +
+               '+' + std::to_string(share.count);
     return key;
 }
 
@@ -138,7 +153,7 @@ fbrdf::Capabilities assumedCapabilities(bool attenuated)
     if (attenuated)
         assumed.maxUniformVectors -=
             kVectorsPerAttenuation * kMostAttenuations + assumed.maxUniformVectors / 4;
-    assumed.floatTextures = true;
+    assumed.floatTextures = assumed.textureLod = true;
     assumed.framebufferObjects = assumed.floatTargets = true;
     return assumed;
 }
@@ -146,6 +161,7 @@ fbrdf::Capabilities assumedCapabilities(bool attenuated)
 MaterialStates::MaterialStates(const fbrdf::Material& material)
     : form_(material.form),
       hasSigns_(fbrdf::hasSigns(material)),
+      lobes_(material),
       name_(material.name.empty() ? material.form.name : material.name),
       vertex_(vertexShader(false)),
       derivingVertex_(vertexShader(true))
@@ -220,17 +236,53 @@ void MaterialStates::addMaps(osg::StateSet& state, const PassInputs& inputs) con
         for (const auto& uniform : map.uniforms) state.addUniform(uniform, kOurs);
 }
 
+void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
+                              const PassInputs& inputs, const fbrdf::LobeTable& lobes) const
+{
+    const auto rows = fbrdf::lobeRows(lobes, pass.lobes);
+    const osg::ref_ptr<osg::Uniform> uniform =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC4, "fbrdfLobes", static_cast<int>(rows.size()));
+    unsigned int at = 0;
+    for (const glm::vec4& row : rows)
+        uniform->setElement(at++, osg::Vec4f(row.x, row.y, row.z, row.w));
+    state.addUniform(uniform, kOurs);
+    const glm::vec2 bend = fbrdf::lobeBend(lobes);
+    if (lobes.axes == fbrdf::LobeAxes::bent)
+        state.addUniform(new osg::Uniform("fbrdfLobeBend", osg::Vec2f(bend.x, bend.y)), kOurs);
+    state.addUniform(
+        new osg::Uniform("fbrdfEnvironment", environmentUnit(pass, inputs.firstTextureUnit)),
+        kOurs);
+    state.setAttribute(new SeamlessCubes(true), kOurs);
+}
+
+ContextLimits MaterialStates::neededBy(const fbrdf::Pass& pass, const PassInputs& inputs) const
+{
+    if (pass.lobes.isEmpty()) return {};
+    const fbrdf::Capabilities assumed = assumedCapabilities(inputs.attenuated);
+    const int lights =
+        fbrdf::programSpec(pass, fbrdf::maxLightsInUniforms(form_, assumed, pass.lobes)).lightSlots;
+    // A number of an attenuation may fill a vector.
+    const int attenuated =
+        inputs.attenuated ? kVectorsPerAttenuation * kMostAttenuations + lights : 0;
+    const int vectors = assumed.maxUniformVectors - fbrdf::freeUniformVectors(form_, assumed) +
+                        fbrdf::kVectorsPerLight * lights + attenuated + pass.lobes.vectors();
+    return {environmentUnit(pass, inputs.firstTextureUnit) + 1, 4 * vectors, true};
+}
+
 /// The caller has the lock.
 osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int bin,
-                                                    const PassInputs& inputs)
+                                                    const PassInputs& inputs,
+                                                    const fbrdf::LobeTable* lobes)
 {
     const auto spec = fbrdf::programSpec(
-        pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.attenuated)));
+        pass,
+        fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.attenuated), pass.lobes));
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, bin, inputs)];
     if (state) return state;
     state = new osg::StateSet;
     state->setAttributeAndModes(programOf(spec, inputs), kOurs);
     addMaps(*state, inputs);
+    if (!pass.lobes.isEmpty()) addLobes(*state, pass, inputs, *lobes);
     setBlend(*state, pass.blend);
     setPlace(*state, pass.depth, bin);
     return state;
@@ -242,16 +294,19 @@ fbrdf::Plan MaterialStates::plan(const fbrdf::PlanRequest& request, bool attenua
 }
 
 std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanRequest& request,
-                                                            const PassInputs& inputs)
+                                                            const PassInputs& inputs,
+                                                            const fbrdf::LobeTable* lobes)
 {
     const std::string key = keyOf(request, inputs);
     const Lock lock(mutex_);
     if (const auto known = planned_.find(key); known != planned_.end()) return known->second;
     const auto planned = std::make_shared<PlannedPasses>();
     planned->plan = plan(request, inputs.attenuated);
-    for (const fbrdf::Pass& pass : planned->plan.passes)
+    for (const fbrdf::Pass& pass : planned->plan.passes) {
         planned->states.push_back(
-            stateOf(pass, static_cast<int>(planned->states.size()) + 1, inputs));
+            stateOf(pass, static_cast<int>(planned->states.size()) + 1, inputs, lobes));
+        planned->needed = larger(planned->needed, neededBy(pass, inputs));
+    }
     if (planned_.size() >= kMostPlans) planned_.clear();
     planned_.emplace(key, planned);
     return planned;

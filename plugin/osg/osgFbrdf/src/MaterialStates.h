@@ -1,6 +1,9 @@
 // MaterialStates.h - textures, programs and the state sets of passes, for one material: what does
 // not change between frames, views and effects. Thread-safe.
 #pragma once
+#include "ContextNeeds.h"
+#include "LobesOfMaterial.h"
+
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
@@ -31,10 +34,11 @@ struct PassInputs {
 };
 
 /// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
-/// the pass, from 1). Lights, scales and eye come on top of it (FrameStates.h).
+/// the pass, from 1). Lights, scales, eye and environment come on top of it (FrameStates.h).
 struct PlannedPasses {
     fbrdf::Plan plan;
     std::vector<osg::ref_ptr<osg::StateSet>> states;
+    ContextLimits needed;  ///< by the passes that add lobes of an environment; nothing without
 };
 
 class MaterialStates : public osg::Referenced {
@@ -44,13 +48,26 @@ public:
     const fbrdf::Form& form() const { return form_; }
     bool hasSigns() const { return hasSigns_; }
     int textureUnits() const { return static_cast<int>(textures_.size()); }
+    /// The unit of the environment's cube map in a pass that adds lobes: after the maps and the
+    /// surface that the pass reads.
+    int environmentUnit(const fbrdf::Pass& pass, int firstTextureUnit) const
+    {
+        return firstTextureUnit + textureUnits() + (pass.reads ? 1 : 0);
+    }
+    /// See LobesOfMaterial::find.
+    LobesOfMaterial::Table lobes(int most, std::string& whyNot)
+    {
+        return lobes_.find(most, whyNot);
+    }
 
     /// The plan for the request, or its reason for being none.
     fbrdf::Plan plan(const fbrdf::PlanRequest& request, bool attenuated) const;
     /// The same with the states of its passes, from the last few that were asked for where they are
-    /// among them: most frames ask for what the frame before asked for.
+    /// among them: most frames ask for what the frame before asked for. lobes: from lobes(), where
+    /// the request has an environment.
     std::shared_ptr<const PlannedPasses> passes(const fbrdf::PlanRequest& request,
-                                                const PassInputs& inputs);
+                                                const PassInputs& inputs,
+                                                const fbrdf::LobeTable* lobes = nullptr);
     /// State of the pass that blends fog over the others.
     osg::ref_ptr<osg::StateSet> fogStateOf(int bin);
 
@@ -67,12 +84,17 @@ private:
         std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     };
     Map mapOf(int index, const fbrdf::Table& table);
-    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, int bin, const PassInputs& inputs);
+    osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, int bin, const PassInputs& inputs,
+                                        const fbrdf::LobeTable* lobes);
+    ContextLimits neededBy(const fbrdf::Pass& pass, const PassInputs& inputs) const;
     osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassInputs& inputs);
     void addMaps(osg::StateSet& state, const PassInputs& inputs) const;
+    void addLobes(osg::StateSet& state, const fbrdf::Pass& pass, const PassInputs& inputs,
+                  const fbrdf::LobeTable& lobes) const;
 
     fbrdf::Form form_;
     bool hasSigns_ = false;
+    LobesOfMaterial lobes_;
     std::string name_;
     std::vector<fbrdf::TableEncoding> encodings_;
     std::vector<Map> maps_;         ///< one a table

@@ -132,6 +132,11 @@ fbrdf::Sphere boundsInEye(const FactorizedBrdf& effect, const osg::Matrixd& toEy
     return {toVec3(centre), static_cast<float>(largestScale(toEye) * radius)};
 }
 
+unsigned int contextOf(osgUtil::CullVisitor& visitor)
+{
+    return visitor.getState() ? visitor.getState()->getContextID() : 0;
+}
+
 }  // namespace
 
 PassTechnique::PassTechnique(FactorizedBrdf& effect, EffectInternals& internals,
@@ -182,17 +187,18 @@ ContextNeeds PassTechnique::needs() const
     }
     // Two lights are the fewest whose passes add up.
     const MaterialStates& states = *effect_.getMaterial()->states();
-    const fbrdf::Plan several = states.plan(request(2, true), false);
+    const fbrdf::Plan several = states.plan(request(2, true, nullptr), false);
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     needs.refusal = several.reason;
-    needs.withoutSurfaces = states.plan(request(2, false), false).reason;
+    needs.withoutSurfaces = states.plan(request(2, false, nullptr), false).reason;
     needs.textureUnits = effect_.getFirstTextureUnit() + states.textureUnits() + (reads ? 1 : 0);
     needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
     return needs;
 }
 
-fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen) const
+fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen,
+                                          const fbrdf::LobeTable* lobes) const
 {
     fbrdf::PlanRequest request;
     request.technique = kind_;
@@ -204,6 +210,10 @@ fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen) const
     request.offscreen = offscreen;
     request.transfer = effect_.getTransfer();
     request.signs = effect_.getMaterial()->states()->hasSigns();
+    if (lobes) {
+        request.lobes = fbrdf::layoutOf(*lobes);
+        request.lobeLight.environment = true;
+    }
     return request;
 }
 
@@ -234,47 +244,82 @@ void PassTechnique::cull(const EffectCull& cull)
         return cullDiffuse(cull, internals_.choice->refusal());
     const InheritedState inherited(visitor);
     const fbrdf::Sphere bounds = boundsInEye(effect_, *visitor.getModelViewMatrix());
-    EyeLights lights = lightsOf(cull.view.lights(), worldToEye(visitor), bounds, inherited);
-    Drawing drawing = drawingOf(cull, lights);
-    if (!drawing.passes->plan.feasible() &&
-        fbrdf::techniqueInfo(kind_).lightsPerPass == fbrdf::LightsPerPass::all) {
-        // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
-        lights = strongest(lights, bounds, lightsInOnePass(lights));
-        drawing = drawingOf(cull, lights);
+    const SceneLights& scene = cull.view.lights();
+    const osg::Matrixd toEye = worldToEye(visitor);
+    EyeEnvironment environment = environmentOf(
+        scene.environment, toEye, *effect_.getMaterial()->states(), contextOf(visitor));
+    EyeLights lights = lightsOf(scene, toEye, bounds, inherited, !environment.cube);
+    Drawing drawing = drawingOfMost(cull, lights, bounds, environment);
+    if (const std::string reason = reasonAgainst(drawing); environment.cube && !reason.empty()) {
+        environment = {};
+        environment.whyNot = reason;
+        lights = lightsOf(scene, toEye, bounds, inherited);
+        drawing = drawingOfMost(cull, lights, bounds, environment);
     }
+    if (const std::string reason = reasonAgainst(drawing); !reason.empty())
+        return cullDiffuse(cull, reason);
     const fbrdf::Plan& plan = drawing.passes->plan;
-    if (!plan.feasible())
-        return cullDiffuse(cull, (drawing.surfacesFailed ? kNoSurfaces : "") + plan.reason);
     const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
     DrawReport report;
     report.technique = techniqueName();
     report.passes = static_cast<int>(plan.passes.size()) + (fog ? 1 : 0);
     report.lightsUsed = static_cast<int>(lights.lights.size());
-    report.lightsDropped = cull.view.lights().dropped + lights.dropped;
+    report.lightsDropped = scene.dropped + lights.dropped;
     report.lightsCulled = lights.culled;
     report.maxLookups = plan.maxLookups;
+    report.whyNoEnvironment = environment.whyNot;
+    report.environmentsLeftOut = scene.environment.leftOut;
     internals_.log.report(effect_, report);
-    cullPasses(cull, drawing, std::move(lights), fog);
+    cullPasses(cull, drawing, std::move(lights), environment, fog);
 }
 
-int PassTechnique::lightsInOnePass(const EyeLights& lights) const
+int PassTechnique::lightsInOnePass(const EyeLights& lights, const EyeEnvironment& environment) const
 {
+    fbrdf::LobeShare share;
+    if (environment.lobes) {
+        share.table = fbrdf::layoutOf(*environment.lobes);
+        share.count = share.table.lobes;
+        share.cosine = true;
+    }
     return fbrdf::maxLightsInUniforms(effect_.getMaterial()->states()->form(),
-                                      assumedCapabilities(!lights.attenuations.empty()));
+                                      assumedCapabilities(!lights.attenuations.empty()), share);
 }
 
-PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
-                                                const EyeLights& lights) const
+std::string PassTechnique::reasonAgainst(const Drawing& drawing) const
 {
+    const fbrdf::Plan& plan = drawing.passes->plan;
+    if (!plan.feasible()) return (drawing.surfacesFailed ? kNoSurfaces : "") + plan.reason;
+    const ContextLimits& needed = drawing.passes->needed;
+    return needed.textureUnits > 0 ? refusalBy(internals_.choice->limits(), needed) : "";
+}
+
+PassTechnique::Drawing PassTechnique::drawingOfMost(const EffectCull& cull, EyeLights& lights,
+                                                    const fbrdf::Sphere& bounds,
+                                                    const EyeEnvironment& environment) const
+{
+    const Drawing drawing = drawingOf(cull, lights, environment);
+    if (drawing.passes->plan.feasible() || lights.lights.empty() ||
+        fbrdf::techniqueInfo(kind_).lightsPerPass != fbrdf::LightsPerPass::all)
+        return drawing;
+    // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
+    lights = strongest(lights, bounds, lightsInOnePass(lights, environment));
+    return drawingOf(cull, lights, environment);
+}
+
+PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull, const EyeLights& lights,
+                                                const EyeEnvironment& environment) const
+{
+    const fbrdf::LobeTable* lobes = environment.lobes.get();
     MaterialStates& states = *effect_.getMaterial()->states();
     const int count = static_cast<int>(lights.lights.size());
     const PassInputs inputs = this->inputs(!lights.attenuations.empty());
     Drawing drawing;
-    drawing.passes = states.passes(request(count, !isMultisampled(cull.visitor)), inputs);
+    drawing.passes =
+        states.passes(request(count, !isMultisampled(cull.visitor), lobes), inputs, lobes);
     if (!needsSurfaces(drawing.passes->plan)) return drawing;
     Surfaces* surfaces = cull.view.surfaces(cull.visitor);
     if (!surfaces || !surfaces->usable()) {
-        drawing.passes = states.passes(request(count, false), inputs);
+        drawing.passes = states.passes(request(count, false, lobes), inputs, lobes);
         drawing.surfacesFailed = true;
         return drawing;
     }
@@ -284,10 +329,10 @@ PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
 }
 
 void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
-                               osg::StateSet* fog)
+                               const EyeEnvironment& environment, osg::StateSet* fog)
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
-    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights),
+    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), environment,
                             drawing.surfaces);
     const auto cullUnder = [&](osg::StateSet* state, osg::StateSet* varying) {
         visitor.pushStateSet(state);

@@ -1,12 +1,15 @@
 #include <osgFbrdf/PlainForm.h>
 
+#include "EnvironmentCube.h"
 #include "GlLights.h"
 
+#include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
 #include <fbrdf/base/Found.h>
 
+#include <osg/LightModel>
 #include <osg/LightSource>
 #include <osg/Material>
 #include <osg/Notify>
@@ -62,7 +65,8 @@ osg::ref_ptr<osg::Group> groupFor(const Node& node)
     return group;
 }
 
-osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect)
+/// ambient: the effect reflects ambient light, which then stands for an environment.
+osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect, bool ambient)
 {
     const osg::ref_ptr<osg::Group> group = groupFor(effect);
     osg::Vec3f albedo(0.5f, 0.5f, 0.5f);
@@ -72,6 +76,7 @@ osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect)
     const osg::ref_ptr<osg::Material> material = new osg::Material;
     material->setColorMode(osg::Material::OFF);
     material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
+    if (ambient) material->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
     group->getOrCreateStateSet()->setAttributeAndModes(
         material, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
     return group;
@@ -105,6 +110,7 @@ struct PartsOfScene : public osg::NodeVisitor {
         std::string record;
         if (auto* effect = dynamic_cast<FactorizedBrdf*>(&group)) effects.emplace_back(effect);
         if (auto* node = dynamic_cast<PointLights*>(&group)) lights.emplace_back(node);
+        if (auto* node = dynamic_cast<EnvironmentLight*>(&group)) environments.emplace_back(node);
         if (group.getUserValue(kRecord, record)) records.emplace_back(&group);
         traverse(group);
     }
@@ -115,6 +121,7 @@ struct PartsOfScene : public osg::NodeVisitor {
     }
     std::vector<osg::ref_ptr<FactorizedBrdf>> effects;
     std::vector<osg::ref_ptr<PointLights>> lights;
+    std::vector<osg::ref_ptr<EnvironmentLight>> environments;
     std::vector<osg::ref_ptr<osg::Group>> records;
     std::vector<int> taken;  ///< numbers of the scene's own osg::Lights
 };
@@ -143,10 +150,29 @@ std::vector<Lights> chosenLights(const PartsOfScene& found)
     return chosen;
 }
 
+/// The light of an environment as if it came from all sides alike; black where there is none.
+osg::Vec4f ambientOf(const PartsOfScene& found)
+{
+    for (const auto& environment : found.environments)
+        if (environment->valid()) {
+            const fbrdf::Vec3f& mean = environment->cube()->mean();
+            return {osg::componentMultiply(environment->getIntensity(),
+                                           osg::Vec3f(mean.x, mean.y, mean.z)),
+                    1.0f};
+        }
+    return {0.0f, 0.0f, 0.0f, 1.0f};
+}
+
 /// The root under a group that turns the chosen lights on.
-osg::ref_ptr<osg::Group> lit(osg::Node& root, const std::vector<Lights>& chosen)
+osg::ref_ptr<osg::Group> lit(osg::Node& root, const std::vector<Lights>& chosen,
+                             const osg::Vec4f& ambient)
 {
     const osg::ref_ptr<osg::Group> group = new osg::Group;
+    if (ambient != osg::Vec4f(0.0f, 0.0f, 0.0f, 1.0f)) {
+        const osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
+        model->setAmbientIntensity(ambient);
+        group->getOrCreateStateSet()->setAttribute(model);
+    }
     group->setUserValue(kRecord, std::string(kLit));
     for (const Lights& lights : chosen)
         for (const auto& light : lights)
@@ -203,13 +229,18 @@ osg::ref_ptr<osg::Node> plainForm(const osg::Node& scene)
     above->addChild(osg::clone(&scene, osg::CopyOp::DEEP_COPY_NODES));
     PartsOfScene found;
     above->accept(found);
-    for (const auto& effect : found.effects) replace(*effect, *plainEffect(*effect));
+    const bool hasEnvironment = !found.environments.empty();
+    for (const auto& effect : found.effects)
+        replace(*effect, *plainEffect(*effect, hasEnvironment));
+    for (const auto& node : found.environments) replace(*node, *groupFor(*node));
     const auto chosen = chosenLights(found);
     for (size_t n = 0; n < chosen.size(); ++n)
         replace(*found.lights[n], *plainLights(*found.lights[n], chosen[n]));
     const osg::ref_ptr<osg::Node> root = above->getChild(0);
     above->removeChildren(0, 1);
-    return chosen.empty() ? root : osg::ref_ptr<osg::Node>(lit(*root, chosen));
+    return chosen.empty() && !hasEnvironment
+               ? root
+               : osg::ref_ptr<osg::Node>(lit(*root, chosen, ambientOf(found)));
 }
 
 osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options)

@@ -2,6 +2,7 @@
 
 #include "Vectors.h"
 
+#include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/PointLights.h>
 
 #include <fbrdf/base/Assert.h>
@@ -13,6 +14,7 @@
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgFbrdf {
 namespace {
@@ -28,6 +30,26 @@ fbrdf::Vec3f turned(const fbrdf::Vec3f& direction, const osg::Matrixd& matrix)
     osg::Vec3d result = osg::Matrixd::transform3x3(toOsg(direction), matrix);
     result.normalize();
     return toVec3(result);
+}
+
+bool lights(const EnvironmentLight& environment)
+{
+    const osg::Vec3f& intensity = environment.getIntensity();
+    bool isBlack = true;
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(intensity[c]) || intensity[c] < 0.0f) return false;
+        isBlack = isBlack && !(intensity[c] > 0.0f);
+    }
+    return environment.valid() && !isBlack && std::isfinite(environment.getRotation());
+}
+
+/// From directions of a panorama, whose up is +y and whose middle is -z, to those of its node.
+osg::Matrixd fromPanorama(const EnvironmentLight& environment)
+{
+    const osg::Matrixd upright(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0,
+                               0.0, 0.0, 1.0);
+    return upright *
+           osg::Matrixd::rotate(static_cast<double>(environment.getRotation()), 0.0, 0.0, 1.0);
 }
 
 /// Collects lights with the matrices above them; cameras with a view of their own are left out.
@@ -54,6 +76,7 @@ public:
     void apply(osg::Group& group) override
     {
         if (const auto* lights = dynamic_cast<const PointLights*>(&group)) add(*lights);
+        if (const auto* light = dynamic_cast<const EnvironmentLight*>(&group)) add(*light);
         traverse(group);
     }
     void apply(osg::Transform& transform) override
@@ -90,6 +113,17 @@ private:
         }
     }
 
+    void add(const EnvironmentLight& light)
+    {
+        if (!lights(light)) return;
+        if (scene_.environment.cube) {
+            ++scene_.environment.leftOut;
+            return;
+        }
+        scene_.environment = {light.cube(), fromPanorama(light) * matrix_, light.getIntensity(),
+                              light.getLobes()};
+    }
+
     SceneLights& scene_;
     osg::Matrixd matrix_;
     osg::Vec3d eye_;
@@ -103,8 +137,11 @@ void addViewLight(SceneLights& scene, const osg::Camera* camera)
     if (!view || !view->getLight() || view->getLightingMode() == osg::View::NO_LIGHT) return;
     scene.viewNumber = view->getLight()->getLightNum();
     if (!scene.lights.empty() || !scene.sources.empty()) return;
-    scene.sources.push_back(
-        {view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT});
+    PlacedOsgLight light{view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT};
+    if (scene.environment.cube)
+        scene.spare = std::move(light);
+    else
+        scene.sources.push_back(std::move(light));
 }
 
 }  // namespace
@@ -116,6 +153,12 @@ fbrdf::Light moved(fbrdf::Light light, const osg::Matrixd& matrix)
                                                      : toVec3(toOsg(light.position) * matrix);
     if (light.type == Type::spot) light.axis = turned(light.axis, matrix);
     return light;
+}
+
+osg::Vec3f meanOf(const SceneEnvironment& environment)
+{
+    const fbrdf::Vec3f& mean = environment.cube->mean();
+    return osg::componentMultiply(environment.intensity, osg::Vec3f(mean.x, mean.y, mean.z));
 }
 
 osg::Node& rootOfLights(const osg::NodePath& path)

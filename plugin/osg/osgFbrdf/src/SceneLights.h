@@ -1,9 +1,11 @@
-// SceneLights.h - the lights of a scene graph, wherever they are in it.
+// SceneLights.h - the lights of a scene graph and its environment, wherever they are in it.
 #pragma once
+#include "EnvironmentCube.h"
 #include "OsgLights.h"
 
 #include <osg/Node>
 
+#include <optional>
 #include <vector>
 
 namespace osgUtil {
@@ -12,18 +14,35 @@ class CullVisitor;
 
 namespace osgFbrdf {
 
+/// The first EnvironmentLight of the scene.
+struct SceneEnvironment {
+    osg::ref_ptr<EnvironmentCube> cube;  ///< null: there is none
+    osg::Matrixd toWorld;                ///< from directions of the panorama
+    osg::Vec3f intensity;
+    int lobes = 0;    ///< at most so many of a material; 0: all
+    int leftOut = 0;  ///< other environments of the scene
+};
+
 struct SceneLights {
     std::vector<fbrdf::Light> lights;     ///< the valid ones of PointLights, in world coordinates
     std::vector<PlacedOsgLight> sources;  ///< of osg::LightSources, or else the light of the view
+    SceneEnvironment environment;
+    /// The light of the view, where nothing but the environment lights the scene: for objects that
+    /// the environment does not light.
+    std::optional<PlacedOsgLight> spare;
     int viewNumber = -1;  ///< OpenGL's number for the light of the osg::View; -1: it has none
     int dropped = 0;      ///< lights of PointLights that are not valid
 };
+
+/// The mean radiance of all directions.
+osg::Vec3f meanOf(const SceneEnvironment& environment);
 
 /// Where the coordinates of the lights begin: the node below the last camera of the path that has a
 /// view of its own. path: not empty.
 osg::Node& rootOfLights(const osg::NodePath& path);
 
-/// The lights below the root that the visitor sees: its cull mask and levels of detail count.
+/// The lights and the environment below the root that the visitor sees: its cull mask and levels of
+/// detail count.
 SceneLights lightsBelow(osg::Node& root, osgUtil::CullVisitor& visitor);
 
 /// The matrix from the coordinates of the lights to those of the eye.

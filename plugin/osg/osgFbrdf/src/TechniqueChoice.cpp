@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace osgFbrdf {
 namespace {
@@ -49,8 +50,17 @@ int TechniqueChoice::index() const
 {
     const Lock lock(mutex_);
     int index = 0;
-    for (const auto& answer : answers_) index = std::max(index, answer.second);
+    for (const auto& answer : answers_) index = std::max(index, answer.second.index);
     return index;
+}
+
+ContextLimits TechniqueChoice::limits() const
+{
+    constexpr int kUnlimited = std::numeric_limits<int>::max();
+    const Lock lock(mutex_);
+    ContextLimits limits{kUnlimited, kUnlimited, true};
+    for (const auto& answer : answers_) limits = smaller(limits, answer.second.limits);
+    return limits;
 }
 
 std::string TechniqueChoice::refusal() const
@@ -114,9 +124,10 @@ void TechniqueChoice::ask(osg::State& state, unsigned int round,
         refusal = reason;
         ++index;
     }
+    const ContextLimits limits = limitsOf(state);
     const Lock lock(mutex_);
     if (round != round_) return;
-    answers_[state.getContextID()] = index;
+    answers_[state.getContextID()] = {index, limits};
     if (!refusal.empty()) refusal_ = refusal;
 }
 

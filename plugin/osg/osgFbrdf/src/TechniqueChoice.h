@@ -29,6 +29,8 @@ public:
     void forget();
     void forget(unsigned int contextId);
 
+    /// What every context that was asked has; more than anything needs where none was.
+    ContextLimits limits() const;
     bool asked(unsigned int contextId) const;
     /// State that asks a context when the context draws with it. needs: of the techniques, best
     /// first; a context that refuses them all can draw the one after them.
@@ -45,7 +47,11 @@ private:
     void ask(osg::State& state, unsigned int round, const std::vector<ContextNeeds>& needs);
 
     mutable OpenThreads::Mutex mutex_;
-    std::map<unsigned int, int> answers_;  ///< index by context
+    struct Answer {
+        int index;
+        ContextLimits limits;
+    };
+    std::map<unsigned int, Answer> answers_;  ///< by context
     std::string refusal_;
     unsigned int round_ = 0;  ///< counts changes of the effect
 };

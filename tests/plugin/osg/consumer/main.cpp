@@ -1,7 +1,9 @@
 // A program outside the project runs the quick start of plugin/osg/README.md and saves the scene.
+#include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
 
+#include <fbrdf/environment/Panorama.h>
 #include <fbrdf/io/MaterialFile.h>
 
 #include <osg/Geometry>
@@ -34,10 +36,13 @@ int main(int argc, char** argv)
     osg::ref_ptr<osgFbrdf::PointLights> lights = new osgFbrdf::PointLights;
     lights->addPoint({0, 2, 3}, {40, 40, 40});
     scene->addChild(effect);
+    osg::ref_ptr<osgFbrdf::EnvironmentLight> sky = new osgFbrdf::EnvironmentLight;
+    if (!sky->setPanorama({2, 1, {fbrdf::Vec3f(1.0f), fbrdf::Vec3f(1.0f)}})) return 1;
     scene->addChild(lights);
+    scene->addChild(sky);
     if (!effect->getMaterial() || !osgDB::writeNodeFile(*scene, saved)) return 1;
     const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(saved);
-    const auto* again = read && read->asGroup()->getNumChildren() == 2
+    const auto* again = read && read->asGroup()->getNumChildren() == 3
                             ? dynamic_cast<osgFbrdf::FactorizedBrdf*>(read->asGroup()->getChild(0))
                             : nullptr;
     std::puts(again && again->getMaterial() ? "kept" : "lost");

@@ -1,5 +1,6 @@
 // FactorizedBrdf.h - the effect: everything below it is drawn with one factored material, lit by
-// every osgFbrdf::PointLights and every osg::LightSource of the scene.
+// every osgFbrdf::PointLights and every osg::LightSource of the scene, and by its
+// osgFbrdf::EnvironmentLight.
 //
 // The techniques are, best first, those of fbrdf::allTechniques() ("single pass", "batched", "two
 // look-ups per pass"), then "diffuse fallback". Each needs less than the one before, so what one
@@ -11,9 +12,10 @@
 // An osg::Light lights the effect as it lights a white Lambertian in fixed function: by its diffuse
 // colour, attenuation, cut-off and exponent, and not while a state set above turns its mode
 // GL_LIGHTn off. After the first eight lights whose attenuation is not 1 / r^2, a light is
-// everywhere as bright as it should be in the middle of the object. Where the scene has no light,
-// the light of the osg::View is used (osgViewer's headlight). A camera sees the lights that its
-// cull mask lets it see. Lights whose radius or cone ends before the object cost nothing.
+// everywhere as bright as it should be in the middle of the object. Where the scene has neither
+// light nor environment, the light of the osg::View is used (osgViewer's headlight). A camera sees
+// the lights that its cull mask lets it see. Lights whose radius or cone ends before the object
+// cost nothing.
 //
 // What is drawn is radiance times exposure through the transfer, then osg::Fog where that is on;
 // alpha is 1. Tangents matter to anisotropic materials only.
@@ -57,6 +59,9 @@ struct DrawReport {
     int lightsDropped = 0;  ///< lights that are not valid, or too many for what was drawn
     int lightsCulled = 0;   ///< lights that cannot reach the object
     int maxLookups = 0;     ///< the most texture look-ups of any pass
+    /// Why the environment of the scene does not light it; empty where it does, or there is none.
+    std::string whyNoEnvironment = {};
+    int environmentsLeftOut = 0;  ///< all but the first
 };
 
 struct ContextNeeds;

@@ -30,4 +30,7 @@ Vec2<double> panoramaPlace(const Vec3d& direction);
 /// The solid angle of a texel in row y, in sr: those of all texels add up to 4 pi.
 double texelSolidAngle(const Panorama& panorama, int y);
 
+/// The panorama with at most `most` texels on a side, >= 1: each the mean over its solid angle.
+Panorama reduced(const Panorama& panorama, int most);
+
 }  // namespace fbrdf
