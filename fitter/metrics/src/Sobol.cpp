@@ -1,6 +1,6 @@
 #include <fbrdf/metrics/Sobol.h>
 
-#include <fbrdf/metrics/SplitMix.h>
+#include <fbrdf/base/SplitMix.h>
 
 namespace fbrdf {
 namespace {

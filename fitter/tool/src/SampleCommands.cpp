@@ -9,8 +9,8 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/SplitMix.h>
 #include <fbrdf/brdf/LobeSampling.h>
-#include <fbrdf/metrics/SplitMix.h>
 #include <fmt/format.h>
 
 #include <charconv>

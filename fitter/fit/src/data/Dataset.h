@@ -2,7 +2,7 @@
 // again and again. Fits read them once a pass and keep none, so memory does not grow with the
 // number of samples.
 #pragma once
-#include <fbrdf/metrics/SplitMix.h>
+#include <fbrdf/base/SplitMix.h>
 
 #include <fbrdf/sources/Source.h>
 

@@ -1,10 +1,10 @@
 #include "data/Symmetry.h"
 
 #include <fbrdf/base/Parallel.h>
+#include <fbrdf/base/SplitMix.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/metrics/Metrics.h>
 #include <fbrdf/metrics/SampleSets.h>
-#include <fbrdf/metrics/SplitMix.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// SplitMix.h - a hash of 64 bits, which chooses folds, samples and Sobol digits without a pattern.
+// SplitMix.h - a hash of 64 bits, which chooses without a pattern: folds, samples, paths of light.
 // Reference: Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": splitmix64.
 #pragma once
 #include <cstdint>
