@@ -3,8 +3,7 @@
 #include <fbrdf/environment/AreaTruth.h>
 #include <fbrdf/environment/EnvironmentTruth.h>
 #include <fbrdf/scene/CpuRenderer.h>
-
-#include <glm/matrix.hpp>
+#include <fbrdf/scene/Shading.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,64 +11,6 @@
 
 namespace fbrdf::scene {
 namespace {
-
-/// A point to shade, world space; directions need not be unit.
-struct Point {
-    Vec3d position, normal, tangent;
-};
-
-/// Takes points of one instance from object to world space.
-class ToWorld {
-public:
-    explicit ToWorld(const glm::mat4& model)
-        : model_(model), normals_(glm::transpose(glm::inverse(glm::dmat3(model_))))
-    {
-    }
-    Point operator()(const Point& object) const
-    {
-        return {Vec3d(model_ * glm::dvec4(object.position, 1.0)), normals_ * object.normal,
-                glm::dmat3(model_) * object.tangent};
-    }
-
-private:
-    glm::dmat4 model_;
-    glm::dmat3 normals_;
-};
-
-/// The eye; for a parallel projection, which has none, the direction towards it.
-class Eye {
-public:
-    explicit Eye(const gl::View& view)
-        : toWorld_(glm::inverse(glm::dmat4(view.view))),
-          // The last row of a perspective is (0, 0, -1, 0), of a parallel projection (0, 0, 0, 1).
-          parallel_(view.projection[3][3] != 0.0f)
-    {
-    }
-    Vec3d directionFrom(const Vec3d& position) const
-    {
-        return glm::normalize(parallel_ ? Vec3d(toWorld_[2]) : Vec3d(toWorld_[3]) - position);
-    }
-
-private:
-    glm::dmat4 toWorld_;
-    bool parallel_;
-};
-
-/// Direction to a light, unit, and the irradiance on a surface that faces it.
-struct Incident {
-    Vec3d direction, irradiance;
-};
-
-Incident incidentFrom(const Light& light, const Vec3d& position)
-{
-    const Vec3d where(light.position), intensity(light.intensity);
-    if (light.type == Light::Type::directional) return {glm::normalize(where), intensity};
-    const Vec3d toLight = where - position;
-    const double distance2 = glm::dot(toLight, toLight);
-    const Vec3d direction = toLight / std::sqrt(distance2);
-    return {direction, intensity * (falloff<double>(distance2, double(light.radius)) *
-                                    coneFactor(light, direction))};
-}
 
 /// The lights of a scene, ready to shade points with.
 class Lighting {
@@ -83,7 +24,7 @@ public:
     }
 
     /// docs/method.md, Eq. 2, and the integrals over the environment and area lights.
-    Vec3d radiance(const Brdf& brdf, const Point& point, const Vec3d& toEye) const
+    Vec3d radiance(const Brdf& brdf, const SurfacePoint& point, const Vec3d& toEye) const
     {
         const ShadingFrame<double> frame = shadingFrame(point.normal, point.tangent);
         const Vec3d wo = frame.local(toEye);
@@ -102,7 +43,7 @@ public:
     }
 
 private:
-    Vec3d fromLights(const Brdf& brdf, const Point& point, const ShadingFrame<double>& frame,
+    Vec3d fromLights(const Brdf& brdf, const SurfacePoint& point, const ShadingFrame<double>& frame,
                      const Vec3d& wo) const;
 
     const std::vector<Light>& lights_;
@@ -111,8 +52,8 @@ private:
     std::vector<AreaTruth> areas_;
 };
 
-Vec3d Lighting::fromLights(const Brdf& brdf, const Point& point, const ShadingFrame<double>& frame,
-                           const Vec3d& wo) const
+Vec3d Lighting::fromLights(const Brdf& brdf, const SurfacePoint& point,
+                           const ShadingFrame<double>& frame, const Vec3d& wo) const
 {
     Vec3d sum(0.0);
     for (const Light& light : lights_) {
@@ -121,11 +62,6 @@ Vec3d Lighting::fromLights(const Brdf& brdf, const Point& point, const ShadingFr
         if (wi.z > 0.0) sum += brdf(wo, wi) * wi.z * incident.irradiance;
     }
     return sum;
-}
-
-Vec3d tangentAt(const Mesh& mesh, const Fragment& fragment)
-{
-    return mesh.tangents.empty() ? Vec3d(0.0) : interpolate<Vec3d>(mesh.tangents, mesh, fragment);
 }
 
 void setPixel(float* pixel, const Vec3d& colour)
@@ -160,8 +96,7 @@ std::vector<Vec3d> vertexRadiance(const Scene& scene, const Lighting& lighting,
     const ToWorld toWorld(instance.model);
     std::vector<Vec3d> result(mesh.positions.size());
     parallelFor(result.size(), threads, [&](size_t i) {
-        const Vec3d tangent = mesh.tangents.empty() ? Vec3d(0.0) : Vec3d(mesh.tangents[i]);
-        const Point point = toWorld({Vec3d(mesh.positions[i]), Vec3d(mesh.normals[i]), tangent});
+        const SurfacePoint point = toWorld(cornerOf(mesh, i));
         result[i] = lighting.radiance(brdf, point, eye.directionFrom(point.position));
     });
     return result;
@@ -178,10 +113,7 @@ Image renderReference(const Scene& scene, const PictureOptions& options)
     return pictureOf(scene, options, [&](const Fragment& fragment) {
         const size_t index = static_cast<size_t>(fragment.instance);
         const Instance& instance = scene.instances[index];
-        const Mesh& mesh = *instance.mesh;
-        const Point point = toWorld[index]({interpolate<Vec3d>(mesh.positions, mesh, fragment),
-                                            interpolate<Vec3d>(mesh.normals, mesh, fragment),
-                                            tangentAt(mesh, fragment)});
+        const SurfacePoint point = surfacePoint(*instance.mesh, toWorld[index], fragment);
         return lighting.radiance(scene.brdfs[static_cast<size_t>(instance.material)], point,
                                  eye.directionFrom(point.position));
     });
