@@ -37,6 +37,12 @@ Vec3d EnvironmentLight::toEnvironment(const Vec3d& world) const
     return {c * world.x - s * world.z, world.y, s * world.x + c * world.z};
 }
 
+Vec3d EnvironmentLight::fromEnvironment(const Vec3d& w) const
+{
+    const double c = std::cos(rotation), s = std::sin(rotation);
+    return {c * w.x + s * w.z, w.y, c * w.z - s * w.x};
+}
+
 Vec3d EnvironmentLight::radianceFrom(const Vec3d& world) const
 {
     const Vec2<double> place = panoramaPlace(toEnvironment(world));
@@ -74,7 +80,8 @@ void fillBackground(Image& image, const Background& background, const Environmen
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             float* const pixel = image.pixel(x, y);
-            if (pixel[3] > 0.0f) continue;
+            const double uncovered = 1.0 - double(pixel[3]);
+            if (!(uncovered > 0.0)) continue;
             Vec3d colour = background.colour ? Vec3d(*background.colour) : Vec3d(0.0);
             if (background.environment) {
                 const double u = (2.0 * x + 1.0) / image.width - 1.0,
@@ -82,7 +89,7 @@ void fillBackground(Image& image, const Background& background, const Environmen
                 colour =
                     environment->radianceFrom(unprojected(u, v, 0.5) - unprojected(u, v, -0.5));
             }
-            for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c]);
+            for (int c = 0; c < 3; ++c) pixel[c] += static_cast<float>(uncovered * colour[c]);
         }
 }
 

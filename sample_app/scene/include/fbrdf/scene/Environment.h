@@ -16,6 +16,7 @@ struct EnvironmentLight {
     std::string note = {};   ///< what its file was taken for, and what was repaired; empty without
 
     Vec3d toEnvironment(const Vec3d& world) const;
+    Vec3d fromEnvironment(const Vec3d& inEnvironment) const;
     /// Radiance from a direction in the world, filtered linearly between texels.
     Vec3d radianceFrom(const Vec3d& world) const;
 };
@@ -30,8 +31,9 @@ struct Background {
 /// "environment", "none" or "R,G,B" of numbers >= 0. Throws Error(usage) naming --background.
 Background backgroundFromText(const std::string& text);
 
-/// Gives every pixel that no object covers (alpha 0) the background; alpha stays 0, so that the
-/// picture still says what is covered. environment: not null where the background is one.
+/// Adds the background to every pixel that objects do not cover, or cover in part: as much of it as
+/// 1 - alpha. Alpha stays, so that the picture still says what is covered. environment: not null
+/// where the background is one.
 void fillBackground(Image& image, const Background& background, const EnvironmentLight* environment,
                     const gl::View& view);
 
