@@ -17,7 +17,7 @@ PACKAGES = {
     'PkgConfig::OIIO': 'OpenImageIO', 'Eigen3::Eigen': 'Eigen', 'Ceres::ceres': 'Ceres', 'MPI::MPI_C': 'MPI',
     'pugixml::pugixml': 'pugixml', 'PNG::PNG': 'libpng', 'fbrdf_osg': 'OpenSceneGraph', 'glfw': 'GLFW',
     'PkgConfig::IMGUI': 'Dear ImGui', 'OpenGL::EGL': 'EGL', 'PkgConfig::OPENEXR': 'OpenEXR', 'PkgConfig::OPENEXRCORE': 'OpenEXR',
-    'OpenEXR::OpenEXRCore': 'OpenEXR', 'OpenEXR::OpenEXR': 'OpenEXR',
+    'embree': 'Embree', 'OpenEXR::OpenEXRCore': 'OpenEXR', 'OpenEXR::OpenEXR': 'OpenEXR',
 }
 
 

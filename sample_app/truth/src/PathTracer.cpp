@@ -1,0 +1,150 @@
+#include "PathTrace.h"
+
+#include <fbrdf/base/Assert.h>
+#include <fbrdf/base/Parallel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fbrdf::truth {
+namespace {
+
+/// Where sample i of every pixel is, from its centre, in pixels: (-0.5, 0.5)^2, evenly for any
+/// number of samples (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences": R2).
+Vec2<double> placeOf(int i)
+{
+    const double kX = 0.75487766624669276, kY = 0.56984029099805327;
+    const auto within = [i](double step) { return std::fmod(0.5 + i * step, 1.0) - 0.5; };
+    return {within(kX), within(kY)};
+}
+
+/// The view whose pixel centres are at these places of the picture's pixels.
+gl::View movedBy(gl::View view, const Vec2<double>& place, int width, int height)
+{
+    for (int column = 0; column < 4; ++column) {
+        glm::vec4& c = view.projection[column];
+        c.x -= static_cast<float>(2.0 * place.x / width) * c.w;
+        c.y -= static_cast<float>(2.0 * place.y / height) * c.w;
+    }
+    return view;
+}
+
+}  // namespace
+
+class PathTracer::State {
+public:
+    State(const scene::Scene& scene, std::vector<LobeTable> lobes, const PathOptions& options)
+        : scene_(scene),
+          options_(options),
+          paths_(scene, std::move(lobes), options.bounces, options.search),
+          pixels_(static_cast<size_t>(width()) * static_cast<size_t>(height()))
+    {
+    }
+
+    int samples() const { return samples_; }
+    void addSample();
+    PathPicture picture() const;
+
+private:
+    /// The mean of a pixel's samples, and the sum of their squared distances from it (Welford 1962,
+    /// "Note on a Method for Calculating Corrected Sums of Squares and Products").
+    struct Pixel {
+        Vec3d mean{0.0}, squares{0.0};
+        int covered = 0;
+
+        void add(const Vec3d& radiance, int count)
+        {
+            const Vec3d before = radiance - mean;
+            mean += before / static_cast<double>(count);
+            squares += before * (radiance - mean);
+        }
+    };
+    int width() const { return options_.picture.width; }
+    int height() const { return options_.picture.height; }
+
+    const scene::Scene& scene_;
+    PathOptions options_;
+    PathTrace paths_;
+    scene::Fragments seen_;
+    std::vector<Pixel> pixels_;
+    int samples_ = 0;
+};
+
+void PathTracer::State::addSample()
+{
+    if (samples_ == 0 || options_.spread) {
+        const Vec2<double> place = options_.spread ? placeOf(samples_) : Vec2<double>(0.0);
+        seen_ = rasterise(scene_.instances, movedBy(scene_.view, place, width(), height()), width(),
+                          height());
+    }
+    const auto columns = static_cast<size_t>(width());
+    parallelTasks(static_cast<size_t>(height()), options_.picture.threads, [&](size_t row) {
+        for (size_t i = row * columns; i < (row + 1) * columns; ++i) {
+            if (seen_.pixels[i].covered()) {
+                Random random(options_.seed, i, static_cast<uint64_t>(samples_));
+                pixels_[i].add(paths_.radiance(seen_.pixels[i], random), samples_ + 1);
+                ++pixels_[i].covered;
+            } else {
+                pixels_[i].add(Vec3d(0.0), samples_ + 1);
+            }
+        }
+    });
+    ++samples_;
+}
+
+PathPicture PathTracer::State::picture() const
+{
+    PathPicture picture{scene::Image(width(), height()),
+                        std::vector<Vec3f>(pixels_.size(), Vec3f(0.0f))};
+    // A mean of n samples varies n times less than they do, of which n - 1 degrees are free.
+    const double count = samples_, freedom = count * std::max(1.0, count - 1.0);
+    for (size_t i = 0; i < pixels_.size() && samples_ > 0; ++i) {
+        float* const pixel = picture.image.rgba.data() + 4 * i;
+        for (int c = 0; c < 3; ++c) {
+            pixel[c] = static_cast<float>(pixels_[i].mean[c]);
+            picture.error[i][c] = static_cast<float>(std::sqrt(pixels_[i].squares[c] / freedom));
+        }
+        pixel[3] = static_cast<float>(pixels_[i].covered / count);
+    }
+    return picture;
+}
+
+PathTracer::PathTracer(const scene::Scene& scene, std::vector<LobeTable> lobes,
+                       const PathOptions& options)
+    : state_(std::make_unique<State>(scene, std::move(lobes), options))
+{
+}
+
+PathTracer::~PathTracer() = default;
+
+void PathTracer::add(int samples)
+{
+    FBRDF_ASSERT(samples, >=, 0);
+    for (int i = 0; i < samples; ++i) state_->addSample();
+}
+
+int PathTracer::samples() const
+{
+    return state_->samples();
+}
+
+PathPicture PathTracer::picture() const
+{
+    return state_->picture();
+}
+
+double noiseOf(const PathPicture& picture)
+{
+    double errors = 0.0, radiances = 0.0;
+    for (size_t i = 0; i < picture.error.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const auto error = static_cast<double>(picture.error[i][c]),
+                       radiance =
+                           static_cast<double>(picture.image.rgba[4 * i + static_cast<size_t>(c)]);
+            errors += error * error;
+            radiances += radiance * radiance;
+        }
+    return radiances > 0.0 ? std::sqrt(errors / radiances) : 0.0;
+}
+
+}  // namespace fbrdf::truth
