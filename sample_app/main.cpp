@@ -1,5 +1,6 @@
 // fbrdf-viewer: shows factored materials, and what they are judged by. See README.md.
 #include "viewer/CommandLine.h"
+#include "viewer/CpuDrawing.h"
 #include "viewer/Headless.h"
 #include "viewer/WindowLoop.h"
 

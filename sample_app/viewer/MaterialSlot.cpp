@@ -1,5 +1,6 @@
 #include "MaterialSlot.h"
 
+#include <fbrdf/environment/LobeFit.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/sources/OpenSource.h>
 
@@ -32,6 +33,16 @@ scene::Brdf MaterialSlot::truth()
     return [&drawn = material()](const Vec3d& wo, const Vec3d& wi) {
         return evaluate<double>(drawn, wo, wi);
     };
+}
+
+const LobeTable& MaterialSlot::lobes()
+{
+    if (lobes_) return *lobes_;
+    if (truthIsSource())
+        lobes_ = fitLobes(source_->evaluate, source_->isotropic);
+    else
+        lobes_ = material().lobes.isEmpty() ? fitLobes(material()) : material().lobes;
+    return *lobes_;
 }
 
 }  // namespace fbrdf::viewer

@@ -21,6 +21,9 @@ public:
     const Material& material();
     /// f of the source where it is a function, else of the material (in double).
     scene::Brdf truth();
+    /// Lobes of the truth, by which paths of light are drawn (fbrdf/truth/PathTracer.h): those of
+    /// the material where it is the truth and has some, else fitted on the first call.
+    const LobeTable& lobes();
     bool truthIsSource() const { return source_ && source_->evaluate; }
 
 private:
@@ -28,6 +31,7 @@ private:
     FitOptions options_;
     std::optional<Source> source_;
     std::optional<Material> material_;
+    std::optional<LobeTable> lobes_;
 };
 
 }  // namespace fbrdf::viewer

@@ -16,6 +16,7 @@ namespace fbrdf::viewer {
 namespace {
 
 constexpr int kMostLights = 65536;
+constexpr int kMostSamples = 1 << 20, kMostBounces = 1000;
 
 /// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
@@ -82,6 +83,13 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
         ->needs(headless);
     app.add_option("--device", texts.device, deviceHelp())->type_name("N|list");
     app.add_option("--technique", texts.technique, scene::viewTechniqueHelp());
+    app.add_option("--samples", options.samples,
+                   "Samples a pixel, spread over it, of --technique path; the others do not take "
+                   "it yet (default: 64 at its centre)")
+        ->check(CLI::Range(1, kMostSamples));
+    app.add_option("--bounces", options.bounces,
+                   "Bounces between surfaces, at most, of --technique path (default: 8)")
+        ->check(CLI::Range(0, kMostBounces));
     app.add_option(
         "--look-up", texts.lookUp,
         "How maps over one direction are looked up: native (default), or recombined into "
@@ -106,6 +114,19 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
         ->check(CLI::Range(1, 1000000));
 }
 
+/// A window may change to `path` later.
+void checkPath(const Options& options)
+{
+    if (!options.headless || options.technique == scene::ViewTechnique::path) return;
+    for (const auto& [option, isGiven] : {std::pair("--samples", options.samples.has_value()),
+                                          std::pair("--bounces", options.bounces.has_value())})
+        if (isGiven)
+            throw Error(
+                ErrorKind::usage, option,
+                Found("it with --technique " + std::string(viewTechniqueName(options.technique)))
+                    .expected("--technique path"));
+}
+
 void understand(const Texts& texts, Options& options)
 {
     if (!texts.backend.empty()) options.backend = backendFromName(texts.backend);
@@ -115,6 +136,7 @@ void understand(const Texts& texts, Options& options)
         throw Error(ErrorKind::usage, "--device",
                     Found("it without --headless, or with osmesa").expected("both, with egl"));
     if (!texts.technique.empty()) options.technique = scene::viewTechniqueFromName(texts.technique);
+    checkPath(options);
     if (!texts.lookUp.empty()) options.lookUp = lookUpFromName(texts.lookUp);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
     if (!texts.size.empty()) {

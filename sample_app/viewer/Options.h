@@ -32,7 +32,9 @@ struct Options {
     scene::Background background;
     scene::ViewTechnique technique = scene::viewTechnique(Technique::single);
     LookUp lookUp = LookUp::native;
-    bool precise = false;  ///< filtered in the shader
+    bool precise = false;        ///< filtered in the shader
+    std::optional<int> samples;  ///< of `path`; unset: 64 through the centre of each pixel
+    std::optional<int> bounces;  ///< of `path`; unset: as PathOptions
     std::optional<scene::Camera> camera;
     int width = 512, height = 512;
     float exposure = 1.0f;

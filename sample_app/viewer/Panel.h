@@ -15,6 +15,7 @@ namespace fbrdf::viewer {
 struct PanelFacts {
     std::vector<std::string> materials, meshes;  ///< names, in the order of the state's numbers
     int triangles = 0, passes = 0, maxLookups = 0;
+    int samples = 0;  ///< of `path`, so far
     double milliseconds = 0.0;
     std::string renderer;  ///< of GL
     std::string message;   ///< what happened last: "wrote ..."

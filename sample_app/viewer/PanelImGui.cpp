@@ -47,7 +47,8 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
     const auto line = [](const std::string& text) { ImGui::TextUnformatted(text.c_str()); };
     ImGui::Separator();
     if (isOnCpu(state.technique))
-        line(fmt::format("{:.1f} ms on the CPU, in double", facts.milliseconds));
+        line(fmt::format("{:.1f} ms on the CPU, in double{}", facts.milliseconds,
+                         facts.samples > 0 ? fmt::format(", {} samples", facts.samples) : ""));
     else
         line(fmt::format("{:.2f} ms, {} pass{}, {} look-ups", facts.milliseconds, facts.passes,
                          facts.passes == 1 ? "" : "es", facts.maxLookups));

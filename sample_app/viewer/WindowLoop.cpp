@@ -1,5 +1,6 @@
 #include "WindowLoop.h"
 
+#include "CpuDrawing.h"
 #include "FrameTimer.h"
 #include "GlfwWindow.h"
 #include "GlScene.h"
@@ -132,7 +133,7 @@ private:
     int mesh_ = 0, screenshots_ = 0;
     std::optional<Shown> drawn_;  ///< what the CPU's picture shows
     bool coarse_ = false;
-    scene::Image cpuPicture_;
+    std::unique_ptr<CpuDrawing> cpu_;
 };
 
 /// Brings mesh and lights in line with what keys and panel chose.
@@ -177,6 +178,7 @@ void WindowLoop::drawFrame()
 void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
 {
     drawn_.reset();
+    stats_.path.reset();
     timer_.begin();
     const gl::Target target = toneMapper_.clearedTarget(size.width, size.height);
     const gl::DrawStats drawn = scene_.draw(target, view(size.width, size.height), {instance()},
@@ -187,29 +189,32 @@ void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
     facts_.maxLookups = drawn.maxLookups;
 }
 
-/// Draws coarsely while things change, in full once they stand still, and then not at all.
+/// Draws coarsely while things change, in full once they stand still, sample by sample where there
+/// are some, and then not at all.
 void WindowLoop::drawWithCpu(const Shown& shown)
 {
     const bool changed = !drawn_ || !(*drawn_ == shown);
-    if (!changed && !coarse_) return;
-    const bool last = options_.frames.has_value();  // a counted frame is worth its full size
-    coarse_ = changed && !last;
-    const int step = coarse_ ? kCoarseStep : 1;
-    const scene::PictureOptions size{std::max(1, shown.width / step),
-                                     std::max(1, shown.height / step)};
-    scene::Scene scene;
-    scene.instances = {instance()};
-    for (MaterialSlot& slot : world_.materials) scene.brdfs.push_back(slot.truth());
-    scene.lights = world_.lights.lights;
-    scene.areaLights = world_.lights.areaLights;
-    scene.view = view(shown.width, shown.height);
+    if (!changed && !coarse_ && cpu_->isFinished()) return;
+    const bool isCounted = options_.frames.has_value();  // a counted frame is worth its full size
     const auto start = std::chrono::steady_clock::now();
-    cpuPicture_ = state_.technique == scene::ViewTechnique::vertex ? renderVertex(scene, size)
-                                                                   : renderReference(scene, size);
+    if (changed || coarse_) {
+        coarse_ = changed && !isCounted;
+        const int step = coarse_ ? kCoarseStep : 1;
+        cpu_ = std::make_unique<CpuDrawing>(options_, world_,
+                                            CpuRequest{state_.technique,
+                                                       {instance()},
+                                                       view(shown.width, shown.height),
+                                                       std::max(1, shown.width / step),
+                                                       std::max(1, shown.height / step)});
+    }
+    do cpu_->goOn();
+    while (isCounted && !cpu_->isFinished());
+    toneMapper_.upload(cpu_->image());
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     remember(time.count());
     stats_.accumulation = "double";
-    toneMapper_.upload(cpuPicture_);
+    stats_.path = cpu_->pathStats();
+    facts_.samples = stats_.path ? stats_.path->samples : 0;
     drawn_ = shown;
 }
 
@@ -217,7 +222,7 @@ scene::Image WindowLoop::picture()
 {
     if (!isOnCpu(state_.technique)) return toneMapper_.readTarget();
     if (coarse_) drawWithCpu(*drawn_);
-    return cpuPicture_;
+    return cpu_ ? cpu_->image() : scene::Image();
 }
 
 void WindowLoop::saveScreenshot()

@@ -4,9 +4,6 @@
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/plan/Plan.h>
 
-#include <algorithm>
-#include <chrono>
-
 namespace fbrdf::viewer {
 namespace {
 
@@ -50,24 +47,6 @@ std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
     return light;
 }
 
-scene::Scene cpuScene(const Options& options, World& world)
-{
-    scene::Scene scene;
-    scene.instances = world.instances;
-    for (MaterialSlot& slot : world.materials) scene.brdfs.push_back(slot.truth());
-    scene.lights = world.lights.lights;
-    scene.areaLights = world.lights.areaLights;
-    if (world.environment) scene.environment = &*world.environment;
-    scene.view = viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances));
-    return scene;
-}
-
-double millisecondsSince(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
 }  // namespace
 
 void loadWorld(const Options& options, World& world)
@@ -86,9 +65,8 @@ void loadWorld(const Options& options, World& world)
 
 void addBackground(const Options& options, const World& world, scene::Image& image)
 {
-    fillBackground(
-        image, options.background, world.environment ? &*world.environment : nullptr,
-        viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances)));
+    fillBackground(image, options.background, world.environment ? &*world.environment : nullptr,
+                   viewOf(options, world));
 }
 
 scene::Stats statsOf(const Options& options, const World& world)
@@ -110,25 +88,9 @@ scene::Stats statsOf(const Options& options, const World& world)
     return stats;
 }
 
-Picture drawOnCpu(const Options& options, World& world)
+gl::View viewOf(const Options& options, const World& world)
 {
-    Picture picture{{}, statsOf(options, world)};
-    const scene::Scene scene = cpuScene(options, world);
-    const scene::PictureOptions size{options.width, options.height};
-    const bool isVertex = options.technique == scene::ViewTechnique::vertex;
-    for (int frame = 0; frame < options.frames.value_or(1); ++frame) {
-        const auto start = std::chrono::steady_clock::now();
-        picture.image = isVertex ? renderVertex(scene, size) : renderReference(scene, size);
-        picture.stats.milliseconds.push_back(millisecondsSince(start));
-    }
-    scene::Stats& stats = picture.stats;
-    stats.backend = "cpu";
-    stats.accumulation = "double";
-    stats.lightsUsed = stats.lightsGiven;
-    if (std::all_of(world.materials.begin(), world.materials.end(),
-                    [](const MaterialSlot& slot) { return slot.truthIsSource(); }))
-        stats.evaluated = "source";
-    return picture;
+    return viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances));
 }
 
 }  // namespace fbrdf::viewer

@@ -38,7 +38,7 @@ scene::Stats statsOf(const Options& options, const World& world);
 /// Puts the background that the options ask for behind what was drawn.
 void addBackground(const Options& options, const World& world, scene::Image& image);
 
-/// Techniques `vertex` and `reference`, without any GL.
-Picture drawOnCpu(const Options& options, World& world);
+/// The view that the options ask for.
+gl::View viewOf(const Options& options, const World& world);
 
 }  // namespace fbrdf::viewer

@@ -68,9 +68,10 @@ TEST_F(Viewer, HelpNamesEveryOption)
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err, "");
     for (const char* option :
-         {"--headless", "--backend", "--material", "--mesh", "--lights", "--light-count", "--seed",
-          "--technique", "--look-up", "--precise", "--device", "list-devices", "--camera", "--size",
-          "--exposure", "--out", "--stats", "--frames"})
+         {"--headless",    "--backend",    "--material",  "--mesh",    "--lights",
+          "--light-count", "--seed",       "--technique", "--look-up", "--precise",
+          "--device",      "list-devices", "--camera",    "--size",    "--exposure",
+          "--out",         "--stats",      "--frames",    "--samples", "--bounces"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
@@ -96,6 +97,12 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         {"--exposure 0", "--exposure"},
         {"--exposure x", "--exposure"},
         {"--frames 0", "--frames"},
+        {"--headless --technique path --samples 0", "--samples"},
+        {"--headless --technique path --samples many", "--samples"},
+        {"--headless --technique path --samples 9999999", "--samples"},
+        {"--headless --technique path --bounces -1", "--bounces"},
+        {"--headless --samples 4", "--samples: found it with --technique single"},
+        {"--headless --technique reference --bounces 2", "--bounces: found it with"},
         {"--light-count -1", "--light-count"},
         {"--light-count 2 --lights x.json", "--light"},
         {"--out picture.xyz", "--out: found 'picture.xyz'"},
@@ -258,11 +265,11 @@ TEST_F(Viewer, AnOlderGlExitsWith6)
 
 TEST_F(Viewer, CpuTechniquesNeedNoGl)
 {
-    for (const char* technique : {"reference", "vertex"}) {
-        const ProgramResult result =
-            runViewer(drawMade() + "--technique " + technique + " --out '" + file("p.exr") +
-                          "' --stats '" + file("s.json") + "'",
-                      "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent");
+    for (const std::string technique : {"reference", "vertex", "path"}) {
+        const ProgramResult result = runViewer(
+            drawMade() + "--technique " + technique + (technique == "path" ? " --bounces 0" : "") +
+                " --out '" + file("p.exr") + "' --stats '" + file("s.json") + "'",
+            "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent");
         EXPECT_EQ(result.exitCode, 0) << result.err;
         const auto stats = readJson(file("s.json"));
         EXPECT_EQ(stats["backend"], "cpu");
@@ -270,6 +277,47 @@ TEST_F(Viewer, CpuTechniquesNeedNoGl)
         EXPECT_TRUE(stats["gl_renderer"].is_null());
         EXPECT_GT(stats["covered_pixels"], 48 * 48 / 3);
     }
+}
+
+TEST_F(Viewer, PathsOfLightGiveTheReferenceWhereNothingIsInTheWay)
+{
+    const std::string scene = drawMade() + "--light-count 3 ";
+    const Image reference = draw(scene + "--technique reference");
+    EXPECT_TRUE(stats_["path"].is_null());
+    // A sphere does not see itself, and lights without a shape bring no noise.
+    const Image path = draw(scene + "--technique path --bounces 0");
+    EXPECT_EQ(path.rgba, reference.rgba);
+    EXPECT_EQ(stats_["path"]["samples"], 64);
+    EXPECT_EQ(stats_["path"]["bounces"], 0);
+    EXPECT_EQ(stats_["path"]["noise"], 0.0);
+    const Image spread = draw(scene + "--technique path --bounces 0 --samples 5");
+    EXPECT_EQ(stats_["path"]["samples"], 5);
+    const auto isPartly = [](const Image& image) {
+        for (size_t i = 3; i < image.rgba.size(); i += 4)
+            if (image.rgba[i] > 0.0f && image.rgba[i] < 1.0f) return true;
+        return false;
+    };
+    EXPECT_FALSE(isPartly(path));
+    EXPECT_TRUE(isPartly(spread));
+}
+
+TEST_F(Viewer, PathsOfLightGoFromSurfaceToSurface)
+{
+    writeFile(file("corner.obj"),
+              "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
+              "v 1 -1 0\nv 1 1 0\nv 1 1 2\nv 1 -1 2\nf 5 8 7 6\n");
+    writeFile(file("one.json"),
+              "{\"lights\": [{\"type\": \"point\", \"position\": [-0.5, 0, 1], "
+              "\"intensity\": [1, 1, 1]}]}");
+    const std::string scene = "--headless --size 16x16 --material lambert:albedo=0.8 --mesh '" +
+                              file("corner.obj") + "' --lights '" + file("one.json") +
+                              "' --technique path ";
+    const Image direct = draw(scene + "--bounces 0"), all = draw(scene + "--bounces 4");
+    EXPECT_GT(stats_["path"]["noise"], 0.0);
+    EXPECT_LT(stats_["path"]["noise"], 0.1);
+    double more = 0.0;
+    for (size_t i = 0; i < all.rgba.size(); i += 4) more += double(all.rgba[i] - direct.rgba[i]);
+    EXPECT_GT(more, 0.0);
 }
 
 TEST_F(Viewer, TechniquesAgreeAndTheStatsNameThem)
@@ -413,12 +461,13 @@ protected:
 
 TEST_F(ViewerWindow, DrawsFramesClosesAndAgreesWithTheReference)
 {
-    for (const char* technique : {"two-lookup", "vertex", "reference"}) {
+    for (const char* technique : {"two-lookup", "vertex", "reference", "path"}) {
         const std::string scene = "--size 80x80 --light-count 2 --material '" + file("made.fbrdf") +
                                   "' --technique " + technique;
-        const ProgramResult result = runViewer(
-            scene + " --frames 3 --out '" + file("w.exr") + "' --stats '" + file("w.json") + "'",
-            xvfb_);
+        const ProgramResult result =
+            runViewer(scene + " --bounces 0 --frames 3 --out '" + file("w.exr") + "' --stats '" +
+                          file("w.json") + "'",
+                      xvfb_);
         ASSERT_EQ(result.exitCode, 0) << result.err;
         const auto stats = readJson(file("w.json"));
         EXPECT_EQ(stats["backend"], "window");

@@ -16,6 +16,7 @@ struct CpuTechnique {
 constexpr std::array<CpuTechnique, kViewTechniqueCount - kTechniqueCount> kCpuTechniques{{
     {"vertex", "true BRDF at the vertices"},
     {"reference", "true BRDF at every pixel, in double"},
+    {"path", "the same with shadows and interreflection, path-traced"},
 }};
 
 const CpuTechnique& cpuTechnique(ViewTechnique technique)

@@ -38,6 +38,14 @@ OrderedJson environmentJson(const Stats& stats)
             {"why_not_sampled", textOrNull(stats.whyNotSampled)}};
 }
 
+OrderedJson pathJson(const Stats& stats)
+{
+    if (!stats.path) return nullptr;
+    return {{"samples", stats.path->samples},
+            {"bounces", stats.path->bounces},
+            {"noise", stats.path->noise}};
+}
+
 }  // namespace
 
 std::string statsToJson(const Stats& stats)
@@ -54,6 +62,7 @@ std::string statsToJson(const Stats& stats)
         {"why_replaced", textOrNull(stats.whyReplaced)},
         {"error_bound", {{"relative", stats.errorRelative}, {"absolute", stats.errorAbsolute}}},
         {"environment", environmentJson(stats)},
+        {"path", pathJson(stats)},
         {"mesh", stats.mesh},
         {"materials", stats.materials},
         {"evaluated", stats.evaluated},

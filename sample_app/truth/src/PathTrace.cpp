@@ -57,6 +57,7 @@ Vec3d PathTrace::radiance(const scene::Fragment& seen, Random& random) const
     for (int surface = 0;; ++surface) {
         if (!(vertex.wo.z > 0.0)) return sum;
         sum += throughput * (fromLights(vertex) + fromEmitters(vertex, random));
+        if (surface == bounces_ && areas_.empty() && !environment_) return sum;
         const Step step = stepFrom(vertex, random);
         if (!(step.pdf > 0.0)) return sum;
         throughput *= step.weight;

@@ -8,9 +8,9 @@
 namespace fbrdf::scene {
 
 /// How a picture is made: by a technique of the runtime (fbrdf/plan/Technique.h), which keeps its
-/// number, or by one that the CPU draws (CpuRenderer.h).
-enum class ViewTechnique { vertex = kTechniqueCount, reference };
-constexpr int kViewTechniqueCount = kTechniqueCount + 2;
+/// number, or by one that the CPU draws (CpuRenderer.h, fbrdf/truth/PathTracer.h).
+enum class ViewTechnique { vertex = kTechniqueCount, reference, path };
+constexpr int kViewTechniqueCount = kTechniqueCount + 3;
 constexpr ViewTechnique viewTechnique(Technique technique)
 {
     return static_cast<ViewTechnique>(technique);

@@ -1,5 +1,6 @@
 // Stats.h - what one run of the viewer did, as JSON.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@ struct Spread {
     double median = 0.0, min = 0.0, max = 0.0;
 };
 Spread spreadOf(std::vector<double> values);
+
+/// What `path` did.
+struct PathStats {
+    int samples = 0, bounces = 0;  ///< a pixel; at most
+    double noise = 0.0;  ///< estimated standard error over radiance, roots of mean squares
+};
 
 struct Stats {
     std::string backend;  ///< "egl", "osmesa", "window"; "cpu" for techniques without GL
@@ -32,16 +39,18 @@ struct Stats {
     int passes = 0;     ///< of the object that needed most
     int drawCalls = 0;  ///< of all objects
     int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
-    int maxLookups = 0;        ///< texture look-ups in any pass, counted from the linked programs
-    std::string accumulation;  ///< "RGBA32F", ...; "double" on the CPU
+    int maxLookups = 0;  ///< texture look-ups in any pass, counted from the linked programs
+    std::optional<PathStats> path;     ///< nothing for other techniques
+    std::string accumulation;          ///< "RGBA32F", ...; "double" on the CPU
     std::vector<double> milliseconds;  ///< one a frame: wall clock, from nothing to finished pixels
 };
 
 /// A JSON object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
 /// look_up, technique_drawn, why_replaced (null where there is none), error_bound
-/// {relative, absolute}, environment {name, note, error, why_not} (null where there is none),
-/// evaluated, size, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
-/// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
+/// {relative, absolute}, environment {name, note, error, why_not} (null where there is none), path
+/// {samples, bounces, noise} (null for other techniques), evaluated, size, covered_pixels, passes,
+/// draw_calls, lights {given, used, dropped}, max_lookups, accumulation, frames, clock ("cpu"),
+/// milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
 
 }  // namespace fbrdf::scene

@@ -1,0 +1,43 @@
+// CpuDrawing.h - a picture that the CPU draws: at once or, for `path`, sample by sample.
+#pragma once
+#include "World.h"
+
+#include <fbrdf/truth/PathTracer.h>
+
+#include <memory>
+
+namespace fbrdf::viewer {
+
+/// What is drawn. `instances` use the meshes of a world and its materials.
+struct CpuRequest {
+    scene::ViewTechnique technique = scene::ViewTechnique::reference;  ///< one on the CPU
+    std::vector<scene::Instance> instances;
+    gl::View view;
+    int width = 0, height = 0;
+};
+
+class CpuDrawing {
+public:
+    /// Materials that are sources are fitted where the technique needs it. The world must outlive
+    /// this.
+    CpuDrawing(const Options& options, World& world, CpuRequest request);
+
+    bool isFinished() const { return left_ == 0; }
+    /// The next sample, or all of a technique without samples.
+    void goOn();
+    /// What there is so far, and of `path` what is known about it.
+    scene::Image image() const;
+    std::optional<scene::PathStats> pathStats() const;
+
+private:
+    CpuRequest request_;
+    scene::Scene scene_;
+    int bounces_ = 0, left_ = 1;
+    std::unique_ptr<truth::PathTracer> tracer_;
+    scene::Image image_;  ///< of techniques without samples
+};
+
+/// Techniques of the CPU, without any GL.
+Picture drawOnCpu(const Options& options, World& world);
+
+}  // namespace fbrdf::viewer
