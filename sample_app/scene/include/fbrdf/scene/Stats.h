@@ -15,7 +15,7 @@ Spread spreadOf(std::vector<double> values);
 /// What `path` did.
 struct PathStats {
     int samples = 0, bounces = 0;  ///< a pixel; at most
-    double noise = 0.0;  ///< estimated standard error over radiance, roots of mean squares
+    double noise = 0.0;  ///< estimated error over radiance (noiseOf in fbrdf/truth/PathTracer.h)
 };
 
 struct Stats {

@@ -30,7 +30,9 @@ struct PathPicture {
     /// The mean of all samples; alpha is the share of them that meet a surface, and the others
     /// count as black.
     scene::Image image;
-    std::vector<Vec3f> error;  ///< the standard error of each pixel's mean, estimated; 0 at first
+    /// The standard error of each pixel's mean, estimated as though its samples were independent.
+    /// They are spread evenly, so it is about twice too large where paths are short. 0 at first.
+    std::vector<Vec3f> error;
 };
 
 /// Adds up samples of one scene, which must outlive it. Its pictures do not depend on the number of
