@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "EnvironmentFixture.h"
 #include "support/gl/CompareImages.h"
-#include "support/gl/EnvironmentReference.h"
-#include "support/gl/GlTest.h"
 
 #include <algorithm>
 
@@ -38,44 +37,18 @@ std::vector<Table> tables()
             {"bent seven", testLobes(LobeAxes::bent, 7)}};
 }
 
-class Environment : public RendererTest {
+class Environment : public EnvironmentFixture {
 protected:
+    Environment() : EnvironmentFixture(kSize, {kCube, true}) {}
     void SetUp() override
     {
-        RendererTest::SetUp();
-        if (!isReady()) return;
-        mesh_ = sphereMesh(16);
-        gpuMesh_ = renderer_->createMesh(mesh_);
-        environment_ = made(testPanorama(64));
-        cube_ = readCube(gl(), *environment_);
-        Offscreen floats = makeOffscreen(kSize);
-        geometry_ = geometryBuffer(gl(), floats, mesh_, glm::mat4(1.0f), perspectiveView());
-    }
-    void TearDown() override
-    {
-        environment_.reset();
-        gpuMesh_.reset();
-        RendererTest::TearDown();
-    }
-
-    std::shared_ptr<gl::GpuEnvironment> made(const Panorama& panorama)
-    {
-        return renderer_->createEnvironment(panorama, {kCube, true});
+        EnvironmentFixture::SetUp();
+        if (isReady()) cube_ = readCube(gl(), *environment_);
     }
 
     double emulation() const
     {
         return renderer_->capabilities().softwareSampling ? kEmulation : kEmulationOfGpu;
-    }
-
-    /// Turned, and of a colour: neither may be forgotten.
-    gl::EnvironmentLight light() const
-    {
-        gl::EnvironmentLight light;
-        light.map = environment_.get();
-        light.rotation = gl::environmentRotation(0.7f);
-        light.intensity = {0.5f, 1.0f, 2.0f};
-        return light;
     }
 
     gl::DrawOptions optionsOf(Technique technique, int maxLookups = 0) const
@@ -85,24 +58,12 @@ protected:
         return options;
     }
 
-    Drawn drawn(const Material& material, const std::vector<Light>& lights,
-                const gl::DrawOptions& options)
-    {
-        const auto gpu = exactMaterial(*renderer_, material);
-        return drawItems(*renderer_, kSize, perspectiveView(), {{gpu.get(), gpuMesh_.get()}},
-                         lights, options);
-    }
-
     std::vector<double> expected(const LobeTable& lobes) const
     {
         return environmentImage(lobes, cube_, geometry_, perspectiveView(), light());
     }
 
-    gl::MeshData mesh_;
-    std::shared_ptr<gl::GpuMesh> gpuMesh_;
-    std::shared_ptr<gl::GpuEnvironment> environment_;
     CubeImage cube_;
-    GeometryBuffer geometry_;
 };
 
 TEST_P(Environment, IsTheSumOfLobesOverTheTexelsOfTheCube)

@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "EnvironmentFixture.h"
 #include "support/gl/CompareImages.h"
-#include "support/gl/EnvironmentReference.h"
-#include "support/gl/GlTest.h"
 
 namespace fbrdf::test {
 namespace {
@@ -20,48 +19,17 @@ constexpr double kMean = 1e-4, kLargest = 1e-2, kOfGpu = 2e-2;
 // The same numbers are added in another order.
 constexpr double kOrder = 2e-5;
 
-class SampledEnvironment : public RendererTest {
+class SampledEnvironment : public EnvironmentFixture {
 protected:
-    void SetUp() override
-    {
-        RendererTest::SetUp();
-        if (!isReady()) return;
-        mesh_ = sphereMesh(16);
-        gpuMesh_ = renderer_->createMesh(mesh_);
-        environment_ = renderer_->createEnvironment(testPanorama(64), {kCube, true, true});
-        Offscreen floats = makeOffscreen(kSize);
-        geometry_ = geometryBuffer(gl(), floats, mesh_, glm::mat4(1.0f), perspectiveView());
-    }
-    void TearDown() override
-    {
-        environment_.reset();
-        gpuMesh_.reset();
-        RendererTest::TearDown();
-    }
+    SampledEnvironment() : EnvironmentFixture(kSize, {kCube, true, true}) {}
 
-    /// Turned, and of a colour: neither may be forgotten.
     gl::DrawOptions optionsOf(int samples, Technique technique = Technique::single) const
     {
         gl::DrawOptions options{technique, 4, 0};
-        options.environment.map = environment_.get();
-        options.environment.rotation = gl::environmentRotation(0.7f);
-        options.environment.intensity = {0.5f, 1.0f, 2.0f};
+        options.environment = light();
         options.environment.samples = samples;
         return options;
     }
-
-    Drawn drawn(const Material& material, const std::vector<Light>& lights,
-                const gl::DrawOptions& options)
-    {
-        const auto gpu = exactMaterial(*renderer_, material);
-        return drawItems(*renderer_, kSize, perspectiveView(), {{gpu.get(), gpuMesh_.get()}},
-                         lights, options);
-    }
-
-    gl::MeshData mesh_;
-    std::shared_ptr<gl::GpuMesh> gpuMesh_;
-    std::shared_ptr<gl::GpuEnvironment> environment_;
-    GeometryBuffer geometry_;
 };
 
 Material sampledMaterial(size_t form, LobeAxes axes, int lobes)

@@ -77,7 +77,8 @@ struct EnvironmentLight {
     /// EnvironmentOptions::unfiltered and Technique::single without a limit of look-ups; packed
     /// materials, and those whose lobes uniforms have no room for, are drawn by their lobes
     /// (DrawStats::whyNotSampled). There is no noise: every pixel has the same directions about its
-    /// normal.
+    /// normal. 64 suffice in soft light; small lamps that are hundreds of times as
+    /// bright as the rest need more than 256 (docs/benchmarks.md).
     int samples = 0;
 };
 
