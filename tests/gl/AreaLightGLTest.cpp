@@ -177,6 +177,29 @@ TEST_P(AreaLights, AddUpWithAnEnvironment)
     }
 }
 
+// Directions of the environment are drawn in a pass of their own, and area lights stay lobes.
+TEST_P(AreaLights, AddUpWithDirectionsOfAnEnvironment)
+{
+    gl::EnvironmentOptions unfiltered{32, true};
+    unfiltered.unfiltered = true;
+    const auto environment = renderer_->createEnvironment(testPanorama(64), unfiltered);
+    gl::DrawOptions sampled;
+    sampled.environment.map = environment.get();
+    sampled.environment.samples = 8;
+    auto sum = drawn(tilted(2), testLights(2), sampled).pixels;
+    const std::vector<AreaLight> areas{areaLightOf(Shape::sphere), areaLightOf(Shape::disc)};
+    const auto lit = drawn(tilted(2), {}, optionsOf(areas)).pixels;
+    for (size_t i = 0; i < sum.size(); ++i)
+        if (i % 4 != 3) sum[i] += lit[i];
+    sampled.areaLights = areas;
+    const Drawn both = drawn(tilted(2), testLights(2), sampled);
+    EXPECT_EQ(both.stats.whyNotSampled, "");
+    EXPECT_EQ(both.stats.itemsWithoutEnvironment, 0);
+    EXPECT_GT(both.stats.environmentError, 0.0);  // of the area lights' lobes
+    const auto difference = compareImages(both.pixels, sum, 1.0);
+    EXPECT_LT(difference.maxRelative, kOrder) << describe(difference);
+}
+
 TEST_P(AreaLights, OfPackedLibrariesAreThoseOfItems)
 {
     const Form form = formPqpr(8, 0.5, 6);

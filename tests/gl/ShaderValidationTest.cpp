@@ -268,13 +268,18 @@ TEST_F(ShaderValidation, AcceptsLobesAndWhatPrefiltersThem)
                                                {tilted, 2, 1, false},
                                                {bent, 0, 5, true},
                                                {bent, 1, 2, false},
-                                               {tilted, 0, 3, true, 8, 4},
-                                               {bent, 0, 5, true, 8, 4}}) {
+                                               {tilted, 0, 3, true, true, 0, 0, 0, 8, 4},
+                                               {bent, 0, 5, true, true, 0, 0, 0, 8, 4},
+                                               {tilted, 0, 3, true, false, 0, 0, 4},
+                                               {bent, 1, 2, false, true, 0, 0, 2}}) {
                     ProgramSpec spec;
                     if (lights > 0) spec = {{{0, {0, 1}, true}}, lights, true, false};
                     spec.lobes = share;
-                    add(fragmentSource(form, std::vector<TableEncoding>(form.tables.size()), spec,
-                                       glsl));
+                    const std::vector<TableEncoding> encodings(form.tables.size());
+                    add(fragmentSource(form, encodings, spec, glsl));
+                    spec.areaLists = share.areaSlots > 0;
+                    if (spec.areaLists && glsl != 120 && glsl != 300)
+                        add(fragmentSource(form, encodings, spec, glsl));
                 }
         for (const bool fromCube : {false, true}) add(prefilterSourceFragment(glsl, fromCube));
         add(prefilterLobeFragment(glsl));

@@ -298,12 +298,13 @@ TEST(LobePlan, DirectionsHaveAPassOfTheirOwn)
             PlanRequest request;
             request.lights = lights;
             request.target = target;
-            request.environment = bentLobes(5);
-            request.environmentError = 0.1;
+            request.lobes = bentLobes(5);
+            request.lobeLight.environment = true;
+            request.lobeError = 0.1;
             request.environmentSamples = 16;
             const Plan plan = planPasses(form, request, modern());
             ASSERT_TRUE(plan.feasible()) << plan.reason;
-            EXPECT_EQ(plan.environmentError, 0.0);
+            EXPECT_EQ(plan.lobeError, 0.0);
             int sampled = 0;
             for (const Pass& pass : plan.passes) {
                 if (pass.lobes.isEmpty()) continue;
@@ -322,7 +323,8 @@ TEST(LobePlan, DirectionsNeedSingleWithoutALimitAndRoomForAllLobes)
     const Form form = formPqp(8, 1.0);
     PlanRequest request;
     request.lights = 2;
-    request.environment = bentLobes(7);
+    request.lobes = bentLobes(7);
+    request.lobeLight.environment = true;
     request.environmentSamples = 16;
     Capabilities small = modern();
     small.maxUniformVectors = 256;
@@ -339,7 +341,7 @@ TEST(LobePlan, DirectionsNeedSingleWithoutALimitAndRoomForAllLobes)
     request.environmentSamples = -1;
     EXPECT_THROW(planPasses(form, request, modern()), Error);
     request.environmentSamples = 1;
-    request.environment = {};
+    request.lobes = {};
     EXPECT_THROW(planPasses(form, request, modern()), Error);
 }
 

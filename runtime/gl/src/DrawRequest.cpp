@@ -212,8 +212,9 @@ EyeLights lightsOf(const Sphere& bounds, const DrawRequest& request, DrawStats& 
 
 std::vector<AreaVectors> areasOf(const Sphere& bounds, const DrawRequest& request, DrawStats& stats)
 {
-    const LightSelection selection =
-        selectLights(request.areaLights, bounds, request.options.maxLights);
+    // Lists have their own limit, for each part of the view.
+    const int most = request.areaClusters ? 0 : request.options.maxLights;
+    const LightSelection selection = selectLights(request.areaLights, bounds, most);
     countLost(selection, stats);
     std::vector<AreaVectors> result;
     for (const int i : selection.lights) {

@@ -43,7 +43,8 @@ TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
     requests[4].target = ColourFormat::rgba8;
     requests[5].offscreen = false;
     requests[6].transfer = Transfer::srgb;
-    requests[7].environment = layoutOf(lobes);
+    requests[7].lobes = layoutOf(lobes);
+    requests[7].lobeLight.environment = true;
     const auto first = states->passes(usual, {});
     for (size_t i = 0; i < requests.size(); ++i)
         EXPECT_NE(states->passes(requests[i], {}, &lobes), first) << "request " << i;
