@@ -116,7 +116,7 @@ TEST_P(CApiEnvironmentGL, AreaLightsLightAnObject)
         for (float& r : light->radiance) r = 0.5f;
     sphere.size = 5.0f;
     const float corners[] = {-4000, -4000, 2, -4000, 4000, 2, 4000, 4000, 2, 4000, -4000, 2};
-    ceiling.shape = FBRDF_AREA_POLYGON;
+    ceiling.shape = FBRDF_AREA_SHAPE_POLYGON;
     ceiling.vertex_count = 4;
     ceiling.vertices = corners;
     for (const fbrdf_area_light& light : {sphere, ceiling}) {
@@ -156,7 +156,7 @@ TEST_P(CApiEnvironmentGL, ChecksAreaLights)
     EXPECT_EQ(stats.lights_dropped, 0u);
     light.shape = 5;
     EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_ERROR_ARGUMENT);
-    light.shape = FBRDF_AREA_POLYGON;
+    light.shape = FBRDF_AREA_SHAPE_POLYGON;
     light.vertex_count = 3;
     EXPECT_EQ(drawn(light, stats), FBRDF_RESULT_ERROR_ARGUMENT);
     light.vertices = light.position;

@@ -23,11 +23,11 @@ typedef struct fbrdf_light {
 } fbrdf_light;
 
 typedef enum fbrdf_area_shape {
-    FBRDF_AREA_SPHERE = 0,
-    FBRDF_AREA_DISC = 1,
-    FBRDF_AREA_RECTANGLE = 2,
-    FBRDF_AREA_TUBE = 3, /* ends in half spheres */
-    FBRDF_AREA_POLYGON = 4
+    FBRDF_AREA_SHAPE_SPHERE = 0,
+    FBRDF_AREA_SHAPE_DISC = 1,
+    FBRDF_AREA_SHAPE_RECTANGLE = 2,
+    FBRDF_AREA_SHAPE_TUBE = 3, /* ends in half spheres */
+    FBRDF_AREA_SHAPE_POLYGON = 4
 } fbrdf_area_shape;
 /* A light with a shape, which materials reflect by their lobes (as an environment); fields of other
  * shapes are not read. One that is not valid (fbrdf/plan/AreaLight.h) is dropped, counted and
