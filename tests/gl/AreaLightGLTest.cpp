@@ -5,6 +5,7 @@
 
 #include "support/gl/CompareImages.h"
 #include "support/gl/EnvironmentReference.h"
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/GlTest.h"
 
 #include <algorithm>
@@ -20,32 +21,6 @@ constexpr int kSize = 48;
 constexpr double kEmulation = 1e-4;
 // The same numbers are added in another order.
 constexpr double kOrder = 2e-5;
-
-AreaLight areaLightOf(Shape shape)
-{
-    AreaLight light;
-    light.shape = shape;
-    light.radiance = {1.0f, 2.0f, 0.5f};
-    light.position = {1.5f, 0.5f, 1.6f};
-    light.size = 0.7f;
-    light.end = {-1.0f, 1.5f, 1.0f};
-    light.normal = {-1.0f, -0.2f, -1.0f};
-    light.axisU = {0.0f, 0.6f, 0.0f};
-    light.axisV = {0.5f, 0.0f, -0.4f};
-    light.vertices = {{1.5f, 1, 1}, {0.5f, 0.6f, 2}, {-0.5f, 1, 3}, {-0.5f, -1, 3}, {1.5f, -1, 1}};
-    return light;
-}
-
-constexpr Shape kShapes[] = {Shape::sphere, Shape::disc, Shape::rectangle, Shape::tube,
-                             Shape::polygon};
-
-std::vector<AreaLight> oneOfEach()
-{
-    std::vector<AreaLight> lights;
-    for (const Shape shape : kShapes) lights.push_back(areaLightOf(shape));
-    lights[1].radius = 3.0f;
-    return lights;
-}
 
 class AreaLights : public RendererTest {
 protected:

@@ -99,6 +99,40 @@ TEST_P(AreaLightOfShape, IsAsGoodInFloat)
     }
 }
 
+// A point of the outline in the plane of the horizon, or of the lobe's equator, is on one side or
+// the other as it is rounded; the share must not depend on that.
+TEST_P(AreaLightOfShape, IsSteadyWhereAPointOfTheOutlineIsInThePlaneOfTheHorizon)
+{
+    constexpr double kSteady = 1e-4;
+    std::vector<AreaVectors> vectors;
+    appendAreaVectors(ofShape(GetParam()), 0, glm::dmat4(1.0), vectors);
+    int met = 0;
+    for (int k = 0; k < 400; ++k) {
+        const Vec3d point(std::sin(k * 1.3), std::sin(k * 0.7), 0.4 * std::sin(k * 2.1) - 0.5);
+        for (const AreaVectors& v : vectors) {
+            const AreaContour<double> contour = areaContour(v, point);
+            if (contour.points == 0) continue;
+            const Vec3d corner = glm::normalize(contourPoint(contour, k % (2 * contour.points)));
+            const auto axes = axesAbout(corner);
+            const Vec3d n = std::cos(0.9 * k) * axes[0] + std::sin(0.9 * k) * axes[1],
+                        axis = glm::normalize(n + 0.8 * corner + 0.3 * std::sin(k * 2.3) * axes[0]);
+            for (const bool equator : {false, true}) {
+                const Vec3d up = equator ? axis : n, lobe = equator ? n : axis;
+                const double exact = lobeInArea(areaContour(v, Vec3d(Vec3f(point))),
+                                                up + 1e-5 * corner, lobe + 1e-5 * corner, 4.5);
+                for (const float tilt : {0.0f, 1e-7f, -1e-7f})
+                    EXPECT_NEAR(double(lobeInArea(areaContour(v, Vec3f(point)),
+                                                  Vec3f(up) + tilt * Vec3f(corner),
+                                                  Vec3f(lobe) + tilt * Vec3f(corner), 4.5f)),
+                                exact, kSteady)
+                        << k << " " << tilt;
+                met += exact > 1e-3 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(met, 50);
+}
+
 TEST(AreaLight, TurnsWithTheEye)
 {
     const AreaLight light = ofShape(Shape::disc);

@@ -24,17 +24,21 @@ T bulgeOf(T half)
     return (std::sqrt(T(1) + T(kArcPoints - 3) * area) - T(1)) / T(kArcPoints - 3);
 }
 
-/// A circle or an ellipse as two halves.
+/// A circle or an ellipse as two halves, which share no point.
 template <class T>
 AreaContour<T> wholeCircle(const Vec3<T>& centre, const Vec3<T>& along, const Vec3<T>& across)
 {
+    constexpr int kPoints = kArcPoints - 1;  // of each half
+    constexpr double kStep = kPi / kPoints;
+    // The polygon has the area of the circle.
+    static const T r = T(std::sqrt(kStep / std::sin(kStep)));
     AreaContour<T> contour;
     contour.centre = {centre, centre};
-    contour.along = {along, -along};
-    contour.across = {across, -across};
-    contour.half = {T(0.5 * kPi), T(0.5 * kPi)};
-    contour.bulge = {bulgeOf(T(0.5 * kPi)), bulgeOf(T(0.5 * kPi))};
-    contour.points = kArcPoints;
+    contour.along = {r * along, -r * along};
+    contour.across = {r * across, -r * across};
+    contour.half = {T(0.5 * (kPoints - 1) * kStep), T(0.5 * (kPoints - 1) * kStep)};
+    contour.bulge = {T(1), T(1)};
+    contour.points = kPoints;
     return contour;
 }
 
@@ -103,17 +107,36 @@ T squaredDistance(const Vec3<T>& a, const Vec3<T>& b)
     return squared(a + along * axis);
 }
 
+/// Where an outline passes through a plane. Of several such edges the steepest counts: rounding
+/// may take a corner in the plane to the other side and back by edges that are next to nothing.
+template <class T>
+struct Crossing {
+    Vec3<T> point{T(0)};
+    T steepness = T(0);
+
+    void meet(const Vec3<T>& other, T otherSteepness)
+    {
+        if (otherSteepness > steepness) *this = {other, otherSteepness};
+    }
+};
+
 /// Cuts the edge from a to b where it passes through a plane, and remembers where the outline
 /// leaves the upper half and comes back. Returns false where nothing is above. Twin: fbrdfCutEdge.
 template <class T>
-bool cutEdge(const Vec3<T>& n, Vec3<T>& a, Vec3<T>& b, Vec3<T>& leaves, Vec3<T>& enters)
+bool cutEdge(const Vec3<T>& n, Vec3<T>& a, Vec3<T>& b, Crossing<T>& leaves, Crossing<T>& enters)
 {
     const T heightA = glm::dot(n, a), heightB = glm::dot(n, b);
     if (heightA <= T(0) && heightB <= T(0)) return false;
     const Vec3<T> crossing = a + (b - a) * (heightA / (heightA - heightB));
     // Corners in the plane count as below, so that what leaves also enters.
-    if (heightA <= T(0)) a = enters = crossing;
-    if (heightB <= T(0)) b = leaves = crossing;
+    if (heightA <= T(0)) {
+        a = crossing;
+        enters.meet(crossing, heightB - heightA);
+    }
+    if (heightB <= T(0)) {
+        b = crossing;
+        leaves.meet(crossing, heightA - heightB);
+    }
     return true;
 }
 
@@ -122,23 +145,23 @@ template <class T>
 T lobeInOutline(const AreaContour<T>& contour, const Vec3<T>& n, const Vec3<T>& axis, T level)
 {
     const LevelMixture<T> lobe = levelMixture(level);
-    Vec3<T> leaves(T(0)), enters(T(0)), equatorLeaves(T(0)), equatorEnters(T(0));
+    Crossing<T> leaves, enters, equatorLeaves, equatorEnters;
     Vec2<T> sum(T(0));
     const int count = 2 * contour.points;
     Vec3<T> last = contourPoint(contour, count - 1);
     // The last edge runs along the horizon.
     for (int i = 0; i <= count; ++i) {
-        Vec3<T> a = last, b = enters;
+        Vec3<T> a = last, b = enters.point;
         if (i < count) {
             b = last = contourPoint(contour, i);
             if (!cutEdge(n, a, b, leaves, enters)) continue;
         } else {
-            a = leaves;
+            a = leaves.point;
         }
         if (cutEdge(axis, a, b, equatorLeaves, equatorEnters))
             sum += lobeEdge(axis, lobe.squaredWidth, a, b);
     }
-    sum += lobeEdge(axis, lobe.squaredWidth, equatorLeaves, equatorEnters);
+    sum += lobeEdge(axis, lobe.squaredWidth, equatorLeaves.point, equatorEnters.point);
     return std::abs(glm::dot(sum, lobe.share)) / T(2.0 * kPi);
 }
 

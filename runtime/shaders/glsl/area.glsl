@@ -71,10 +71,12 @@ float fbrdfBulge(float angle)
     return (sqrt(1.0 + 6.0 * area) - 1.0) / 6.0;
 }
 
+// Two halves of 8 points, which share none; the polygon has the area of the circle.
 FbrdfAreaContour fbrdfWholeCircle(vec3 centre, vec3 along, vec3 across)
 {
-    float bulge = fbrdfBulge(1.57079633);
-    return FbrdfAreaContour(centre, along, across, centre, -along, -across, vec2(1.57079633), vec2(bulge), 9.0,
+    along *= 1.01300156;
+    across *= 1.01300156;
+    return FbrdfAreaContour(centre, along, across, centre, -along, -across, vec2(1.37444679), vec2(1.0), 8.0,
                             vec3(0.0), 0.0, false);
 }
 
@@ -159,14 +161,17 @@ vec3 fbrdfContourPoint(FbrdfAreaContour contour, float i)
     return (isSecond ? contour.centre1 : contour.centre0) + r * (along * cos(angle) + across * sin(angle));
 }
 
-// Corners in the plane count as below, so that what leaves the upper half also enters it.
-bool fbrdfCutEdge(vec3 n, inout vec3 a, inout vec3 b, inout vec3 leaves, inout vec3 enters)
+// Corners in the plane count as below, so that what leaves the upper half also enters it. leaves, enters: the point, and
+// how steeply; the steepest edge counts, as rounding may take a corner in the plane to the other side and back.
+bool fbrdfCutEdge(vec3 n, inout vec3 a, inout vec3 b, inout vec4 leaves, inout vec4 enters)
 {
     float heightA = dot(n, a), heightB = dot(n, b);
     if (heightA <= 0.0 && heightB <= 0.0) return false;
     vec3 crossing = a + (b - a) * (heightA / (heightA - heightB));
-    if (heightA <= 0.0) a = enters = crossing;
-    if (heightB <= 0.0) b = leaves = crossing;
+    if (heightA <= 0.0) a = crossing;
+    if (heightA <= 0.0 && heightB - heightA > enters.w) enters = vec4(crossing, heightB - heightA);
+    if (heightB <= 0.0) b = crossing;
+    if (heightB <= 0.0 && heightA - heightB > leaves.w) leaves = vec4(crossing, heightA - heightB);
     return true;
 }
 
@@ -174,23 +179,23 @@ bool fbrdfCutEdge(vec3 n, inout vec3 a, inout vec3 b, inout vec3 leaves, inout v
 float fbrdfLobeInOutline(FbrdfAreaContour contour, vec3 n, vec3 axis, float level)
 {
     FbrdfLevelMixture lobe = fbrdfLevelMixture(level);
-    vec3 leaves = vec3(0.0), enters = vec3(0.0), equatorLeaves = vec3(0.0), equatorEnters = vec3(0.0);
+    vec4 leaves = vec4(0.0), enters = vec4(0.0), equatorLeaves = vec4(0.0), equatorEnters = vec4(0.0);
     vec2 sum = vec2(0.0);
     int count = 2 * int(contour.points);
     vec3 last = fbrdfContourPoint(contour, float(count - 1));
     for (int i = 0; i <= count; ++i) {
-        vec3 a = last, b = enters;
+        vec3 a = last, b = enters.xyz;
         bool isAbove = true;
         if (i < count) {
             b = last = fbrdfContourPoint(contour, float(i));
             isAbove = fbrdfCutEdge(n, a, b, leaves, enters);
         } else {
-            a = leaves;
+            a = leaves.xyz;
         }
         if (isAbove && fbrdfCutEdge(axis, a, b, equatorLeaves, equatorEnters))
             sum += fbrdfLobeEdge(axis, lobe.squaredWidth, a, b);
     }
-    sum += fbrdfLobeEdge(axis, lobe.squaredWidth, equatorLeaves, equatorEnters);
+    sum += fbrdfLobeEdge(axis, lobe.squaredWidth, equatorLeaves.xyz, equatorEnters.xyz);
     return abs(dot(sum, lobe.share)) / 6.28318531;
 }
 

@@ -77,4 +77,27 @@ Panorama turnedPanorama(const Panorama& panorama)
     return turned;
 }
 
+AreaLight areaLightOf(AreaLight::Shape shape)
+{
+    AreaLight light;
+    light.shape = shape;
+    light.radiance = {1.0f, 2.0f, 0.5f};
+    light.position = {1.5f, 0.5f, 1.6f};
+    light.size = 0.7f;
+    light.end = {-1.0f, 1.5f, 1.0f};
+    light.normal = {-1.0f, -0.2f, -1.0f};
+    light.axisU = {0.0f, 0.6f, 0.0f};
+    light.axisV = {0.5f, 0.0f, -0.4f};
+    light.vertices = {{1.5f, -1, 1}, {-0.5f, -1, 3}, {-0.5f, 1, 3}, {0.5f, 0.6f, 2}, {1.5f, 1, 1}};
+    return light;
+}
+
+std::vector<AreaLight> oneOfEach()
+{
+    std::vector<AreaLight> lights;
+    for (const AreaLight::Shape shape : kShapes) lights.push_back(areaLightOf(shape));
+    lights[1].radius = 3.0f;
+    return lights;
+}
+
 }  // namespace fbrdf::test

@@ -2,6 +2,7 @@
 #pragma once
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/environment/Panorama.h>
+#include <fbrdf/plan/AreaLight.h>
 
 namespace fbrdf::test {
 
@@ -16,5 +17,13 @@ Panorama testPanorama(int width, float lamp = 200.0f);
 Panorama whitePanorama();
 /// The panorama as it is after environmentRotation(pi / 2). The width is a multiple of 4.
 Panorama turnedPanorama(const Panorama& panorama);
+
+constexpr AreaLight::Shape kShapes[] = {AreaLight::Shape::sphere, AreaLight::Shape::disc,
+                                        AreaLight::Shape::rectangle, AreaLight::Shape::tube,
+                                        AreaLight::Shape::polygon};
+/// A light of this shape that shines on the sphere of the scenes.
+AreaLight areaLightOf(AreaLight::Shape shape);
+/// One of each shape; the disc has a radius of influence.
+std::vector<AreaLight> oneOfEach();
 
 }  // namespace fbrdf::test

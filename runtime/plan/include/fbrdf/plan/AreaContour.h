@@ -8,8 +8,8 @@
 
 namespace fbrdf {
 
-/// Points of each half of a round outline: 16 different ones in all. Their polygon has the area of
-/// the circle.
+/// Points of each arc of a tube's outline; a circle has one less in each half, 16 in all. Polygons
+/// have the area of what is round.
 constexpr int kArcPoints = 9;
 
 /// Two arcs whose points, joined, are a convex outline. Point i of arc k is
