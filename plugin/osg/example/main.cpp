@@ -1,9 +1,10 @@
 // fbrdf-osg-knot draws a torus knot of a measured material under many lights with OpenSceneGraph.
-//   fbrdf-osg-knot [--lights N] [--environment PICTURE.hdr|studio|overcast|clear] MATERIAL.fbrdf
-//                  [SCENE.osgt | PICTURE.png]
+//   fbrdf-osg-knot [--lights N] [--area-lights] [--environment PICTURE.hdr|studio|overcast|clear]
+//                  MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
 //   fbrdf-osg-knot --model MODEL.osgt
 // With a second name the scene is saved instead of shown, as a scene file or as a picture. --model
 // saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
+#include <osgFbrdf/AreaLights.h>
 #include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
@@ -90,6 +91,27 @@ osg::ref_ptr<osgFbrdf::PointLights> lightsAround(int count)
     return lights;
 }
 
+/// A soft box above, a tube on the left and a sphere on the right.
+osg::ref_ptr<osgFbrdf::AreaLights> areaLights()
+{
+    osg::ref_ptr<osgFbrdf::AreaLights> lights = new osgFbrdf::AreaLights;
+    fbrdf::AreaLight box, tube, sphere;
+    box.shape = fbrdf::AreaLight::Shape::rectangle;
+    box.position = {0.0f, -1.5f, 3.0f};
+    box.axisU = {0.0f, 1.0f, 0.5f};
+    box.axisV = {1.5f, 0.0f, 0.0f};
+    box.radiance = {4.0f, 4.0f, 4.0f};
+    tube.shape = fbrdf::AreaLight::Shape::tube;
+    tube.position = {-3.0f, -1.5f, -1.0f};
+    tube.end = {-2.0f, -2.0f, 1.5f};
+    tube.size = 0.15f;
+    tube.radiance = {4.0f, 8.0f, 12.0f};
+    sphere.position = {3.0f, -1.0f, 0.5f};
+    sphere.radiance = {12.0f, 8.0f, 4.0f};
+    for (const fbrdf::AreaLight& light : {box, tube, sphere}) lights->addLight(light);
+    return lights;
+}
+
 /// Keeps the picture that a camera has drawn.
 class Keep : public osg::Camera::DrawCallback {
 public:
@@ -118,10 +140,10 @@ bool savePicture(osg::Node& scene, const std::string& file)
 
 int usage()
 {
-    std::cerr
-        << "usage: fbrdf-osg-knot [--lights N] [--environment PICTURE|studio|overcast|clear]\n"
-           "                      MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
-           "       fbrdf-osg-knot --model MODEL.osgt\n";
+    std::cerr << "usage: fbrdf-osg-knot [--lights N] [--area-lights]\n"
+                 "                      [--environment PICTURE|studio|overcast|clear]\n"
+                 "                      MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
+                 "       fbrdf-osg-knot --model MODEL.osgt\n";
     return 2;
 }
 
@@ -132,25 +154,27 @@ int main(int argc, char** argv)
     osg::ArgumentParser arguments(&argc, argv);
     int lightCount = kLights;
     std::string model, environment;
-    // Where the environment lights the knot there are no other lights, unless they are asked for.
-    if (arguments.read("--environment", environment)) lightCount = 0;
+    // Where an environment or area lights light the knot there are no others, unless asked for.
+    const bool hasAreaLights = arguments.read("--area-lights");
+    if (arguments.read("--environment", environment) || hasAreaLights) lightCount = 0;
     arguments.read("--lights", lightCount);
     arguments.read("--model", model);
     if (arguments.errors() || arguments.containsOptions() ||
-        lightCount < (environment.empty() ? 1 : 0) || lightCount > kMostLights || argc > 3 ||
-        (argc > 1) == !model.empty())
+        lightCount < (environment.empty() && !hasAreaLights ? 1 : 0) || lightCount > kMostLights ||
+        argc > 3 || (argc > 1) == !model.empty())
         return usage();
     if (!model.empty()) return osgDB::writeNodeFile(*knotOf(), model) ? 0 : 5;
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
     effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, which shows sRGB codes
-    effect->setExposure(environment.empty() ? 2.5f : 1.0f);
+    effect->setExposure(environment.empty() && !hasAreaLights ? 2.5f : 1.0f);
     effect->addChild(knotOf());
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(effect);
     if (lightCount > 0) scene->addChild(lightsAround(lightCount));
+    if (hasAreaLights) scene->addChild(areaLights());
     if (!environment.empty()) {
         osg::ref_ptr<osgFbrdf::EnvironmentLight> light = new osgFbrdf::EnvironmentLight;
         if (!light->setPictureFile(environment)) return 3;

@@ -17,7 +17,8 @@ void EffectTest::SetUp()
 std::vector<float> EffectTest::runtimeImage(const Material& material, const gl::MeshData& mesh,
                                             const std::vector<Light>& lights,
                                             const std::vector<glm::mat4>& places,
-                                            const RuntimeEnvironment* environment)
+                                            const RuntimeEnvironment* environment,
+                                            const std::vector<AreaLight>& areaLights)
 {
     gl::Renderer& renderer = this->renderer();
     const auto gpuMaterial =
@@ -29,11 +30,11 @@ std::vector<float> EffectTest::runtimeImage(const Material& material, const gl::
     Offscreen target(context().loader(), {kSize, kSize, OffscreenFormat::rgba32f, true});
     target.clear();
     gl::DrawOptions options;
-    if (environment) {
+    options.areaLights = areaLights;
+    if (environment)
         options.environment = {&mapOf(*environment), gl::environmentRotation(environment->rotation),
                                environment->intensity, environment->lobes};
-        renderer.prepare(*gpuMaterial, options, static_cast<int>(lights.size()));
-    }
+    renderer.prepare(*gpuMaterial, options, static_cast<int>(lights.size()));
     const auto stats = renderer.draw({target.framebuffer(), kSize, kSize}, perspectiveView(), items,
                                      lights, options);
     EXPECT_EQ(stats.itemsWithoutEnvironment, 0) << stats.whyNoEnvironment;

@@ -3,6 +3,7 @@
 #include "OsgScene.h"
 
 #include <fbrdf/environment/Panorama.h>
+#include <fbrdf/plan/AreaLight.h>
 
 #include <memory>
 #include <vector>
@@ -33,7 +34,8 @@ protected:
     std::vector<float> runtimeImage(const Material& material, const gl::MeshData& mesh,
                                     const std::vector<Light>& lights,
                                     const std::vector<glm::mat4>& places = {glm::mat4(1.0f)},
-                                    const RuntimeEnvironment* environment = nullptr);
+                                    const RuntimeEnvironment* environment = nullptr,
+                                    const std::vector<AreaLight>& areaLights = {});
     /// True where the context filters textures so coarsely that two programs, which round
     /// coordinates differently, draw different pictures: effect and runtime then filter in shaders.
     bool filtersCoarsely();

@@ -272,7 +272,8 @@ TEST_F(EnvironmentLit, IsLeftOutUntilLobesAreFitted)
         EXPECT_EQ(effect->lastReport().lightsUsed, 1) << "the headlight";
         view_->frame();
         const std::string& text = notices.text();
-        const size_t at = text.find("drawn without the environment: found lobes that a thread");
+        const size_t at =
+            text.find("drawn without the environment or area lights: found lobes that a thread");
         ASSERT_NE(at, std::string::npos) << text;
         EXPECT_EQ(text.find("drawn without", at + 1), std::string::npos) << text;
     }

@@ -1,4 +1,5 @@
 // Contexts that lack what the techniques need draw what they can, and the report has the reason.
+#include "AreaLightsTest.h"
 #include "EffectTest.h"
 #include "EnvironmentTest.h"
 
@@ -203,9 +204,19 @@ TEST_F(PoorDriver, WithoutAChoiceOfLevelsDrawsWithoutTheEnvironment)
     const Notices notices;
     for (int frame = 0; frame < 3; ++frame) EXPECT_EQ(view_->frame(), without);
     EXPECT_EQ(effect->lastReport().technique, "single pass");
-    const size_t at = notices.text().find("without the environment: found no choice of levels");
+    const size_t at =
+        notices.text().find("without the environment or area lights: found no choice of levels");
     ASSERT_NE(at, std::string::npos) << notices.text();
     EXPECT_EQ(notices.text().find("without the environment", at + 1), std::string::npos);
+    // Area lights need no cube map.
+    const auto areaLights = osgAreaLights({areaLightOf(AreaLight::Shape::sphere)});
+    root->addChild(areaLights);
+    const auto lit = view_->frame();
+    EXPECT_GT(meanOf(lit, 0), 1.01 * meanOf(without, 0));
+    EXPECT_EQ(effect->lastReport().lightsUsed, 10);
+    root->removeChild(2, 1);
+    EXPECT_EQ(view_->frame(), lit);
+    EXPECT_EQ(effect->lastReport().whyNoEnvironment, "");
 }
 
 // A cube that is drawn where nothing is filtered across edges would be wrong there.

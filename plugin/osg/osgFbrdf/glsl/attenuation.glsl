@@ -6,10 +6,10 @@
 //   axis          unit, where a spot shines
 uniform vec4 osgFbrdfAttenuations[24];
 
-// OpenGL 2.1 specification, section 2.14.1. index: of the attenuation, -1 for a light of the runtime.
+// OpenGL 2.1 specification, section 2.14.1. index: of the attenuation; -1, or 8, for a light of the runtime.
 float osgFbrdfAttenuation(int index, vec3 position, vec3 toLight)
 {
-    if (index < 0) return 1.0;
+    if (index < 0 || index >= 8) return 1.0;
     vec4 place = osgFbrdfAttenuations[3 * index];
     vec3 coefficients = osgFbrdfAttenuations[3 * index + 1].xyz, axis = osgFbrdfAttenuations[3 * index + 2].xyz;
     vec3 difference = place.xyz - position;

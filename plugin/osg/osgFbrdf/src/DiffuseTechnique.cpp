@@ -41,13 +41,22 @@ std::vector<int> freeNumbers(const SceneLights& scene)
     return numbers;
 }
 
-/// Lights of PointLights become OpenGL's, the strongest at `centre` first: once a frame, as OpenGL
-/// has one set for all objects.
+/// Those that become OpenGL's as far as there are numbers.
+size_t placeableLights(const SceneLights& scene)
+{
+    return scene.lights.size() + scene.areaLights.size();
+}
+
+/// Lights of PointLights and AreaLights become OpenGL's, the strongest at `centre` first: once a
+/// frame, as OpenGL has one set for all objects.
 void placeLights(const EffectCull& cull, const osg::Vec3d& centre)
 {
     if (!cull.view.claimsGlLights()) return;
     const SceneLights& scene = cull.view.lights();
-    auto lights = pointLightsInEye(scene, worldToEye(cull.visitor));
+    const osg::Matrixd toEye = worldToEye(cull.visitor);
+    auto lights = pointLightsInEye(scene, toEye);
+    for (const fbrdf::AreaLight& light : scene.areaLights)
+        lights.push_back(pointLightOf(moved(light, toEye)));
     const fbrdf::Vec3f place = toVec3(centre);
     std::stable_sort(lights.begin(), lights.end(), [&](const auto& a, const auto& b) {
         return irradianceAt(a, place) > irradianceAt(b, place);
@@ -77,7 +86,7 @@ osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const Sce
     state->setAttributeAndModes(material, kOurs);
     state->setMode(GL_LIGHTING, kOurs);
     const auto numbers = freeNumbers(scene);
-    for (size_t i = 0; i < std::min(numbers.size(), scene.lights.size()); ++i)
+    for (size_t i = 0; i < std::min(numbers.size(), placeableLights(scene)); ++i)
         state->setMode(GL_LIGHT0 + static_cast<GLenum>(numbers[i]), kOurs);
     for (const PlacedOsgLight& source : scene.sources)
         if (source.light->getLightNum() < kMostGlLights && isOn(source, inherited))
@@ -93,15 +102,16 @@ void cullDiffuse(const EffectCull& cull, const std::string& reason)
     FactorizedBrdf& effect = cull.effect;
     const SceneLights& scene = cull.view.lights();
     placeLights(cull, osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix());
-    const int given = static_cast<int>(scene.lights.size());
+    const int given = static_cast<int>(placeableLights(scene));
     const int used = std::min(given, static_cast<int>(freeNumbers(scene).size()));
     const InheritedState inherited(visitor);
     const auto sources =
         std::count_if(scene.sources.begin(), scene.sources.end(),
                       [&](const PlacedOsgLight& source) { return isOn(source, inherited); });
-    cull.internals.log.report(effect,
-                              {"diffuse fallback", reason, 1, used + static_cast<int>(sources),
-                               scene.dropped + given - used, 0, 0, "", scene.environment.leftOut});
+    cull.internals.log.report(
+        effect,
+        {"diffuse fallback", reason, 1, used + static_cast<int>(sources),
+         scene.dropped + given - used, 0, 0, "", scene.environment.leftOut, scene.whyInvalid});
     const auto state = diffuseState(effect, scene, inherited);
     visitor.pushStateSet(state);
     effect.inherited_traverse(visitor);

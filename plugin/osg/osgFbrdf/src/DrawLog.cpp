@@ -24,7 +24,8 @@ std::string lightsLeftOut(const DrawReport& report)
     return "lights are left out: found " +
            std::to_string(report.lightsDropped + report.lightsUsed) + ", " +
            std::to_string(report.lightsUsed) +
-           " of which are valid and within what the technique can draw";
+           " of which are valid and within what the technique can draw" +
+           (report.whyLightsInvalid.empty() ? "" : "; an area light: " + report.whyLightsInvalid);
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ void DrawLog::report(const FactorizedBrdf& effect, const DrawReport& report)
         warnOnce(effect, report.reason, report.technique + " is drawn: " + report.reason);
     if (!report.whyNoEnvironment.empty())
         warnOnce(effect, report.whyNoEnvironment,
-                 "drawn without the environment: " + report.whyNoEnvironment);
+                 "drawn without the environment or area lights: " + report.whyNoEnvironment);
     if (report.environmentsLeftOut > 0)
         warnOnce(effect, "environments",
                  fbrdf::Found(std::to_string(report.environmentsLeftOut + 1) +

@@ -1,6 +1,9 @@
-#include "EyeEnvironment.h"
+#include "EyeLobes.h"
 
 #include "MaterialStates.h"
+#include "Vectors.h"
+
+#include <osgFbrdf/FactorizedBrdf.h>
 
 namespace osgFbrdf {
 namespace {
@@ -19,26 +22,63 @@ osg::Matrixd turnOf(const osg::Matrixd& matrix)
             back.x(),  back.y(),  back.z(),  0.0, 0.0,    0.0,    0.0,    1.0};
 }
 
-}  // namespace
-
-EyeEnvironment environmentOf(const SceneEnvironment& scene, const osg::Matrixd& toEye,
-                             MaterialStates& material, unsigned int contextId)
+void addAreas(EyeLobes& eye, const SceneLights& scene, const osg::Matrixd& toEye,
+              const fbrdf::Sphere& bounds, float exposure)
 {
-    EyeEnvironment environment;
-    if (!scene.cube) return environment;
-    environment.whyNot = scene.cube->whyNotReady(contextId);
-    if (!environment.whyNot.empty()) return environment;
-    environment.lobes = material.lobes(scene.lobes, environment.whyNot);
-    if (!environment.lobes) return environment;
-    environment.cube = scene.cube;
+    const osg::Vec3d centre = toOsg(bounds.centre) * osg::Matrixd::inverse(toEye);
+    const fbrdf::LightSelection selection =
+        fbrdf::selectLights(scene.areaLights, {toVec3(centre), bounds.radius}, 0);
+    for (const int index : selection.lights) {
+        fbrdf::AreaLight light = scene.areaLights[static_cast<size_t>(index)];
+        light.radiance *= exposure;
+        fbrdf::appendAreaVectors(light, kNotAttenuated, toGlm(toEye), eye.areas);
+    }
+    eye.areaLights = static_cast<int>(selection.lights.size());
+    eye.culled = selection.culled;
+}
+
+void addEnvironment(EyeLobes& eye, const SceneEnvironment& scene, const osg::Matrixd& toEye,
+                    float exposure)
+{
+    eye.cube = scene.cube;
     const osg::Matrixd turn = turnOf(scene.toWorld * toEye);
     // OpenGL has columns one after the other: what a direction along each axis of the eye is in the
     // panorama. The matrix is rigid, so that its inverse is its transpose.
     for (int column = 0; column < 3; ++column)
         for (int i = 0; i < 3; ++i)
-            environment.fromEye[3 * column + i] = static_cast<float>(turn(i, column));
-    environment.scale = osg::Vec4f(scene.intensity, scene.cube->levelOffset());
-    return environment;
+            eye.fromEye[3 * column + i] = static_cast<float>(turn(i, column));
+    eye.scale = osg::Vec4f(scene.intensity * exposure, scene.cube->levelOffset());
+}
+
+}  // namespace
+
+void EyeLobes::leaveOut(const std::string& why)
+{
+    whyNot = why;
+    if (!std::exchange(cube, nullptr)) {
+        areaLights = 0;
+        areas.clear();
+    }
+    if (light().isEmpty()) lobes = nullptr;
+}
+
+EyeLobes lobesOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrdf::Sphere& bounds,
+                 const FactorizedBrdf& effect, unsigned int contextId)
+{
+    EyeLobes eye;
+    addAreas(eye, scene, toEye, bounds, effect.getExposure());
+    const SceneEnvironment& environment = scene.environment;
+    if (environment.cube) eye.whyNot = environment.cube->whyNotReady(contextId);
+    if (environment.cube && eye.whyNot.empty())
+        addEnvironment(eye, environment, toEye, effect.getExposure());
+    if (eye.light().isEmpty()) return eye;
+    std::string whyNoLobes;
+    eye.lobes = effect.getMaterial()->states()->lobes(environment.lobes, whyNoLobes);
+    if (!eye.lobes) {
+        eye.leaveOut(whyNoLobes);
+        eye.leaveOut(whyNoLobes);
+    }
+    return eye;
 }
 
 }  // namespace osgFbrdf

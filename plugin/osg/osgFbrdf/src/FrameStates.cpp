@@ -2,6 +2,7 @@
 
 #include "MaterialStates.h"
 #include "PassState.h"
+#include "Vectors.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
@@ -16,10 +17,7 @@ namespace {
 
 osg::Vec4f eyeOf(const osg::Matrixd& projection)
 {
-    glm::dmat4 matrix;  // both store what multiplies a row vector from the right by rows
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) matrix[i][j] = projection(i, j);
-    const glm::vec4 eye(fbrdf::eyeFromProjection(matrix));
+    const glm::vec4 eye(fbrdf::eyeFromProjection(toGlm(projection)));
     return {eye.x, eye.y, eye.z, eye.w};
 }
 
@@ -33,6 +31,20 @@ osg::ref_ptr<osg::Uniform> lightUniform(const std::vector<fbrdf::Light>& lights,
     for (int i = 0; i < pass.lightCount; ++i)
         for (const glm::vec4& v :
              fbrdf::lightVectors(lights[static_cast<size_t>(pass.firstLight + i)], glm::dmat4(1.0)))
+            uniform->setElement(at++, osg::Vec4f(v.x, v.y, v.z, v.w));
+    return uniform;
+}
+
+/// The area lights of the pass, of which there is at least one.
+osg::ref_ptr<osg::Uniform> areaUniform(const std::vector<fbrdf::AreaVectors>& areas,
+                                       const fbrdf::LobeShare& share)
+{
+    osg::ref_ptr<osg::Uniform> uniform = new osg::Uniform(
+        osg::Uniform::FLOAT_VEC4, "fbrdfAreaLights", fbrdf::kVectorsPerAreaLight * share.areaCount);
+    unsigned int at = 0;
+    FBRDF_ASSERT(static_cast<size_t>(share.firstArea + share.areaCount), <=, areas.size());
+    for (int i = 0; i < share.areaCount; ++i)
+        for (const glm::vec4& v : areas[static_cast<size_t>(share.firstArea + i)])
             uniform->setElement(at++, osg::Vec4f(v.x, v.y, v.z, v.w));
     return uniform;
 }
@@ -63,23 +75,20 @@ osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuatio
 }  // namespace
 
 FrameStates::FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
-                         EyeLights lights, const EyeEnvironment& environment, Surfaces* surfaces)
+                         EyeLights lights, const EyeLobes& lobes, Surfaces* surfaces)
     : lights_(std::move(lights)),
       attenuations_(lights_.attenuations.empty() ? nullptr
                                                  : attenuationUniform(lights_.attenuations)),
-      environment_(environment.cube),
+      environment_(lobes.cube),
+      areas_(lobes.areas),
       surfaces_(surfaces),
       effect_(effect),
       readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
       eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
 {
     if (environment_) {
-        const osg::Vec4f& scale = environment.scale;
-        toEnvironment_ = new osg::Uniform("fbrdfToEnvironment", environment.fromEye);
-        environmentScale_ = new osg::Uniform(
-            "fbrdfEnvironmentScale",
-            osg::Vec4f(osg::Vec3f(scale.x(), scale.y(), scale.z()) * effect.getExposure(),
-                       scale.w()));
+        toEnvironment_ = new osg::Uniform("fbrdfToEnvironment", lobes.fromEye);
+        environmentScale_ = new osg::Uniform("fbrdfEnvironmentScale", lobes.scale);
     }
     const auto& scales = effect.getMaterial()->material().scales;
     for (size_t t = 0; t < scales.size(); ++t) {
@@ -97,7 +106,7 @@ osg::ref_ptr<osg::StateSet> FrameStates::stateOf(const fbrdf::Pass& pass) const
         if (part.scaled) state->addUniform(scales_[static_cast<size_t>(part.term)]);
     if (pass.lightCount > 0) addLights(*state, pass);
     if (pass.reads) addSurface(*state, *pass.reads);
-    if (!pass.lobes.isEmpty()) addEnvironment(*state, pass);
+    if (!pass.lobes.isEmpty()) addLobes(*state, pass);
     return state;
 }
 
@@ -110,8 +119,12 @@ void FrameStates::addLights(osg::StateSet& state, const fbrdf::Pass& pass) const
     state.addUniform(attenuationNumbers(lights_.attenuationOf, pass));
 }
 
-void FrameStates::addEnvironment(osg::StateSet& state, const fbrdf::Pass& pass) const
+void FrameStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const
 {
+    if (pass.lobes.areaSlots > 0)
+        state.addUniform(new osg::Uniform("fbrdfAreaLightCount", pass.lobes.areaCount));
+    if (pass.lobes.areaCount > 0) state.addUniform(areaUniform(areas_, pass.lobes));
+    if (!pass.lobes.environment) return;
     FBRDF_ASSERT(environment_.valid(), ==, true);
     const int unit =
         effect_.getMaterial()->states()->environmentUnit(pass, effect_.getFirstTextureUnit());

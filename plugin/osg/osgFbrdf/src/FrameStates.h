@@ -1,8 +1,8 @@
 // FrameStates.h - what changes in the passes of an effect with frame and view: lights, environment,
 // exposure, the eye. It is made anew each time, as the last one may still be being drawn.
 #pragma once
-#include "EyeEnvironment.h"
 #include "EyeLights.h"
+#include "EyeLobes.h"
 #include "Surfaces.h"
 
 #include <fbrdf/plan/Plan.h>
@@ -19,20 +19,21 @@ class FrameStates {
 public:
     /// surfaces: null where no pass reads one.
     FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
-                const EyeEnvironment& environment, Surfaces* surfaces);
+                const EyeLobes& lobes, Surfaces* surfaces);
 
     /// The uniforms of the pass and the surface that it reads; MaterialStates has the rest.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const;
 
 private:
     void addLights(osg::StateSet& state, const fbrdf::Pass& pass) const;
-    void addEnvironment(osg::StateSet& state, const fbrdf::Pass& pass) const;
+    void addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const;
     void addSurface(osg::StateSet& state, fbrdf::Surface surface) const;
 
     EyeLights lights_;
     osg::ref_ptr<osg::Uniform> attenuations_;    ///< null: no light has one
-    osg::ref_ptr<EnvironmentCube> environment_;  ///< null: no pass adds lobes
+    osg::ref_ptr<EnvironmentCube> environment_;  ///< null: no pass adds its light
     osg::ref_ptr<osg::Uniform> toEnvironment_, environmentScale_;
+    std::vector<fbrdf::AreaVectors> areas_;
     osg::ref_ptr<Surfaces> surfaces_;
     const FactorizedBrdf& effect_;
     int readUnit_;

@@ -103,7 +103,10 @@ std::string keyOf(const fbrdf::PlanRequest& request, const PassInputs& inputs)
           request.maxLookups, static_cast<int>(request.target), static_cast<int>(request.offscreen),
           static_cast<int>(request.transfer), static_cast<int>(request.signs)})
         key += ',' + std::to_string(value);
-    return request.lobeLight.isEmpty() ? key : key + 'e' + keyOf(request.lobes);
+    const fbrdf::LobeLight& light = request.lobeLight;
+    return light.isEmpty() ? key
+                           : key + (light.environment ? 'e' : 'a') +
+                                 std::to_string(light.areaLights) + '/' + keyOf(request.lobes);
 }
 
 std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, int bin,
@@ -120,8 +123,9 @@ std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, int b
     }
     const fbrdf::LobeShare& share = pass.lobes;
     if (!share.isEmpty())
-        key += 'e' + keyOf(share.table) + (share.cosine ? "c" : "-") + std::to_string(share.first) +
-               '+' + std::to_string(share.count);
+        key += (share.environment ? 'e' : 'a') + std::to_string(share.areaSlots) + '/' +
+               keyOf(share.table) + (share.cosine ? "c" : "-") + std::to_string(share.first) + '+' +
+               std::to_string(share.count);
     return key;
 }
 
@@ -249,6 +253,7 @@ void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
     const glm::vec2 bend = fbrdf::lobeBend(lobes);
     if (lobes.axes == fbrdf::LobeAxes::bent)
         state.addUniform(new osg::Uniform("fbrdfLobeBend", osg::Vec2f(bend.x, bend.y)), kOurs);
+    if (!pass.lobes.environment) return;
     state.addUniform(
         new osg::Uniform("fbrdfEnvironment", environmentUnit(pass, inputs.firstTextureUnit)),
         kOurs);
@@ -266,7 +271,8 @@ ContextLimits MaterialStates::neededBy(const fbrdf::Pass& pass, const PassInputs
         inputs.attenuated ? kVectorsPerAttenuation * kMostAttenuations + lights : 0;
     const int vectors = assumed.maxUniformVectors - fbrdf::freeUniformVectors(form_, assumed) +
                         fbrdf::kVectorsPerLight * lights + attenuated + pass.lobes.vectors();
-    return {environmentUnit(pass, inputs.firstTextureUnit) + 1, 4 * vectors, true};
+    const bool cube = pass.lobes.environment;
+    return {environmentUnit(pass, inputs.firstTextureUnit) + (cube ? 1 : 0), 4 * vectors, cube};
 }
 
 /// The caller has the lock.

@@ -38,7 +38,7 @@ struct PassInputs {
 struct PlannedPasses {
     fbrdf::Plan plan;
     std::vector<osg::ref_ptr<osg::StateSet>> states;
-    ContextLimits needed;  ///< by the passes that add lobes of an environment; nothing without
+    ContextLimits needed;  ///< by the passes that add lobes; nothing without
 };
 
 class MaterialStates : public osg::Referenced {
@@ -64,7 +64,7 @@ public:
     fbrdf::Plan plan(const fbrdf::PlanRequest& request, bool attenuated) const;
     /// The same with the states of its passes, from the last few that were asked for where they are
     /// among them: most frames ask for what the frame before asked for. lobes: from lobes(), where
-    /// the request has an environment.
+    /// the request lights them.
     std::shared_ptr<const PlannedPasses> passes(const fbrdf::PlanRequest& request,
                                                 const PassInputs& inputs,
                                                 const fbrdf::LobeTable* lobes = nullptr);

@@ -187,18 +187,17 @@ ContextNeeds PassTechnique::needs() const
     }
     // Two lights are the fewest whose passes add up.
     const MaterialStates& states = *effect_.getMaterial()->states();
-    const fbrdf::Plan several = states.plan(request(2, true, nullptr), false);
+    const fbrdf::Plan several = states.plan(request(2, true, {}), false);
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     needs.refusal = several.reason;
-    needs.withoutSurfaces = states.plan(request(2, false, nullptr), false).reason;
+    needs.withoutSurfaces = states.plan(request(2, false, {}), false).reason;
     needs.textureUnits = effect_.getFirstTextureUnit() + states.textureUnits() + (reads ? 1 : 0);
     needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
     return needs;
 }
 
-fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen,
-                                          const fbrdf::LobeTable* lobes) const
+fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen, const EyeLobes& lobes) const
 {
     fbrdf::PlanRequest request;
     request.technique = kind_;
@@ -210,10 +209,8 @@ fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen,
     request.offscreen = offscreen;
     request.transfer = effect_.getTransfer();
     request.signs = effect_.getMaterial()->states()->hasSigns();
-    if (lobes) {
-        request.lobes = fbrdf::layoutOf(*lobes);
-        request.lobeLight.environment = true;
-    }
+    if (lobes.lobes) request.lobes = fbrdf::layoutOf(*lobes.lobes);
+    request.lobeLight = lobes.light();
     return request;
 }
 
@@ -246,40 +243,40 @@ void PassTechnique::cull(const EffectCull& cull)
     const fbrdf::Sphere bounds = boundsInEye(effect_, *visitor.getModelViewMatrix());
     const SceneLights& scene = cull.view.lights();
     const osg::Matrixd toEye = worldToEye(visitor);
-    EyeEnvironment environment = environmentOf(
-        scene.environment, toEye, *effect_.getMaterial()->states(), contextOf(visitor));
-    EyeLights lights = lightsOf(scene, toEye, bounds, inherited, !environment.cube);
-    Drawing drawing = drawingOfMost(cull, lights, bounds, environment);
-    if (const std::string reason = reasonAgainst(drawing); environment.cube && !reason.empty()) {
-        environment = {};
-        environment.whyNot = reason;
-        lights = lightsOf(scene, toEye, bounds, inherited);
-        drawing = drawingOfMost(cull, lights, bounds, environment);
+    EyeLobes lobes = lobesOf(scene, toEye, bounds, effect_, contextOf(visitor));
+    EyeLights lights = lightsOf(scene, toEye, bounds, inherited, lobes.isMissing());
+    Drawing drawing = drawingOfMost(cull, lights, bounds, lobes);
+    std::string reason = reasonAgainst(drawing);
+    while (!reason.empty() && !lobes.light().isEmpty()) {
+        lobes.leaveOut(reason);
+        lights = lightsOf(scene, toEye, bounds, inherited, lobes.isMissing());
+        drawing = drawingOfMost(cull, lights, bounds, lobes);
+        reason = reasonAgainst(drawing);
     }
-    if (const std::string reason = reasonAgainst(drawing); !reason.empty())
-        return cullDiffuse(cull, reason);
+    if (!reason.empty()) return cullDiffuse(cull, reason);
     const fbrdf::Plan& plan = drawing.passes->plan;
     const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
     DrawReport report;
     report.technique = techniqueName();
     report.passes = static_cast<int>(plan.passes.size()) + (fog ? 1 : 0);
-    report.lightsUsed = static_cast<int>(lights.lights.size());
+    report.lightsUsed = static_cast<int>(lights.lights.size()) + lobes.areaLights;
     report.lightsDropped = scene.dropped + lights.dropped;
-    report.lightsCulled = lights.culled;
+    report.lightsCulled = lights.culled + lobes.culled;
+    report.whyLightsInvalid = scene.whyInvalid;
     report.maxLookups = plan.maxLookups;
-    report.whyNoEnvironment = environment.whyNot;
+    report.whyNoEnvironment = lobes.whyNot;
     report.environmentsLeftOut = scene.environment.leftOut;
     internals_.log.report(effect_, report);
-    cullPasses(cull, drawing, std::move(lights), environment, fog);
+    cullPasses(cull, drawing, std::move(lights), lobes, fog);
 }
 
-int PassTechnique::lightsInOnePass(const EyeLights& lights, const EyeEnvironment& environment) const
+int PassTechnique::lightsInOnePass(const EyeLights& lights, const EyeLobes& lobes) const
 {
     fbrdf::LobeShare share;
-    if (environment.lobes) {
-        share.table = fbrdf::layoutOf(*environment.lobes);
-        share.count = share.table.lobes;
-        share.cosine = true;
+    if (lobes.lobes) {
+        share = fbrdf::wholeShare(fbrdf::layoutOf(*lobes.lobes));
+        share.environment = lobes.cube.valid();
+        share.areaSlots = static_cast<int>(lobes.areas.size());
     }
     return fbrdf::maxLightsInUniforms(effect_.getMaterial()->states()->form(),
                                       assumedCapabilities(!lights.attenuations.empty()), share);
@@ -295,31 +292,32 @@ std::string PassTechnique::reasonAgainst(const Drawing& drawing) const
 
 PassTechnique::Drawing PassTechnique::drawingOfMost(const EffectCull& cull, EyeLights& lights,
                                                     const fbrdf::Sphere& bounds,
-                                                    const EyeEnvironment& environment) const
+                                                    const EyeLobes& lobes) const
 {
-    const Drawing drawing = drawingOf(cull, lights, environment);
+    const Drawing drawing = drawingOf(cull, lights, lobes);
     if (drawing.passes->plan.feasible() || lights.lights.empty() ||
         fbrdf::techniqueInfo(kind_).lightsPerPass != fbrdf::LightsPerPass::all)
         return drawing;
     // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
-    lights = strongest(lights, bounds, lightsInOnePass(lights, environment));
-    return drawingOf(cull, lights, environment);
+    lights = strongest(lights, bounds, lightsInOnePass(lights, lobes));
+    return drawingOf(cull, lights, lobes);
 }
 
 PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull, const EyeLights& lights,
-                                                const EyeEnvironment& environment) const
+                                                const EyeLobes& lobes) const
 {
-    const fbrdf::LobeTable* lobes = environment.lobes.get();
     MaterialStates& states = *effect_.getMaterial()->states();
     const int count = static_cast<int>(lights.lights.size());
     const PassInputs inputs = this->inputs(!lights.attenuations.empty());
     Drawing drawing;
-    drawing.passes =
-        states.passes(request(count, !isMultisampled(cull.visitor), lobes), inputs, lobes);
+    const auto passes = [&](bool offscreen) {
+        return states.passes(request(count, offscreen, lobes), inputs, lobes.lobes.get());
+    };
+    drawing.passes = passes(!isMultisampled(cull.visitor));
     if (!needsSurfaces(drawing.passes->plan)) return drawing;
     Surfaces* surfaces = cull.view.surfaces(cull.visitor);
     if (!surfaces || !surfaces->usable()) {
-        drawing.passes = states.passes(request(count, false, lobes), inputs, lobes);
+        drawing.passes = passes(false);
         drawing.surfacesFailed = true;
         return drawing;
     }
@@ -329,10 +327,10 @@ PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull, const Ey
 }
 
 void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
-                               const EyeEnvironment& environment, osg::StateSet* fog)
+                               const EyeLobes& lobes, osg::StateSet* fog)
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
-    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), environment,
+    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), lobes,
                             drawing.surfaces);
     const auto cullUnder = [&](osg::StateSet* state, osg::StateSet* varying) {
         visitor.pushStateSet(state);

@@ -4,8 +4,8 @@
 #pragma once
 #include "ContextNeeds.h"
 #include "EffectCull.h"
-#include "EyeEnvironment.h"
 #include "EyeLights.h"
+#include "EyeLobes.h"
 #include "MaterialStates.h"
 #include "Surfaces.h"
 
@@ -38,8 +38,8 @@ private:
         osg::ref_ptr<Surfaces> surfaces;  ///< null: the plan needs none
         bool surfacesFailed = false;      ///< the plan does without them as there are none
     };
-    /// offscreen: Surfaces can be used. lobes: of an environment; null: there is none.
-    fbrdf::PlanRequest request(int lights, bool offscreen, const fbrdf::LobeTable* lobes) const;
+    /// offscreen: Surfaces can be used.
+    fbrdf::PlanRequest request(int lights, bool offscreen, const EyeLobes& lobes) const;
     /// attenuated: some lights are, by attenuation.glsl.
     PassInputs inputs(bool attenuated) const;
 
@@ -47,17 +47,16 @@ private:
     /// False, with a refusal, where what is known of the context without asking OpenGL rules this
     /// technique out: before the first frame, or when it is forced.
     bool mayDraw(osg::State& state) const;
-    Drawing drawingOf(const EffectCull& cull, const EyeLights& lights,
-                      const EyeEnvironment& environment) const;
+    Drawing drawingOf(const EffectCull& cull, const EyeLights& lights, const EyeLobes& lobes) const;
     /// The same with fewer lights, where all are too many for the only pass that there can be.
     Drawing drawingOfMost(const EffectCull& cull, EyeLights& lights, const fbrdf::Sphere& bounds,
-                          const EyeEnvironment& environment) const;
+                          const EyeLobes& lobes) const;
     /// Why it cannot be drawn; empty where it can.
     std::string reasonAgainst(const Drawing& drawing) const;
-    int lightsInOnePass(const EyeLights& lights, const EyeEnvironment& environment) const;
+    int lightsInOnePass(const EyeLights& lights, const EyeLobes& lobes) const;
     /// fog: of the scene, null where there is none.
     void cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
-                    const EyeEnvironment& environment, osg::StateSet* fog);
+                    const EyeLobes& lobes, osg::StateSet* fog);
 
     FactorizedBrdf& effect_;  ///< owns this
     EffectInternals& internals_;

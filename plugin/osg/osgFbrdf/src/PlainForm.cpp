@@ -3,6 +3,7 @@
 #include "EnvironmentCube.h"
 #include "GlLights.h"
 
+#include <osgFbrdf/AreaLights.h>
 #include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 #include <osgFbrdf/PointLights.h>
@@ -84,9 +85,13 @@ osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect, bool ambient)
 
 using Lights = std::vector<std::pair<fbrdf::Light, int>>;  ///< with the number in GL
 
-osg::ref_ptr<osg::Group> plainLights(const PointLights& node, const Lights& lights)
+/// node: one of PointLights or AreaLights.
+osg::ref_ptr<osg::Group> plainLights(const osg::Group& node, const Lights& lights)
 {
-    const osg::ref_ptr<osg::Group> group = groupFor(node), sources = new osg::Group;
+    const auto* areas = dynamic_cast<const AreaLights*>(&node);
+    const osg::ref_ptr<osg::Group> group =
+        areas ? groupFor(*areas) : groupFor(static_cast<const PointLights&>(node));
+    const osg::ref_ptr<osg::Group> sources = new osg::Group;
     sources->setName(kSources);
     for (const auto& [light, number] : lights) {
         const osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
@@ -103,13 +108,32 @@ void replace(osg::Node& node, osg::Node& by)
     for (osg::Group* parent : parents) parent->replaceChild(&node, &by);
 }
 
+template <class... Nodes>
+bool isOneOf(const osg::Group& group)
+{
+    return (dynamic_cast<const Nodes*>(&group) || ...);
+}
+
+/// The valid lights of PointLights or AreaLights, as far as OpenGL can have them.
+std::vector<fbrdf::Light> lightsIn(const osg::Group& node)
+{
+    std::vector<fbrdf::Light> lights;
+    if (const auto* points = dynamic_cast<const PointLights*>(&node))
+        for (const fbrdf::Light& light : points->getLights())
+            if (fbrdf::isValid(light)) lights.push_back(light);
+    if (const auto* areas = dynamic_cast<const AreaLights*>(&node))
+        for (const fbrdf::AreaLight& light : areas->getLights())
+            if (fbrdf::whyInvalid(light).empty()) lights.push_back(pointLightOf(light));
+    return lights;
+}
+
 struct PartsOfScene : public osg::NodeVisitor {
     PartsOfScene() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
     void apply(osg::Group& group) override
     {
         std::string record;
         if (auto* effect = dynamic_cast<FactorizedBrdf*>(&group)) effects.emplace_back(effect);
-        if (auto* node = dynamic_cast<PointLights*>(&group)) lights.emplace_back(node);
+        if (isOneOf<PointLights, AreaLights>(group)) lights.emplace_back(&group);
         if (auto* node = dynamic_cast<EnvironmentLight*>(&group)) environments.emplace_back(node);
         if (group.getUserValue(kRecord, record)) records.emplace_back(&group);
         traverse(group);
@@ -120,7 +144,7 @@ struct PartsOfScene : public osg::NodeVisitor {
         traverse(source);
     }
     std::vector<osg::ref_ptr<FactorizedBrdf>> effects;
-    std::vector<osg::ref_ptr<PointLights>> lights;
+    std::vector<osg::ref_ptr<osg::Group>> lights;  ///< PointLights and AreaLights
     std::vector<osg::ref_ptr<EnvironmentLight>> environments;
     std::vector<osg::ref_ptr<osg::Group>> records;
     std::vector<int> taken;  ///< numbers of the scene's own osg::Lights
@@ -135,8 +159,8 @@ std::vector<Lights> chosenLights(const PartsOfScene& found)
     };
     std::vector<Candidate> candidates;
     for (size_t n = 0; n < found.lights.size(); ++n)
-        for (const fbrdf::Light& light : found.lights[n]->getLights())
-            if (fbrdf::isValid(light)) candidates.push_back({n, light});
+        for (const fbrdf::Light& light : lightsIn(*found.lights[n]))
+            candidates.push_back({n, light});
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return luminance(a.light.intensity) > luminance(b.light.intensity);
     });

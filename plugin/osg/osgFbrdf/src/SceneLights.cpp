@@ -2,6 +2,7 @@
 
 #include "Vectors.h"
 
+#include <osgFbrdf/AreaLights.h>
 #include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/PointLights.h>
 
@@ -76,6 +77,7 @@ public:
     void apply(osg::Group& group) override
     {
         if (const auto* lights = dynamic_cast<const PointLights*>(&group)) add(*lights);
+        if (const auto* lights = dynamic_cast<const AreaLights*>(&group)) add(*lights);
         if (const auto* light = dynamic_cast<const EnvironmentLight*>(&group)) add(*light);
         traverse(group);
     }
@@ -113,6 +115,21 @@ private:
         }
     }
 
+    void add(const AreaLights& lights)
+    {
+        for (const fbrdf::AreaLight& light : lights.getLights()) {
+            std::string why = fbrdf::whyInvalid(light);
+            fbrdf::AreaLight placed = why.empty() ? moved(light, matrix_) : light;
+            if (why.empty()) why = fbrdf::whyInvalid(placed);
+            if (why.empty()) {
+                scene_.areaLights.push_back(std::move(placed));
+                continue;
+            }
+            ++scene_.dropped;
+            scene_.whyInvalid = why;
+        }
+    }
+
     void add(const EnvironmentLight& light)
     {
         if (!lights(light)) return;
@@ -138,7 +155,7 @@ void addViewLight(SceneLights& scene, const osg::Camera* camera)
     scene.viewNumber = view->getLight()->getLightNum();
     if (!scene.lights.empty() || !scene.sources.empty()) return;
     PlacedOsgLight light{view->getLight(), {}, view->getLightingMode() == osg::View::HEADLIGHT};
-    if (scene.environment.cube)
+    if (scene.environment.cube || !scene.areaLights.empty())
         scene.spare = std::move(light);
     else
         scene.sources.push_back(std::move(light));
@@ -152,6 +169,30 @@ fbrdf::Light moved(fbrdf::Light light, const osg::Matrixd& matrix)
     light.position = light.type == Type::directional ? turned(light.position, matrix)
                                                      : toVec3(toOsg(light.position) * matrix);
     if (light.type == Type::spot) light.axis = turned(light.axis, matrix);
+    return light;
+}
+
+fbrdf::AreaLight moved(fbrdf::AreaLight light, const osg::Matrixd& matrix)
+{
+    const auto place = [&](fbrdf::Vec3f& point) { point = toVec3(toOsg(point) * matrix); };
+    const auto turn = [&](fbrdf::Vec3f& vector) {
+        vector = toVec3(osg::Matrixd::transform3x3(toOsg(vector), matrix));
+    };
+    const auto row = [&](int i) { return osg::Vec3d(matrix(i, 0), matrix(i, 1), matrix(i, 2)); };
+    const double volume = (row(0) ^ row(1)) * row(2);
+    place(light.position);
+    place(light.end);
+    turn(light.axisU);
+    turn(light.axisV);
+    for (fbrdf::Vec3f& vertex : light.vertices) place(vertex);
+    // Normals turn with planes: by the inverse of the transpose.
+    light.normal =
+        toVec3(osg::Matrixd::transform3x3(osg::Matrixd::inverse(matrix), toOsg(light.normal)));
+    light.size *= static_cast<float>(std::cbrt(std::abs(volume)));
+    if (volume < 0.0) {
+        light.axisU = -light.axisU;
+        std::reverse(light.vertices.begin(), light.vertices.end());
+    }
     return light;
 }
 

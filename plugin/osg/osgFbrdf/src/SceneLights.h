@@ -3,6 +3,8 @@
 #include "EnvironmentCube.h"
 #include "OsgLights.h"
 
+#include <fbrdf/plan/AreaLight.h>
+
 #include <osg/Node>
 
 #include <optional>
@@ -24,14 +26,16 @@ struct SceneEnvironment {
 };
 
 struct SceneLights {
-    std::vector<fbrdf::Light> lights;     ///< the valid ones of PointLights, in world coordinates
+    std::vector<fbrdf::Light> lights;  ///< the valid ones of PointLights, in world coordinates
+    std::vector<fbrdf::AreaLight> areaLights;  ///< those of AreaLights, in the same coordinates
     std::vector<PlacedOsgLight> sources;  ///< of osg::LightSources, or else the light of the view
     SceneEnvironment environment;
-    /// The light of the view, where nothing but the environment lights the scene: for objects that
-    /// the environment does not light.
+    /// The light of the view, where nothing but an environment or area lights light the scene: for
+    /// objects that can have neither.
     std::optional<PlacedOsgLight> spare;
-    int viewNumber = -1;  ///< OpenGL's number for the light of the osg::View; -1: it has none
-    int dropped = 0;      ///< lights of PointLights that are not valid
+    int viewNumber = -1;     ///< OpenGL's number for the light of the osg::View; -1: it has none
+    int dropped = 0;         ///< lights of PointLights and AreaLights that are not valid
+    std::string whyInvalid;  ///< why the last of them is not; empty: it is a point light
 };
 
 /// The mean radiance of all directions.
@@ -50,5 +54,7 @@ osg::Matrixd worldToEye(osgUtil::CullVisitor& visitor);
 
 /// The light where the matrix, which is rigid, takes it.
 fbrdf::Light moved(fbrdf::Light light, const osg::Matrixd& matrix);
+/// The same, where the matrix may scale and mirror too (AreaLights.h).
+fbrdf::AreaLight moved(fbrdf::AreaLight light, const osg::Matrixd& matrix);
 
 }  // namespace osgFbrdf

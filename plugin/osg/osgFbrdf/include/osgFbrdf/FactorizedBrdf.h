@@ -55,13 +55,16 @@ struct DrawReport {
     std::string technique;  ///< techniqueName() of what was drawn
     std::string reason;     ///< why that is not the one selected; empty when it is
     int passes = 0;
-    int lightsUsed = 0;
+    int lightsUsed = 0;     ///< area lights included, as in what follows
     int lightsDropped = 0;  ///< lights that are not valid, or too many for what was drawn
     int lightsCulled = 0;   ///< lights that cannot reach the object
     int maxLookups = 0;     ///< the most texture look-ups of any pass
-    /// Why the environment of the scene does not light it; empty where it does, or there is none.
+    /// Why the environment or the area lights of the scene do not light it; empty where they do, or
+    /// there are none.
     std::string whyNoEnvironment = {};
     int environmentsLeftOut = 0;  ///< all but the first
+    /// What is wrong with the last area light that is not valid; empty where all are.
+    std::string whyLightsInvalid = {};
 };
 
 struct ContextNeeds;

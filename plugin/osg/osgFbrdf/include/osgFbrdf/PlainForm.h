@@ -2,9 +2,9 @@
 // everything below them ("Unsupported wrapper class").
 //
 // The plain form has an osg::Group where an effect was, with an osg::Material as bright as it, and
-// osg::LightSources for the eight most intense of all PointLights; ambient light stands for an
-// EnvironmentLight. What stood there is kept as text
-// in a user value of the group, so that restored() gives the scene back. Files: osgdb_fbrdf writes
+// osg::LightSources for the eight most intense of all PointLights and AreaLights; ambient light
+// stands for an EnvironmentLight. What stood there is kept as text in a user value of the group, so
+// that restored() gives the scene back. Files: osgdb_fbrdf writes
 // the plain form to SCENE.EXT for the name SCENE.EXT.fbrdf, and restores it where that is read.
 #pragma once
 #include <osg/Node>
