@@ -212,6 +212,8 @@ TEST(LobeTable, RefusesWhatIsOutOfRange)
     refuses("24 knots", [](LobeTable& t) { t.azimuths = 0; });
     refuses("no number", [&](LobeTable& t) { t.spread = nan; });
     refuses("no number", [](LobeTable& t) { t.error = -1.0; });
+    refuses("no number", [](LobeTable& t) { t.fewerErrors = {-1.0}; });
+    refuses("2 errors of fewer lobes", [](LobeTable& t) { t.fewerErrors = {0.5, 0.25}; });
     refuses("knot 3", [&](LobeTable& t) { t.knots[3].cosine.y = nan; });
     refuses("knot 4", [](LobeTable& t) { t.knots[4].lobes[1].weight.x = -1e-3f; });
     refuses("knot 5", [](LobeTable& t) { t.knots[5].lobes[0].level = 6.1f; });

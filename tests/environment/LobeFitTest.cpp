@@ -2,6 +2,7 @@
 #include "support/ExpectError.h"
 
 #include <fbrdf/environment/LobeFit.h>
+#include <fbrdf/plan/Lobes.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -123,6 +124,12 @@ TEST(LobeFit, MoreLobesAreNotWorse)
         validate(table, "test");
         EXPECT_LE(table.error, before) << lobes;
         before = table.error;
+        // With lobes left out it is worse, and no better than a table that was fitted so.
+        ASSERT_EQ(table.fewerErrors.size(), static_cast<size_t>(table.lobes) - 1);
+        for (size_t i = 0; i < table.fewerErrors.size(); ++i) {
+            EXPECT_GT(table.fewerErrors[i], table.error);
+            EXPECT_EQ(withFewerLobes(table, static_cast<int>(i) + 1).error, table.fewerErrors[i]);
+        }
         if (lobes == 2) {
             EXPECT_EQ(table.lobes, 2);
             EXPECT_LT(table.error, 0.02);
@@ -139,7 +146,14 @@ TEST(LobeFit, BentNormalsFollowALongHighlight)
     EXPECT_TRUE(table.acrossTangent);  // the side along which the highlight is long
     LobeFitOptions one;
     one.normals = 1;
-    EXPECT_LT(table.error, 0.7 * fitLobes(longBrdf, false, one).error);
+    const LobeTable single = fitLobes(longBrdf, false, one);
+    EXPECT_LT(table.error, 0.7 * single.error);
+    EXPECT_TRUE(single.fewerErrors.empty());
+    ASSERT_EQ(table.fewerErrors.size(), 2u);
+    EXPECT_EQ(table.fewerErrors[0], table.fewerErrors[1]);  // two bent normals are one
+    // All the light in the middle one is worse than the best single lobe, but not absurd.
+    EXPECT_GE(table.fewerErrors[0], 0.99 * single.error);
+    EXPECT_LT(table.fewerErrors[0], 3.0 * single.error);
     // The same highlight turned by a quarter.
     const auto turned = [](const Vec3d& wo, const Vec3d& wi) {
         return longBrdf(Vec3d(wo.y, -wo.x, wo.z), Vec3d(wi.y, -wi.x, wi.z));

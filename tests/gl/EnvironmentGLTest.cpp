@@ -293,6 +293,12 @@ TEST_P(Environment, FitsLobesThatAMaterialLacks)
                   optionsOf(Technique::single));
     EXPECT_EQ(picture.stats.itemsWithoutEnvironment, 0) << picture.stats.whyNoEnvironment;
     EXPECT_EQ(picture.stats.environmentError, fitted.error);
+    auto fewer = optionsOf(Technique::single);
+    fewer.environment.lobes = 1;
+    EXPECT_EQ(
+        drawItems(*renderer_, kSize, perspectiveView(), {{gpu.get(), gpuMesh_.get()}}, {}, fewer)
+            .stats.environmentError,
+        withFewerLobes(fitted, 1).error);
     const auto difference = compareImages(picture.pixels, expected(fitted), 1.0);
     EXPECT_LT(difference.maxRelative, emulation()) << describe(difference);
     EXPECT_TRUE(log.empty()) << log[0];

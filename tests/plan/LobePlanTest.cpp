@@ -356,7 +356,10 @@ TEST(LobePlan, FewerLobesKeepTheEnergy)
         for (size_t i = 0; i < 2; ++i)
             for (size_t k = 0; k < static_cast<size_t>(table.lobes); ++k)
                 table.knots[i].lobes[k] = {Vec3f(static_cast<float>(1 + k + i)),
-                                           static_cast<float>(k) * 0.5f, 0.0f};
+                                           axes ? 1.5f : static_cast<float>(k) * 0.5f,
+                                           axes ? 0.0f : static_cast<float>(k)};
+        table.fewerErrors.assign(static_cast<size_t>(table.lobes) - 1, 0.25);
+        table.error = 0.125;
         for (int lobes = 1; lobes <= table.lobes; ++lobes) {
             const LobeTable fewer = withFewerLobes(table, lobes);
             EXPECT_NO_THROW(validate(fewer, "fewer"));
@@ -367,10 +370,31 @@ TEST(LobePlan, FewerLobesKeepTheEnergy)
                 for (const Lobe& lobe : fewer.knots[i].lobes) kept += lobe.weight.x;
                 EXPECT_EQ(kept, all);
             }
+            EXPECT_EQ(fewer.error, fewer.lobes < table.lobes ? 0.25 : 0.125);
         }
     }
     // The middle one of seven bent lobes, with all the others' energy.
     EXPECT_EQ(withFewerLobes(table, 1).knots[0].lobes[0].level, 1.5f);
+}
+
+TEST(LobePlan, TheLobeThatStandsForOthersIsBetweenThem)
+{
+    LobeTable table;
+    table.lobes = 2;
+    table.thetas = 2;
+    table.error = 0.5;
+    table.knots.resize(2);
+    for (LobeKnot& knot : table.knots)
+        knot.lobes = {Lobe{Vec3f(3.0f), 1.0f, 0.0f}, Lobe{Vec3f(1.0f), 5.0f, -2.0f}};
+    const LobeTable fewer = withFewerLobes(table, 1);
+    const Lobe& lobe = fewer.knots[0].lobes[0];
+    EXPECT_EQ(lobe.weight, Vec3f(4.0f));
+    EXPECT_EQ(lobe.level, 2.0f);
+    EXPECT_EQ(lobe.tilt, -0.5f);
+    EXPECT_EQ(fewer.error, 0.5) << "as good as is known";
+    // Black lobes are nowhere between.
+    for (LobeKnot& knot : table.knots) knot.lobes[0].weight = knot.lobes[1].weight = Vec3f(0.0f);
+    EXPECT_EQ(withFewerLobes(table, 1).knots[0].lobes[0].level, 1.0f);
 }
 
 }  // namespace

@@ -147,10 +147,17 @@ void validate(const LobeTable& table, const std::string& where)
                     Found(std::to_string(table.knots.size()) + " knots of lobes for " +
                           std::to_string(table.thetas) + " x " + std::to_string(table.azimuths))
                         .expected("as many, at least 2 and at most 1024 along theta_o"));
-    if (!std::isfinite(table.spread) || !std::isfinite(table.error) || table.error < 0.0)
+    const auto isError = [](double error) { return std::isfinite(error) && error >= 0.0; };
+    if (!std::isfinite(table.spread) || !isError(table.error) ||
+        !std::all_of(table.fewerErrors.begin(), table.fewerErrors.end(), isError))
         throw Error(
             ErrorKind::input, where,
             Found("a spread or an error of lobes that is no number").expected("finite ones"));
+    if (!table.fewerErrors.empty() &&
+        table.fewerErrors.size() != static_cast<size_t>(table.lobes) - 1)
+        throw Error(ErrorKind::input, where,
+                    Found(std::to_string(table.fewerErrors.size()) + " errors of fewer lobes")
+                        .expected(std::to_string(table.lobes - 1) + ", or none"));
     for (size_t i = 0; i < table.knots.size(); ++i)
         if (!isKnot(table, table.knots[i]))
             throw Error(ErrorKind::input, where,

@@ -9,6 +9,7 @@
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Parallel.h>
+#include <fbrdf/plan/Lobes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,11 +107,28 @@ public:
             table.knots[i] = knotAt(targets_[i], axesOf(targets_[i], choice));
         });
         table.error = errorOf(table, choice);
+        std::vector<double> fewerErrors;
+        for (int lobes = 1; lobes < table.lobes; ++lobes)
+            fewerErrors.push_back(errorOf(widened(withFewerLobes(table, lobes)), choice));
+        table.fewerErrors = fewerErrors;
         return table;
     }
 
 private:
     using Problems = std::array<WeightProblem, 3>;
+
+    /// The table of the middle lobes, with the others at nothing.
+    LobeTable widened(LobeTable table) const
+    {
+        const auto kept = static_cast<size_t>(table.lobes), first = (normals_ - kept) / 2;
+        for (LobeKnot& knot : table.knots) {
+            const auto middle = knot.lobes;
+            knot.lobes = {};
+            for (size_t k = 0; k < normals_; ++k) knot.lobes[k].level = middle[0].level;
+            for (size_t k = 0; k < kept; ++k) knot.lobes[first + k] = middle[k];
+        }
+        return table;
+    }
 
     static bool isDeciding(size_t i)
     {

@@ -5,6 +5,7 @@
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Parallel.h>
 #include <fbrdf/environment/LobeFit.h>
+#include <fbrdf/plan/Lobes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ constexpr double kWorthALobe = 0.9;
 
 struct Candidate {
     LobeTable table;
-    std::vector<AtomSet> sets;
+    std::vector<AtomSet> sets = {};
     double cost = 0.0;  ///< expected squared error of light, mean over view directions
 };
 
@@ -48,6 +49,13 @@ public:
             last = bestOf(lobes, last.sets);
             if (last.cost < kWorthALobe * chosen.cost) chosen = last;
         }
+        std::vector<double> fewerErrors;
+        for (int lobes = 1; lobes < chosen.table.lobes; ++lobes) {
+            Candidate fewer{withFewerLobes(chosen.table, lobes)};
+            setError(fewer);
+            fewerErrors.push_back(fewer.table.error);
+        }
+        chosen.table.fewerErrors = fewerErrors;
         return chosen.table;
     }
 

@@ -46,6 +46,7 @@ Json jsonFromLobes(const LobeTable& lobes)
         json["across"] = lobes.acrossTangent;
     }
     json["error"] = lobes.error;
+    if (!lobes.fewerErrors.empty()) json["fewer_errors"] = lobes.fewerErrors;
     return json;
 }
 
@@ -86,6 +87,11 @@ LobeTable lobesFromJson(const JsonField& json, const std::vector<float>& numbers
         table.acrossTangent = json.at("across").boolean();
     }
     table.error = json.at("error").number();
+    if (json.has("fewer_errors")) {
+        const JsonField errors = json.at("fewer_errors");
+        for (size_t i = 0; i < errors.size(); ++i)
+            table.fewerErrors.push_back(errors.at(i).number());
+    }
     const size_t each = numbersPerKnot(table);
     const auto knots = static_cast<size_t>(table.thetas) * static_cast<size_t>(table.azimuths);
     if (numbers.size() != knots * each)

@@ -60,6 +60,17 @@ int standIn(const LobeTable& table, const LobeKnot& knot, int dropped, int first
     return best;
 }
 
+/// Adds the weight of the other lobe, between whose widths and directions the lobe then is.
+void absorb(Lobe& lobe, const Lobe& other)
+{
+    const auto sizeOf = [](const Lobe& l) { return l.weight.x + l.weight.y + l.weight.z; };
+    const float sum = sizeOf(lobe) + sizeOf(other);
+    const float share = sum > 0.0f ? sizeOf(other) / sum : 0.0f;
+    lobe.level += share * (other.level - lobe.level);
+    lobe.tilt += share * (other.tilt - lobe.tilt);
+    lobe.weight += other.weight;
+}
+
 }  // namespace
 
 LobeLayout layoutOf(const LobeTable& table)
@@ -100,12 +111,14 @@ LobeTable withFewerLobes(const LobeTable& table, int lobes)
     const int first = bent ? (table.lobes - kept) / 2 : 0;
     LobeTable fewer = table;
     fewer.lobes = kept;
+    if (!table.fewerErrors.empty()) fewer.error = table.fewerErrors[static_cast<size_t>(kept) - 1];
+    fewer.fewerErrors.clear();
     for (size_t i = 0; i < table.knots.size(); ++i) {
         LobeKnot knot = table.knots[i];
         for (int k = 0; k < table.lobes; ++k)
             if (k < first || k >= first + kept)
-                knot.lobes[static_cast<size_t>(standIn(table, knot, k, first, kept))].weight +=
-                    table.knots[i].lobes[static_cast<size_t>(k)].weight;
+                absorb(knot.lobes[static_cast<size_t>(standIn(table, knot, k, first, kept))],
+                       table.knots[i].lobes[static_cast<size_t>(k)]);
         fewer.knots[i].lobes = {};
         for (int k = 0; k < kept; ++k)
             fewer.knots[i].lobes[static_cast<size_t>(k)] =

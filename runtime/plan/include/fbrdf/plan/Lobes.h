@@ -90,8 +90,10 @@ struct LobeRoom {
 std::vector<LobeShare> lobeShares(const LobeLayout& table, const LobeLight& light,
                                   const LobeRoom& room);
 
-/// The table with fewer lobes: what the others reflect is added to the one that is most like them,
-/// so that energy stays. Of bent ones the middle ones remain, an odd number. lobes >= 1.
+/// The table with fewer lobes: the one that is most like the others takes their weights, so that
+/// energy stays, and is as wide and as tilted as they are on average. Of bent ones the middle ones
+/// remain, an odd number. Its error is that of LobeTable::fewerErrors, or the whole table's where
+/// that is not known. lobes >= 1.
 LobeTable withFewerLobes(const LobeTable& table, int lobes);
 
 }  // namespace fbrdf
