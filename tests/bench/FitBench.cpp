@@ -3,6 +3,7 @@
 #include "FitTiming.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/fit/Clock.h>
 #include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/peers/Peer.h>
 #include <fbrdf/sources/OpenSource.h>
@@ -171,12 +172,34 @@ void benchGrowth(const Settings& settings)
         }
 }
 
+// A slider that is dragged: every fit is of another alpha, from the making of the source to the
+// material, with the smoothness that the first fit chose.
+void benchLive(const Settings& settings)
+{
+    constexpr int kSteps = 20;
+    for (const char* form : {"io", "hdio", "hdpu", "hdsu"}) {
+        FitOptions options = formOptions(form, true);
+        options.heldOut = false;
+        options.cache = makeFitCache();
+        const auto sourceAt = [](double alpha) {
+            return openSource(fmt::format("ggx:alpha={},f0=0.04,kd=0.3/0.2/0.1", alpha));
+        };
+        options.smoothness = fitMaterial(sourceAt(0.2), options).summary.smoothness;
+        double least = 1e9;
+        for (int repeat = 0; repeat < settings.repeat; ++repeat) {
+            const Clock clock;
+            for (int i = 0; i < kSteps; ++i) fitMaterial(sourceAt(0.1 + 0.02 * i), options);
+            least = std::min(least, clock.seconds() / kSteps);
+        }
+        fmt::print("{:<48} {:>8.3f} s  {:.1f} fits a second\n",
+                   fmt::format("GGX with a dragged alpha, {}", form), least, 1.0 / least);
+    }
+}
+
 using Bench = std::pair<const char*, void (*)(const Settings&)>;
-constexpr Bench kBenches[] = {{"merl", benchMerl},
-                              {"scattered", benchScattered},
-                              {"columns", benchColumns},
-                              {"growth", benchGrowth},
-                              {"peers", benchPeers}};
+constexpr Bench kBenches[] = {{"merl", benchMerl},       {"scattered", benchScattered},
+                              {"columns", benchColumns}, {"growth", benchGrowth},
+                              {"live", benchLive},       {"peers", benchPeers}};
 
 }  // namespace
 }  // namespace fbrdf
@@ -187,7 +210,8 @@ int main(int argc, char** argv)
         "Seconds of fits and processor seconds of all threads, reading and errors apart; the most "
         "anonymous memory.");
     fbrdf::Settings settings;
-    app.add_option("--only", settings.only, "merl, scattered, columns, growth, peers; default all")
+    app.add_option("--only", settings.only,
+                   "merl, scattered, columns, growth, live, peers; default all")
         ->delimiter(',');
     app.add_option("--repeat", settings.repeat, "fits of which the fastest counts");
     app.add_option("--rows", settings.rows, "of the streamed file: 36 bytes each");

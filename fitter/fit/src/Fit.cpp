@@ -161,9 +161,15 @@ void checkOptions(const FitOptions& options)
     }
 }
 
+void FitWatch::check() const
+{
+    if (isStopped && isStopped()) throw FitStopped();
+}
+
 FitResult fitMaterial(const Source& source, const FitOptions& options)
 {
     checkOptions(options);
+    options.watch.say("reading " + source.name);
     const Clock readClock;
     Dataset dataset = readDataset(source, options);
     FitResult result;
@@ -172,6 +178,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     const Clock clock;
     const ProcessorClock processors;
     if (!isDirect(options)) straighten(source, options, dataset, summary);
+    options.watch.say("fitting " + source.name);
     const FitContext context = makeFitContext(std::move(dataset), options, source.name);
     Fitted fitted = fitAny(source, context, summary);
     if (mayHaveGaps(context, fitted)) flattenGaps(context, fitted);
@@ -183,6 +190,7 @@ FitResult fitMaterial(const Source& source, const FitOptions& options)
     summary.smoothness = fitted.smoothness;
     summary.prior = fitted.prior;
     summary.solver = fitted.solver;
+    options.watch.say("measuring " + source.name);
     measure(source, context, fitted, summary);
     result.material = std::move(fitted.material);
     return result;

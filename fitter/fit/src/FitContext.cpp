@@ -134,6 +134,7 @@ LeastSquaresOptions problemOptions(const FitContext& context)
     options.limits = context.options.solver;
     options.cache = context.options.cache.get();
     options.ranks = context.options.ranks;
+    options.watch = &context.options.watch;
     return options;
 }
 

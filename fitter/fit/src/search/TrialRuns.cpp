@@ -135,6 +135,7 @@ Candidate TrialRuns::added(const Form& form, const std::string& stage)
 
 void TrialRuns::holdOutMore(const FitContext& context, Candidate& candidate, int folds)
 {
+    context.options.watch.say("trying " + candidate.form.name);
     const Clock clock;
     HeldOut& held = candidate.held;
     holdOut(contextFor(context, candidate), candidate.form,

@@ -37,9 +37,10 @@ enum class SystemSolver { automatic, factored, conjugateGradients };
 struct LeastSquaresOptions {
     bool sharedShape = false;  ///< R, G, B have the same texels and a level each
     SystemSolver solver = SystemSolver::automatic;
-    SolverOptions limits;       ///< those of linear systems are used here
-    FitCache* cache = nullptr;  ///< shared by fits to data on the same grid; may be null
-    RankSum ranks;              ///< one data set over several processes
+    SolverOptions limits;             ///< those of linear systems are used here
+    FitCache* cache = nullptr;        ///< shared by fits to data on the same grid; may be null
+    RankSum ranks;                    ///< one data set over several processes
+    const FitWatch* watch = nullptr;  ///< asked for every block of samples; may be null
 };
 
 /// Sums over rows are made in this many parts, whatever the number of threads, and added in order:
@@ -113,8 +114,10 @@ void LeastSquares::forEachBlock(const Visit& visit, size_t parts) const
     parallelTasks(parts, threads_, [&](size_t part) {
         RowStore::Scratch scratch;
         const size_t blocks = last - first;
-        for (size_t b = blocks * part / parts; b < blocks * (part + 1) / parts; ++b)
+        for (size_t b = blocks * part / parts; b < blocks * (part + 1) / parts; ++b) {
+            if (options_.watch) options_.watch->check();
             visit(part, first + b, scratch);
+        }
     });
 }
 

@@ -11,6 +11,7 @@
 #include <fbrdf/metrics/Misfit.h>
 #include <fbrdf/sources/Source.h>
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -44,6 +45,26 @@ struct RankSum {
 /// threads.
 class FitCache;
 std::shared_ptr<FitCache> makeFitCache();
+
+/// Whoever waits for a fit sees what it does, and may end it. Both are called between steps, by
+/// several threads at once; either may be empty.
+struct FitWatch {
+    std::function<void(const std::string& doing)> tell;  ///< for people: "trying hdio"
+    std::function<bool()> isStopped;                     ///< true: fitMaterial throws FitStopped
+
+    void say(const std::string& doing) const
+    {
+        check();
+        if (tell) tell(doing);
+    }
+    void check() const;  ///< throws FitStopped where it is stopped
+};
+
+/// Not an Error: nothing is wrong with the data.
+class FitStopped : public std::exception {
+public:
+    const char* what() const noexcept override { return "the fit was stopped"; }
+};
 
 struct FitOptions {
     /// A name of namedForms(), a sum such as "io+hdio", a name of directForms(), "auto", or
@@ -81,6 +102,7 @@ struct FitOptions {
     std::shared_ptr<const TablePrior> prior;  ///< null: the one that comes with the library
     std::shared_ptr<FitCache> cache;          ///< may be null
     RankSum ranks;
+    FitWatch watch;
 };
 
 /// The names that stand for a search of the form.
@@ -162,8 +184,8 @@ struct FitResult {
 void checkOptions(const FitOptions& options);
 
 /// Throws what checkOptions does, Error(usage) for limits that the form does not keep, Error(fit)
-/// for data from which nothing can be fitted. Deterministic for a seed, whatever the number of
-/// threads.
+/// for data from which nothing can be fitted, FitStopped where its watch is. Deterministic for a
+/// seed, whatever the number of threads.
 FitResult fitMaterial(const Source& source, const FitOptions& options = {});
 
 struct NamedForm {
