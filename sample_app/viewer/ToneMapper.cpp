@@ -1,43 +1,13 @@
 #include "ToneMapper.h"
 
+#include "GlProgram.h"
 #include "Headless.h"
-#include "ToneMapShaders.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 
 namespace fbrdf::viewer {
 namespace {
-
-GLuint compiled(const GladGLContext& gl, GLenum stage, const char* text)
-{
-    const GLuint shader = gl.CreateShader(stage);
-    gl.ShaderSource(shader, 1, &text, nullptr);
-    gl.CompileShader(shader);
-    GLint isCompiled = 0;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
-    if (!isCompiled) {
-        char log[1024] = "";
-        gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-        throw Error(ErrorKind::gl, "tone mapping", std::string("a shader that GL refuses: ") + log);
-    }
-    return shader;
-}
-
-GLuint linked(const GladGLContext& gl)
-{
-    const GLuint program = gl.CreateProgram();
-    for (const GLuint shader : {compiled(gl, GL_VERTEX_SHADER, kToneMapVertex),
-                                compiled(gl, GL_FRAGMENT_SHADER, kToneMapFragment)}) {
-        gl.AttachShader(program, shader);
-        gl.DeleteShader(shader);  // goes with the program
-    }
-    gl.LinkProgram(program);
-    GLint isLinked = 0;
-    gl.GetProgramiv(program, GL_LINK_STATUS, &isLinked);
-    if (!isLinked) throw Error(ErrorKind::gl, "tone mapping", "a program that does not link");
-    return program;
-}
 
 /// A floating-point texture without levels; CPU pictures may be coarser than the window.
 void setStorage(const GladGLContext& gl, GLuint texture, int width, int height, const float* rgba)
@@ -54,7 +24,8 @@ void setStorage(const GladGLContext& gl, GLuint texture, int width, int height, 
 
 }  // namespace
 
-ToneMapper::ToneMapper(gl::LoadFunction load) : gl_(loadGlFunctions(load)), program_(linked(gl_))
+ToneMapper::ToneMapper(gl::LoadFunction load)
+    : gl_(loadGlFunctions(load)), program_(linkedProgram(gl_, "tonemap.vert", "tonemap.frag"))
 {
     gl_.GenVertexArrays(1, &vertexArray_);
     gl_.GenFramebuffers(1, &framebuffer_);

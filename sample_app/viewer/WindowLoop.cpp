@@ -54,8 +54,7 @@ public:
           panel_(window_.handle()),
           timer_(GlfwWindow::loader()),
           toneMapper_(GlfwWindow::loader()),
-          scene_(GlfwWindow::loader(), world, {options.lookUp, 0, options.precise},
-                 {options.environmentLobes, options.environmentSamples}),
+          scene_(GlfwWindow::loader(), world, options),
           stats_(statsOf(options, world))
     {
         window_.setFilter(
@@ -108,8 +107,7 @@ private:
 
     gl::View view(int width, int height) const
     {
-        return viewFromCamera(state_.camera, static_cast<double>(width) / height,
-                              scene::boundsOf(world_.mesh));
+        return viewOf(world_, state_.camera, static_cast<double>(width) / height);
     }
     scene::Instance instance() const { return {&world_.mesh, glm::mat4(1.0f), state_.material}; }
     void remember(double milliseconds)
@@ -181,8 +179,11 @@ void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
     stats_.path.reset();
     timer_.begin();
     const gl::Target target = toneMapper_.clearedTarget(size.width, size.height);
-    const gl::DrawStats drawn = scene_.draw(target, view(size.width, size.height), {instance()},
-                                            world_.lights, runtimeTechnique(state_.technique));
+    const gl::DrawStats drawn = scene_.draw(target, {runtimeTechnique(state_.technique),
+                                                     {instance()},
+                                                     view(size.width, size.height),
+                                                     &world_.lights,
+                                                     world_.ground.get()});
     remember(timer_.end());
     addDrawStats(drawn, scene_.renderer(), stats_);
     facts_.passes = drawn.passes;
