@@ -42,7 +42,7 @@ int run(int argc, char** argv)
 
     // 4. What is kept of it.
     picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
-    viewer::addBackground(options, world, picture.image);
+    viewer::addBackground(options, world, picture.view, picture.image);
     if (!options.out.empty())
         writeImage(picture.image, options.out, options.exposure, transferOf(options));
     if (!options.stats.empty()) writeFile(options.stats, scene::statsToJson(picture.stats));

@@ -114,7 +114,7 @@ std::optional<scene::PathStats> CpuDrawing::pathStats() const
 
 Picture drawOnCpu(const Options& options, World& world)
 {
-    Picture picture{{}, statsOf(options, world)};
+    Picture picture{{}, statsOf(options, world), viewOf(options, world)};
     scene::Stats& stats = picture.stats;
     for (int frame = 0; frame < options.frames.value_or(1); ++frame) {
         const auto start = std::chrono::steady_clock::now();

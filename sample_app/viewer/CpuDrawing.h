@@ -24,6 +24,7 @@ public:
     CpuDrawing(const Options& options, World& world, CpuRequest request);
 
     bool isFinished() const { return left_ == 0; }
+    int samples() const { return done_; }  ///< of each pixel, so far
     /// Adds the next sample of every pixel.
     void goOn();
     /// What there is so far, and of `path` what is known about it.

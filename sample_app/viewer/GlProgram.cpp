@@ -47,6 +47,17 @@ GLuint linkedProgram(const GladGLContext& gl, const char* vertex, const char* fr
     return program;
 }
 
+void drawCorners(const GladGLContext& gl, GLuint vertexArray, GLuint texture, int corners)
+{
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.BindVertexArray(vertexArray);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, corners);
+    gl.BindVertexArray(0);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    gl.UseProgram(0);
+}
+
 std::string viewerShader(const char* name)
 {
     return std::string(embeddedViewerShader(name));

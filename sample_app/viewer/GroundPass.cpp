@@ -49,13 +49,7 @@ void GroundPass::draw(const gl::Target& target, const gl::View& view, const scen
     gl_.Uniform3fv(gl_.GetUniformLocation(program_, "openSky"), 1, &openSky[0]);
     gl_.Uniform1f(gl_.GetUniformLocation(program_, "opaque"),
                   static_cast<float>(scene::Ground::kOpaque));
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, visibility_);
-    gl_.BindVertexArray(vertexArray_);
-    gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    gl_.BindVertexArray(0);
-    gl_.BindTexture(GL_TEXTURE_2D, 0);
-    gl_.UseProgram(0);
+    drawCorners(gl_, vertexArray_, visibility_, 4);
     gl_.Disable(GL_BLEND);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }

@@ -44,7 +44,7 @@ void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scen
 
 Picture drawHeadless(const Options& options, World& world)
 {
-    Picture picture{{}, statsOf(options, world)};
+    Picture picture{{}, statsOf(options, world), viewOf(options, world)};
     HeadlessDrawing drawing(options, world);
     drawing.scene().prepare(runtimeTechnique(options.technique), world);
     // Frame 0 is not timed: drivers compile what they need while they draw it.

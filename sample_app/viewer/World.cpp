@@ -43,18 +43,6 @@ scene::LightSet lightsOf(const Options& options, const scene::Bounds& bounds)
     return {spreadAround(scene::makeLights(count, options.seed), bounds), {}};
 }
 
-std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
-{
-    const std::string& name = options.environment;
-    if (name.empty()) return std::nullopt;
-    scene::EnvironmentLight light;
-    light.panorama = isProceduralEnvironment(name) ? proceduralEnvironment(name)
-                                                   : readPanorama(name, &light.note);
-    light.rotation = options.environmentRotation * kDegree;
-    light.intensity = options.environmentIntensity;
-    return light;
-}
-
 scene::Camera cameraOf(const Options& options, const World& world)
 {
     if (options.camera) return *options.camera;
@@ -71,15 +59,28 @@ scene::Camera cameraOf(const Options& options, const World& world)
 
 }  // namespace
 
+std::optional<scene::EnvironmentLight> environmentFrom(const std::string& name,
+                                                       const Options& options)
+{
+    if (name.empty()) return std::nullopt;
+    scene::EnvironmentLight light;
+    light.panorama = isProceduralEnvironment(name) ? proceduralEnvironment(name)
+                                                   : readPanorama(name, &light.note);
+    light.rotation = options.environmentRotation * kDegree;
+    light.intensity = options.environmentIntensity;
+    return light;
+}
+
 void loadWorld(const Options& options, World& world)
 {
     loadMaterials(options, world.materials);
-    const int count = static_cast<int>(world.materials.size());
+    // A window shows one material at a time.
+    const int count = options.headless ? static_cast<int>(world.materials.size()) : 1;
     world.mesh = scene::meshFromName(options.mesh);
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
     world.lights = lightsOf(options, bounds);
-    world.environment = environmentOf(options);
+    world.environment = environmentFrom(options.environment, options);
     world.camera = cameraOf(options, world);
     makeGround(options, world);
 }
@@ -91,10 +92,12 @@ void makeGround(const Options& options, World& world)
     world.ground->setVisibility(visibleSky(truth::Occluders(world.instances), *world.ground));
 }
 
-void addBackground(const Options& options, const World& world, scene::Image& image)
+void addBackground(const Options& options, const World& world, const gl::View& view,
+                   scene::Image& image)
 {
-    fillBackground(image, options.background, world.environment ? &*world.environment : nullptr,
-                   viewOf(options, world));
+    const scene::EnvironmentLight* environment = world.environment ? &*world.environment : nullptr;
+    if (options.background.environment && !environment) return;  // taken away in a window
+    fillBackground(image, options.background, environment, view);
 }
 
 scene::Stats statsOf(const Options& options, const World& world)

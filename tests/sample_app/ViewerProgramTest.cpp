@@ -426,5 +426,37 @@ TEST_F(ViewerWindow, DrawsFramesClosesAndAgreesWithTheReference)
     }
 }
 
+TEST_F(ViewerWindow, BeginsWithTheFullSceneOfThePictures)
+{
+    const std::string scene =
+        "--size 64x40 --samples 2 --environment-lobes 1 --material '" + file("made.fbrdf") + "' ";
+    const ProgramResult result = runViewer(
+        scene + "--frames 2 --out '" + file("w.exr") + "' --stats '" + file("w.json") + "'", xvfb_);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto stats = readJson(file("w.json"));
+    EXPECT_EQ(stats["environment"]["name"], "studio");
+    EXPECT_EQ(stats["frames"], 2);
+    NEEDS(Backend::egl);
+    const Image expected = draw("--headless --full " + scene);
+    const Image window = readExr(file("w.exr"));
+    ASSERT_EQ(window.rgba.size(), expected.rgba.size());
+    double off = 0.0, largest = 0.0, sum = 0.0;
+    for (size_t i = 0; i < window.rgba.size(); ++i) {
+        const double difference = std::abs(double(window.rgba[i]) - double(expected.rgba[i]));
+        off += difference;
+        largest = std::max(largest, difference);
+        sum += double(expected.rgba[i]);
+    }
+    EXPECT_LE(off / sum, 1e-4);
+    EXPECT_LE(largest, 1e-2);
+}
+
+TEST_F(ViewerWindow, SaysThatGlIsTooOld)
+{
+    expectError(runViewer("--plain --size 64x40 --frames 1 --material '" + file("made.fbrdf") + "'",
+                          xvfb_ + " MESA_GL_VERSION_OVERRIDE=2.1 MESA_GLSL_VERSION_OVERRIDE=120"),
+                6, "expected a display with OpenGL 3.3");
+}
+
 }  // namespace
 }  // namespace fbrdf::scene

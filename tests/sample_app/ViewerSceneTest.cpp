@@ -151,7 +151,8 @@ TEST_F(ViewerScene, TheBackgroundShowsThroughEdgesAndTheFadingGround)
 TEST_F(ViewerScene, TheFullSceneHasAllOfItAndLetsOptionsChangeIt)
 {
     NEEDS(Backend::egl);
-    const Image full = draw(drawMade() + "--full --light-count 3");
+    const Image full = draw(
+        "--headless --size 48x48 --material lambert:albedo=0.5 --form hdio --full --light-count 3");
     EXPECT_EQ(stats_["environment"]["name"], "studio");
     EXPECT_EQ(stats_["lights"]["given"], 3);
     EXPECT_GT(full.pixel(0, 47)[3], 0.5f) << "the ground";
