@@ -33,8 +33,8 @@ render() { # NAME ARGS...
   shift
   step "rendering $name" "$log" "$viewer" --headless --out "$out/$name" --stats "$out/${name%.*}.json" "$@"
 }
-render sphere.png --material "$out/material.fbrdf" --mesh sphere --light-count 8 --size 512x512 --technique single
-render knot.png --material "$out/material.fbrdf" --mesh knot --light-count 8 --size 512x512 --technique two-lookup
+render sphere.png --material "$out/material.fbrdf" --mesh sphere --full --size 640x480
+render knot.png --material "$out/material.fbrdf" --mesh knot --full --size 640x480 --technique two-lookup
 
 echo
 for picture in sphere.png knot.png report.html material.fbrdf; do echo "$root/$out/$picture"; done

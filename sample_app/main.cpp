@@ -42,8 +42,9 @@ int run(int argc, char** argv)
 
     // 4. What is kept of it.
     picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
-    if (options.headless) viewer::addBackground(options, world, picture.image);
-    if (!options.out.empty()) writeImage(picture.image, options.out, options.exposure);
+    viewer::addBackground(options, world, picture.view, picture.image);
+    if (!options.out.empty())
+        writeImage(picture.image, options.out, options.exposure, transferOf(options));
     if (!options.stats.empty()) writeFile(options.stats, scene::statsToJson(picture.stats));
     return 0;
 }

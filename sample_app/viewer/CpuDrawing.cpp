@@ -1,13 +1,12 @@
 #include "CpuDrawing.h"
 
+#include <fbrdf/scene/KeyLights.h>
+
 #include <algorithm>
 #include <chrono>
 
 namespace fbrdf::viewer {
 namespace {
-
-// Enough to see what a picture will be.
-constexpr int kDefaultSamples = 64;
 
 scene::Scene sceneOf(World& world, const CpuRequest& request)
 {
@@ -18,7 +17,27 @@ scene::Scene sceneOf(World& world, const CpuRequest& request)
     scene.areaLights = world.lights.areaLights;
     if (world.environment) scene.environment = &*world.environment;
     scene.view = request.view;
+    if (world.ground && world.ground->isSeenFrom(request.view)) {
+        scene.ground = world.ground.get();
+        scene.instances.push_back(world.ground->object(static_cast<int>(scene.brdfs.size())));
+        scene.brdfs.push_back(scene::Ground::brdf());
+    }
     return scene;
+}
+
+/// What `objects` hide of the lights that cast shadows.
+scene::Shadow shadowOf(const truth::Occluders& occluders,
+                       const std::vector<scene::ShadowedLight>& shadowed)
+{
+    return [&occluders, shadowed](size_t light, const scene::SurfacePoint& point,
+                                  const scene::Incident&) {
+        const auto found = std::find_if(
+            shadowed.begin(), shadowed.end(),
+            [light](const auto& caster) { return caster.place == static_cast<int>(light); });
+        if (found == shadowed.end()) return false;
+        const scene::Incident from = scene::incidentFrom(found->from, point.position);
+        return occluders.hide(point, from.direction, from.distance);
+    };
 }
 
 truth::PathOptions pathOptionsOf(const Options& options, const CpuRequest& request)
@@ -26,17 +45,18 @@ truth::PathOptions pathOptionsOf(const Options& options, const CpuRequest& reque
     truth::PathOptions path;
     path.picture = {request.width, request.height};
     path.bounces = options.bounces.value_or(path.bounces);
-    path.spread = options.samples.has_value();
+    path.spread = options.samples || options.full;
     return path;
 }
 
 /// Where only lights without a shape send light, and straight, no directions are drawn.
-std::vector<LobeTable> lobesOf(World& world, int bounces)
+std::vector<LobeTable> lobesOf(World& world, const scene::Scene& scene, int bounces)
 {
     const bool areDrawn = bounces > 0 || world.environment || !world.lights.areaLights.empty();
     std::vector<LobeTable> lobes;
     for (MaterialSlot& slot : world.materials)
         lobes.push_back(areDrawn ? slot.lobes() : LobeTable());
+    if (scene.ground) lobes.emplace_back();  // its directions are drawn by the cosine
     return lobes;
 }
 
@@ -51,29 +71,39 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 CpuDrawing::CpuDrawing(const Options& options, World& world, CpuRequest request)
     : request_(std::move(request)), scene_(sceneOf(world, request_))
 {
-    if (request_.technique != scene::ViewTechnique::path) return;
+    left_ = samplesOf(options, request_.technique);
+    if (request_.technique != scene::ViewTechnique::path) {
+        sum_ = scene::Image(request_.width, request_.height);
+        if (options.shadows) occluders_.emplace(request_.instances);
+        return;
+    }
     const truth::PathOptions path = pathOptionsOf(options, request_);
     bounces_ = path.bounces;
-    tracer_ = std::make_unique<truth::PathTracer>(scene_, lobesOf(world, bounces_), path);
-    left_ = options.samples.value_or(kDefaultSamples);
+    tracer_ = std::make_unique<truth::PathTracer>(scene_, lobesOf(world, scene_, bounces_), path);
 }
 
 void CpuDrawing::goOn()
 {
-    const scene::PictureOptions size{request_.width, request_.height};
     if (tracer_) {
         tracer_->add(1);
-    } else if (request_.technique == scene::ViewTechnique::vertex) {
-        image_ = renderVertex(scene_, size);
     } else {
-        image_ = renderReference(scene_, size);
+        scene::PictureOptions options{request_.width, request_.height};
+        options.firstSample = done_;
+        if (occluders_)
+            scene_.shadow =
+                shadowOf(*occluders_,
+                         shadowedLights(scene_.lights, scene::boundsOf(request_.instances), done_));
+        add(request_.technique == scene::ViewTechnique::vertex ? renderVertex(scene_, options)
+                                                               : renderReference(scene_, options),
+            sum_);
     }
+    ++done_;
     --left_;
 }
 
 scene::Image CpuDrawing::image() const
 {
-    return tracer_ ? tracer_->picture().image : image_;
+    return tracer_ ? tracer_->picture().image : meanOf(sum_, done_);
 }
 
 std::optional<scene::PathStats> CpuDrawing::pathStats() const
@@ -84,7 +114,7 @@ std::optional<scene::PathStats> CpuDrawing::pathStats() const
 
 Picture drawOnCpu(const Options& options, World& world)
 {
-    Picture picture{{}, statsOf(options, world)};
+    Picture picture{{}, statsOf(options, world), viewOf(options, world)};
     scene::Stats& stats = picture.stats;
     for (int frame = 0; frame < options.frames.value_or(1); ++frame) {
         const auto start = std::chrono::steady_clock::now();

@@ -1,7 +1,8 @@
-// CpuDrawing.h - a picture that the CPU draws: at once or, for `path`, sample by sample.
+// CpuDrawing.h - a picture that the CPU draws, sample by sample.
 #pragma once
 #include "World.h"
 
+#include <fbrdf/truth/Occluders.h>
 #include <fbrdf/truth/PathTracer.h>
 
 #include <memory>
@@ -23,7 +24,8 @@ public:
     CpuDrawing(const Options& options, World& world, CpuRequest request);
 
     bool isFinished() const { return left_ == 0; }
-    /// The next sample, or all of a technique without samples.
+    int samples() const { return done_; }  ///< of each pixel, so far
+    /// Adds the next sample of every pixel.
     void goOn();
     /// What there is so far, and of `path` what is known about it.
     scene::Image image() const;
@@ -32,9 +34,10 @@ public:
 private:
     CpuRequest request_;
     scene::Scene scene_;
-    int bounces_ = 0, left_ = 1;
+    std::optional<truth::Occluders> occluders_;  ///< of the shadows of all but `path`
+    int bounces_ = 0, done_ = 0, left_ = 1;
     std::unique_ptr<truth::PathTracer> tracer_;
-    scene::Image image_;  ///< of techniques without samples
+    scene::Image sum_;  ///< of the samples of all but `path`
 };
 
 /// Techniques of the CPU, without any GL.

@@ -27,20 +27,24 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
 
 }  // namespace
 
-GlScene::GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded,
-                 const EnvironmentQuality& quality)
-    : renderer_(rendererOptions(load))
+GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
+    : renderer_(rendererOptions(load)), groundPass_(load)
 {
-    if (const auto& light = world.environment) {
-        environment_ =
-            renderer_.createEnvironment(light->panorama, {0, false, quality.samples > 0});
-        environmentLight_ = {
-            environment_.get(), gl::environmentRotation(static_cast<float>(light->rotation)),
-            Vec3f(static_cast<float>(light->intensity)), quality.lobes, quality.samples};
+    environmentLight_.lobes = options.environmentLobes;
+    environmentLight_.samples = options.environmentSamples;
+    if (options.shadows) {
+        shadowMaps_ = std::make_unique<ShadowMaps>(load);
+        hooks_ = renderer_.createHooks(shadowMaps_->hooks());
     }
+    if (world.environment) replaceEnvironment(&*world.environment);
+    const gl::MaterialOptions uploaded{options.lookUp, 0, options.precise};
     for (MaterialSlot& slot : world.materials)
         materials_.push_back(renderer_.createMaterial(slot.material(), uploaded));
     replaceMesh(world.mesh);
+    if (!world.ground) return;
+    groundMaterial_ = renderer_.createMaterial(scene::Ground::material(), uploaded);
+    groundMesh_ = renderer_.createMesh(*world.ground->object(0).mesh);
+    replaceGround(*world.ground);
 }
 
 gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet& lights) const
@@ -55,24 +59,77 @@ gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet&
 void GlScene::replaceMesh(const scene::Mesh& mesh)
 {
     mesh_ = renderer_.createMesh(mesh);
+    if (shadowMaps_) shadowMaps_->setMesh(mesh);
 }
 
-void GlScene::prepare(Technique technique, const scene::LightSet& lights)
+void GlScene::replaceEnvironment(const scene::EnvironmentLight* light)
 {
+    environmentLight_.map = nullptr;
+    environment_.reset();
+    skyIrradiance_ = Vec3d(0.0);
+    if (!light) return;
+    environment_ =
+        renderer_.createEnvironment(light->panorama, {0, false, environmentLight_.samples > 0});
+    environmentLight_.map = environment_.get();
+    turnEnvironment(*light, environmentLight_.lobes);
+}
+
+void GlScene::turnEnvironment(const scene::EnvironmentLight& light, int lobes)
+{
+    environmentLight_.rotation = gl::environmentRotation(static_cast<float>(light.rotation));
+    environmentLight_.intensity = Vec3f(static_cast<float>(light.intensity));
+    environmentLight_.lobes = lobes;
+    skyIrradiance_ = light.upwardIrradiance();
+}
+
+void GlScene::prepare(Technique technique, const World& world)
+{
+    gl::DrawOptions options = drawOptions(technique, world.lights);
+    const auto count = static_cast<int>(world.lights.lights.size());
     for (const auto& material : materials_)
-        renderer_.prepare(*material, drawOptions(technique, lights),
-                          static_cast<int>(lights.lights.size()));
+        renderer_.prepare({material.get(), mesh_.get(), glm::mat4(1.0f), hooks_.get()}, options,
+                          count);
+    if (!world.ground) return;
+    options.environment.map = nullptr;
+    renderer_.prepare(groundItem(*world.ground), options, count);
 }
 
-gl::DrawStats GlScene::draw(const gl::Target& target, const gl::View& view,
-                            const std::vector<scene::Instance>& instances,
-                            const scene::LightSet& lights, Technique technique)
+gl::Item GlScene::groundItem(const scene::Ground& ground) const
 {
+    return {groundMaterial_.get(), groundMesh_.get(), ground.object(0).model, hooks_.get()};
+}
+
+/// The runtime lights the plane, and the pass adds the sky and fades it.
+gl::DrawStats GlScene::drawGround(const gl::Target& target, const GlRequest& request)
+{
+    gl::DrawOptions options = drawOptions(request.technique, *request.lights);
+    options.environment.map = nullptr;
+    const gl::DrawStats drawn = renderer_.draw(target, request.view, {groundItem(*request.ground)},
+                                               request.lights->lights, options);
+    groundPass_.draw(target, request.view, *request.ground, skyIrradiance_);
+    return drawn;
+}
+
+gl::DrawStats GlScene::draw(const gl::Target& target, const GlRequest& request)
+{
+    const std::vector<Light>& lights = request.lights->lights;
+    if (shadowMaps_)
+        shadowMaps_->draw(
+            request.instances,
+            shadowedLights(lights, scene::boundsOf(request.instances), request.sample),
+            request.view);
+    gl::DrawStats ground;
+    if (request.ground && request.ground->isSeenFrom(request.view))
+        ground = drawGround(target, request);
     std::vector<gl::Item> items;
-    for (const scene::Instance& instance : instances)
+    for (const scene::Instance& instance : request.instances)
         items.push_back({materials_[static_cast<size_t>(instance.material)].get(), mesh_.get(),
-                         instance.model});
-    return renderer_.draw(target, view, items, lights.lights, drawOptions(technique, lights));
+                         instance.model, hooks_.get()});
+    gl::DrawStats drawn = renderer_.draw(target, request.view, items, lights,
+                                         drawOptions(request.technique, *request.lights));
+    drawn.drawCalls += ground.drawCalls;
+    drawn.itemsFailed += ground.itemsFailed;
+    return drawn;
 }
 
 }  // namespace fbrdf::viewer

@@ -1,39 +1,62 @@
 // GlScene.h - a world uploaded to the current GL context and drawn with the runtime.
 #pragma once
+#include "GroundPass.h"
+#include "ShadowMaps.h"
 #include "World.h"
 
 #include <fbrdf/gl/Renderer.h>
 
 namespace fbrdf::viewer {
 
+/// What is drawn. `instances` use the one mesh; their materials are indices into the world's.
+struct GlRequest {
+    Technique technique = Technique::single;
+    std::vector<scene::Instance> instances;
+    gl::View view;
+    const scene::LightSet* lights = nullptr;
+    const scene::Ground* ground = nullptr;  ///< null: none
+    int sample = 0;  ///< of the pixels; the view is moved already, shadows depend on it
+};
+
 class GlScene {
 public:
     /// Uploads the mesh and every material (fitting what needs it). Belongs to the context that is
     /// current now. Problems that a draw survives are printed to stderr, each once.
-    /// lobes, samples: as those of EnvironmentLight.
-    struct EnvironmentQuality {
-        int lobes = 0, samples = 0;
-    };
-    GlScene(gl::LoadFunction load, World& world, const gl::MaterialOptions& uploaded,
-            const EnvironmentQuality& quality);
+    GlScene(gl::LoadFunction load, World& world, const Options& options);
 
     const gl::Renderer& renderer() const { return renderer_; }
     void replaceMesh(const scene::Mesh& mesh);
-    /// Compiles what drawing will need.
-    void prepare(Technique technique, const scene::LightSet& lights);
-    /// `instances` use the one mesh; their materials are indices into the world's.
-    gl::DrawStats draw(const gl::Target& target, const gl::View& view,
-                       const std::vector<scene::Instance>& instances, const scene::LightSet& lights,
-                       Technique technique);
+    /// Takes what the objects hide of the sky above the ground.
+    void replaceGround(const scene::Ground& ground)
+    {
+        groundPass_.setVisibility(ground.visibility());
+    }
+    /// Takes another environment, or none. What is drawn of it at most are so many lobes, or all
+    /// that a material has (0).
+    void replaceEnvironment(const scene::EnvironmentLight* light);
+    /// Follows rotation and intensity of the environment that is there.
+    void turnEnvironment(const scene::EnvironmentLight& light, int lobes);
+    /// Compiles what drawing the world will need.
+    void prepare(Technique technique, const World& world);
+    /// Draws the ground, where it is seen, and the objects. The stats are those of the objects, but
+    /// for draw calls and failures, which are those of all.
+    gl::DrawStats draw(const gl::Target& target, const GlRequest& request);
 
 private:
     gl::DrawOptions drawOptions(Technique technique, const scene::LightSet& lights) const;
+    gl::Item groundItem(const scene::Ground& ground) const;
+    gl::DrawStats drawGround(const gl::Target& target, const GlRequest& request);
 
     gl::Renderer renderer_;
+    std::unique_ptr<ShadowMaps> shadowMaps_;  ///< null: no shadows
+    std::shared_ptr<gl::GpuHooks> hooks_;     ///< of the shadows
+    GroundPass groundPass_;
     std::shared_ptr<gl::GpuEnvironment> environment_;
     gl::EnvironmentLight environmentLight_;
+    Vec3d skyIrradiance_{0.0};  ///< of the environment on an open ground
     std::vector<std::shared_ptr<gl::GpuMaterial>> materials_;
-    std::shared_ptr<gl::GpuMesh> mesh_;
+    std::shared_ptr<gl::GpuMaterial> groundMaterial_;
+    std::shared_ptr<gl::GpuMesh> mesh_, groundMesh_;
 };
 
 }  // namespace fbrdf::viewer

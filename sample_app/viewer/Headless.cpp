@@ -1,10 +1,6 @@
 #include "Headless.h"
 
-#include "FrameTimer.h"
-#include "GlScene.h"
-
-#include <fbrdf/base/Error.h>
-#include <fbrdf/headless/Offscreen.h>
+#include "HeadlessDrawing.h"
 
 #include <algorithm>
 
@@ -48,35 +44,16 @@ void addDrawStats(const gl::DrawStats& drawn, const gl::Renderer& renderer, scen
 
 Picture drawHeadless(const Options& options, World& world)
 {
-    Picture picture{{}, statsOf(options, world)};
-    HeadlessOptions contextOptions;
-    contextOptions.backend = options.backend;
-    contextOptions.device = options.device;
-    const HeadlessContext context(contextOptions);
-    GlScene scene(context.loader(), world, {options.lookUp, 0, options.precise},
-                  {options.environmentLobes, options.environmentSamples});
-    Offscreen offscreen(context.loader(), {options.width, options.height});
-    FrameTimer timer(context.loader());
-    const gl::Target target{offscreen.framebuffer(), options.width, options.height};
-    const gl::View view =
-        viewFromCamera(world.camera, static_cast<double>(options.width) / options.height,
-                       scene::boundsOf(world.instances));
-    const Technique technique = runtimeTechnique(options.technique);
-    scene.prepare(technique, world.lights);
+    Picture picture{{}, statsOf(options, world), viewOf(options, world)};
+    HeadlessDrawing drawing(options, world);
+    drawing.scene().prepare(runtimeTechnique(options.technique), world);
     // Frame 0 is not timed: drivers compile what they need while they draw it.
     for (int frame = 0; frame <= options.frames.value_or(1); ++frame) {
-        timer.begin();
-        offscreen.clear();
-        const gl::DrawStats drawn =
-            scene.draw(target, view, world.instances, world.lights, technique);
-        const double milliseconds = timer.end();
-        if (frame > 0) picture.stats.milliseconds.push_back(milliseconds);
-        addDrawStats(drawn, scene.renderer(), picture.stats);
-        if (drawn.itemsFailed > 0)
-            throw Error(ErrorKind::gl, "draw",
-                        std::to_string(drawn.itemsFailed) + " objects could not be drawn");
+        const int samples = frame == 0 ? 1 : samplesOf(options, options.technique);
+        picture.image = drawing.draw(requestOf(options, world), samples);
+        if (frame > 0) picture.stats.milliseconds.push_back(drawing.milliseconds());
     }
-    picture.image = imageFromBottomRows(offscreen.readPixels(), options.width, options.height);
+    addDrawStats(drawing.drawn(), drawing.scene().renderer(), picture.stats);
     picture.stats.backend = backendName(options.backend);
     return picture;
 }

@@ -4,8 +4,8 @@
 
 namespace fbrdf::viewer {
 
-/// Makes a context, draws options.frames frames into an RGBA32F framebuffer and reads the last one
-/// back. Throws Error(gl) where there is no usable GL.
+/// Draws options.frames frames into an RGBA32F framebuffer and returns the last one. Throws
+/// Error(gl) where there is no usable GL.
 Picture drawHeadless(const Options& options, World& world);
 
 /// Fills the fields that a draw of the runtime reports.

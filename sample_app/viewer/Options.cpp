@@ -17,39 +17,59 @@ namespace {
 
 constexpr int kMostLights = 65536;
 constexpr int kMostSamples = 1 << 20, kMostBounces = 1000;
+constexpr int kFullSamples = 16;  // edges have 16 grades
+// The tone curve brings white, 1, to 0.53: with this exposure to 0.59.
+constexpr float kFullExposure = 1.2f;
+constexpr int kPathSamples = 64;  // enough to see what a picture will be
+constexpr int kWindowWidth = 1280, kWindowHeight = 800;
 
 /// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
     std::string backend, device, technique, lookUp, camera, size, background;
+    bool plain = false, full = false;
+    std::optional<float> exposure;
 };
 
 void describeEnvironment(CLI::App& app, Options& options, Texts& texts)
 {
-    auto* environment =
-        app.add_option("--environment", options.environment,
-                       "Light from everywhere, beside the other lights: a panorama, or built-in " +
-                           fmt::format("{}", fmt::join(proceduralEnvironments(), ", ")));
-    environment->type_name("FILE.exr|FILE.hdr|NAME");
+    app.add_option("--environment", options.environment,
+                   "Light from everywhere, beside the other lights: a panorama, or built-in " +
+                       fmt::format("{}", fmt::join(proceduralEnvironments(), ", ")))
+        ->type_name("FILE.exr|FILE.hdr|NAME");
     app.add_option("--environment-rotation", options.environmentRotation,
-                   "Degrees by which it is turned about +y")
-        ->needs(environment);
+                   "Degrees by which it is turned about +y");
     app.add_option("--environment-intensity", options.environmentIntensity,
                    "Factor of its radiance")
-        ->needs(environment)
         ->check(CLI::NonNegativeNumber);
     app.add_option("--environment-lobes", options.environmentLobes,
                    "Lobes that are drawn, at most: 1, 2 or 3 (default: all that a material has)")
-        ->needs(environment)
         ->check(CLI::Range(1, kMostTiltedLobes));
     app.add_option(
            "--environment-samples", options.environmentSamples,
            "Directions for each pixel that are drawn by the lobes, instead of looking those "
            "up: 64 in soft light, hundreds where lamps are small; 0: none (default)")
-        ->needs(environment)
         ->check(CLI::Range(0, kMostSamples));
     app.add_option(
         "--background", texts.background,
         "What is seen behind the objects: environment, R,G,B (linear), or none (default)");
+}
+
+void describeStage(CLI::App& app, Options& options, Texts& texts)
+{
+    app.add_flag("--ground", options.ground,
+                 "A matt plane below the objects that takes their shadows");
+    app.add_flag("--shadows", options.shadows,
+                 "Shadows of the strongest lights, up to four, on objects and ground");
+    app.add_flag("--tone-map", options.toneMap,
+                 "Compresses highlights in sRGB files and in the window instead of cutting them");
+    auto* full = app.add_flag(
+        "--full", texts.full,
+        "The full scene, as in a window: environment studio as light and background, key lights, "
+        "ground, shadows, tone mapping, 16 samples; every option given changes its part");
+    app.add_flag("--plain", texts.plain,
+                 "The bare scene, as without a window: black, no ground, no environment, one "
+                 "sample; every option given adds its part")
+        ->excludes(full);
 }
 
 void describeScene(CLI::App& app, Options& options, Texts& texts)
@@ -67,10 +87,13 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
     auto* file = app.add_option("--lights", options.lights, "Lights from a file");
     file->type_name("FILE.json");
     auto* count =
-        app.add_option("--light-count", options.lightCount, "Number of point lights to make");
-    count->excludes(file)->check(CLI::Range(0, kMostLights))->capture_default_str();
+        app.add_option("--light-count", options.lightCount,
+                       "Number of point lights to make (default: 5; two key lights in the full "
+                       "scene)");
+    count->excludes(file)->check(CLI::Range(0, kMostLights));
     app.add_option("--seed", options.seed, "Seed of the lights that are made")->excludes(file);
     describeEnvironment(app, options, texts);
+    describeStage(app, options, texts);
     app.add_option("--camera", texts.camera, "Eye, centre and vertical field of view")
         ->type_name("ex,ey,ez,cx,cy,cz,fovy_degrees");
 }
@@ -84,8 +107,8 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--device", texts.device, deviceHelp())->type_name("N|list");
     app.add_option("--technique", texts.technique, scene::viewTechniqueHelp());
     app.add_option("--samples", options.samples,
-                   "Samples a pixel, spread over it, of --technique path; the others do not take "
-                   "it yet (default: 64 at its centre)")
+                   "Samples a pixel, spread over it (default: 1, 16 in the full scene; of "
+                   "--technique path 64)")
         ->check(CLI::Range(1, kMostSamples));
     app.add_option("--bounces", options.bounces,
                    "Bounces between surfaces, at most, of --technique path (default: 8)")
@@ -97,11 +120,12 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_flag("--precise", options.precise,
                  "Filter maps in the shader: slower, and as fine as floats where a GPU knows 256 "
                  "places between two texels");
-    app.add_option("--size", texts.size, "Pixels (default 512x512)")->type_name("WxH");
-    app.add_option("--exposure", options.exposure,
-                   "Factor of the radiance in sRGB files and in the window")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+    app.add_option("--size", texts.size, "Pixels (default 512x512, 1280x800 in a window)")
+        ->type_name("WxH");
+    app.add_option("--exposure", texts.exposure,
+                   "Factor of the radiance in sRGB files and in the window (default: 1, 1.2 in "
+                   "the full scene)")
+        ->check(CLI::PositiveNumber);
     app.add_option("--out", options.out,
                    "Picture: linear radiance (.exr with coverage, .hdr) or sRGB (.png, and .jpg, "
                    ".tif, .webp "
@@ -118,13 +142,35 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
 void checkPath(const Options& options)
 {
     if (!options.headless || options.technique == scene::ViewTechnique::path) return;
-    for (const auto& [option, isGiven] : {std::pair("--samples", options.samples.has_value()),
-                                          std::pair("--bounces", options.bounces.has_value())})
-        if (isGiven)
-            throw Error(
-                ErrorKind::usage, option,
-                Found("it with --technique " + std::string(viewTechniqueName(options.technique)))
-                    .expected("--technique path"));
+    if (options.bounces)
+        throw Error(
+            ErrorKind::usage, "--bounces",
+            Found("it with --technique " + std::string(viewTechniqueName(options.technique)))
+                .expected("--technique path"));
+}
+
+/// What an environment is asked for must have one.
+void checkEnvironment(const CLI::App& app, const Options& options)
+{
+    if (!options.environment.empty()) return;
+    for (const char* option : {"--environment-rotation", "--environment-intensity",
+                               "--environment-lobes", "--environment-samples"})
+        if (app.count(option) > 0)
+            throw Error(ErrorKind::usage, option,
+                        Found("no environment").expected("--environment as well"));
+    if (options.background.environment)
+        throw Error(ErrorKind::usage, "--background",
+                    Found("environment without one").expected("--environment as well"));
+}
+
+/// Fills in what the full scene has and nobody asked for otherwise.
+void completeScene(const Texts& texts, Options& options)
+{
+    options.full = texts.full || (!options.headless && !texts.plain);
+    if (!options.full) return;
+    options.ground = options.shadows = options.toneMap = true;
+    if (options.environment.empty()) options.environment = proceduralEnvironments().front();
+    if (texts.background.empty()) options.background.environment = true;
 }
 
 void understand(const Texts& texts, Options& options)
@@ -139,15 +185,16 @@ void understand(const Texts& texts, Options& options)
     checkPath(options);
     if (!texts.lookUp.empty()) options.lookUp = lookUpFromName(texts.lookUp);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
-    if (!texts.size.empty()) {
-        const Size size = sizeFromText(texts.size);
-        options.width = size.width;
-        options.height = size.height;
-    }
+    Size size{options.width, options.height};
+    if (!texts.size.empty())
+        size = sizeFromText(texts.size);
+    else if (!options.headless)
+        size = {kWindowWidth, kWindowHeight};
+    options.width = size.width;
+    options.height = size.height;
+    completeScene(texts, options);
+    options.exposure = texts.exposure.value_or(options.full ? kFullExposure : 1.0f);
     if (!texts.background.empty()) options.background = scene::backgroundFromText(texts.background);
-    if (options.background.environment && options.environment.empty())
-        throw Error(ErrorKind::usage, "--background",
-                    Found("environment without one").expected("--environment as well"));
     for (const double number : {options.environmentRotation, options.environmentIntensity})
         if (!std::isfinite(number))
             throw Error(ErrorKind::usage, "--environment-rotation, --environment-intensity",
@@ -158,6 +205,13 @@ void understand(const Texts& texts, Options& options)
 }
 
 }  // namespace
+
+int samplesOf(const Options& options, scene::ViewTechnique technique)
+{
+    if (options.samples) return *options.samples;
+    if (technique == scene::ViewTechnique::path) return kPathSamples;
+    return options.full ? kFullSamples : 1;
+}
 
 Options optionsFromArguments(int argc, const char* const* argv)
 {
@@ -181,6 +235,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
     }
     if (devices->parsed()) texts.device = "list";
     understand(texts, options);
+    checkEnvironment(app, options);
     return options;
 }
 

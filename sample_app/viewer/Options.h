@@ -21,8 +21,8 @@ struct Options {
     std::vector<std::string> materials;  ///< files or sources; empty: the default material
     std::string form = "auto";           ///< in which sources are fitted
     std::string mesh = "sphere";
-    std::string lights;  ///< path; empty: lightCount made ones
-    int lightCount = 5;
+    std::string lights;             ///< path; empty: lightCount made ones
+    std::optional<int> lightCount;  ///< made ones; unset: key lights in a full scene, else 5
     uint32_t seed = 0;
     std::string environment;           ///< a file, or the name of a built-in one; empty: none
     double environmentRotation = 0.0;  ///< degrees about +y
@@ -32,16 +32,28 @@ struct Options {
     scene::Background background;
     scene::ViewTechnique technique = scene::viewTechnique(Technique::single);
     LookUp lookUp = LookUp::native;
-    bool precise = false;        ///< filtered in the shader
-    std::optional<int> samples;  ///< of `path`; unset: 64 through the centre of each pixel
-    std::optional<int> bounces;  ///< of `path`; unset: as PathOptions
+    bool precise = false;  ///< filtered in the shader
+    bool full = false;     ///< the full scene: what is not asked for otherwise is as below
+    bool ground = false, shadows = false, toneMap = false;  ///< on in a full scene
+    std::optional<int> samples;                             ///< a pixel; unset: see samplesOf
+    std::optional<int> bounces;                             ///< of `path`; unset: as PathOptions
     std::optional<scene::Camera> camera;
-    int width = 512, height = 512;
+    int width = 512, height = 512;  ///< of a window unless told: 1280 x 800
     float exposure = 1.0f;
     std::string out, stats;     ///< paths; empty: nothing is written
     std::optional<int> frames;  ///< unset: 1 headless, until closed in a window
     std::string help;           ///< not empty: --help was asked for, and this is the answer
 };
+
+/// Samples a pixel that a technique takes: as asked for, else 16 in a full scene and 1 in a plain
+/// one; of `path` 64, in a plain scene all at the pixel's centre.
+int samplesOf(const Options& options, scene::ViewTechnique technique);
+
+/// How radiance becomes sRGB in files and in the window.
+inline Transfer transferOf(const Options& options)
+{
+    return options.toneMap ? Transfer::toneMap : Transfer::srgb;
+}
 
 /// Throws Error(usage) for everything that --help does not allow.
 Options optionsFromArguments(int argc, const char* const* argv);

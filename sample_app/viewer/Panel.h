@@ -13,9 +13,10 @@ namespace fbrdf::viewer {
 
 /// What the panel shows besides the state.
 struct PanelFacts {
-    std::vector<std::string> materials, meshes;  ///< names, in the order of the state's numbers
+    std::vector<std::string> materials, meshes,
+        environments;  ///< names, in the order of the state's numbers
     int triangles = 0, passes = 0, maxLookups = 0;
-    int samples = 0;  ///< of `path`, so far
+    int samples = 0, samplesWanted = 0;  ///< of each pixel, so far and in the end
     double milliseconds = 0.0;
     std::string renderer;  ///< of GL
     std::string message;   ///< what happened last: "wrote ..."

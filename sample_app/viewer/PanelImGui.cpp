@@ -2,6 +2,8 @@
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <fbrdf/brdf/LobeTable.h>
+
 #include <fmt/core.h>
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -38,6 +40,12 @@ void drawFields(scene::ViewState& state, const PanelFacts& facts)
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     else
         ImGui::Text("%d lights from a file", state.lightCount);
+    choose("environment", state.environment, state.environmentCount, nameIn(facts.environments));
+    ImGui::SliderFloat("rotation", &state.environmentDegrees, -180.0f, 180.0f, "%.0f degrees");
+    ImGui::SliderFloat("intensity", &state.environmentIntensity, 0.0f, 4.0f, "%.2f");
+    choose("lobes", state.environmentLobes, kMostTiltedLobes + 1,
+           [](int i) { return i == 0 ? std::string("all") : std::to_string(i); });
+    ImGui::Checkbox("turntable", &state.turning);
     ImGui::SliderFloat("exposure", &state.exposure, 0.01f, 100.0f, "%.2f",
                        ImGuiSliderFlags_Logarithmic);
 }
@@ -47,11 +55,11 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
     const auto line = [](const std::string& text) { ImGui::TextUnformatted(text.c_str()); };
     ImGui::Separator();
     if (isOnCpu(state.technique))
-        line(fmt::format("{:.1f} ms on the CPU, in double{}", facts.milliseconds,
-                         facts.samples > 0 ? fmt::format(", {} samples", facts.samples) : ""));
+        line(fmt::format("{:.1f} ms on the CPU, in double", facts.milliseconds));
     else
         line(fmt::format("{:.2f} ms, {} pass{}, {} look-ups", facts.milliseconds, facts.passes,
                          facts.passes == 1 ? "" : "es", facts.maxLookups));
+    line(fmt::format("sample {} of {}", facts.samples, facts.samplesWanted));
     line(fmt::format("{} triangles", facts.triangles));
     ImGui::TextWrapped("%s", facts.renderer.c_str());
     if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());

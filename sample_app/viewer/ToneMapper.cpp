@@ -1,139 +1,90 @@
 #include "ToneMapper.h"
 
-#include "Headless.h"
-#include "ToneMapShaders.h"
+#include "GlProgram.h"
 
-#include <fbrdf/base/Error.h>
-#include <fbrdf/base/Found.h>
+#include <cmath>
 
 namespace fbrdf::viewer {
-namespace {
 
-GLuint compiled(const GladGLContext& gl, GLenum stage, const char* text)
-{
-    const GLuint shader = gl.CreateShader(stage);
-    gl.ShaderSource(shader, 1, &text, nullptr);
-    gl.CompileShader(shader);
-    GLint isCompiled = 0;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
-    if (!isCompiled) {
-        char log[1024] = "";
-        gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-        throw Error(ErrorKind::gl, "tone mapping", std::string("a shader that GL refuses: ") + log);
-    }
-    return shader;
-}
-
-GLuint linked(const GladGLContext& gl)
-{
-    const GLuint program = gl.CreateProgram();
-    for (const GLuint shader : {compiled(gl, GL_VERTEX_SHADER, kToneMapVertex),
-                                compiled(gl, GL_FRAGMENT_SHADER, kToneMapFragment)}) {
-        gl.AttachShader(program, shader);
-        gl.DeleteShader(shader);  // goes with the program
-    }
-    gl.LinkProgram(program);
-    GLint isLinked = 0;
-    gl.GetProgramiv(program, GL_LINK_STATUS, &isLinked);
-    if (!isLinked) throw Error(ErrorKind::gl, "tone mapping", "a program that does not link");
-    return program;
-}
-
-/// A floating-point texture without levels; CPU pictures may be coarser than the window.
-void setStorage(const GladGLContext& gl, GLuint texture, int width, int height, const float* rgba)
-{
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-}
-
-}  // namespace
-
-ToneMapper::ToneMapper(gl::LoadFunction load) : gl_(loadGlFunctions(load)), program_(linked(gl_))
+ToneMapper::ToneMapper(gl::LoadFunction load)
+    : gl_(loadGlFunctions(load)), program_(linkedProgram(gl_, "window.vert", "tonemap.frag"))
 {
     gl_.GenVertexArrays(1, &vertexArray_);
-    gl_.GenFramebuffers(1, &framebuffer_);
-    gl_.GenRenderbuffers(1, &depth_);
-    gl_.GenTextures(1, &drawn_);
     gl_.GenTextures(1, &uploaded_);
+    gl_.GenTextures(1, &panorama_);
 }
 
 ToneMapper::~ToneMapper()
 {
+    gl_.DeleteTextures(1, &panorama_);
     gl_.DeleteTextures(1, &uploaded_);
-    gl_.DeleteTextures(1, &drawn_);
-    gl_.DeleteRenderbuffers(1, &depth_);
-    gl_.DeleteFramebuffers(1, &framebuffer_);
     gl_.DeleteVertexArrays(1, &vertexArray_);
     gl_.DeleteProgram(program_);
 }
 
-void ToneMapper::resize(int width, int height)
+void ToneMapper::setPanorama(const Panorama& panorama)
 {
-    if (width == width_ && height == height_) return;
-    setStorage(gl_, drawn_, width, height, nullptr);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, drawn_, 0);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
-    const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ErrorKind::gl, "window", Found("no RGBA32F framebuffer").expected("one"));
-    width_ = width;
-    height_ = height;
-}
-
-gl::Target ToneMapper::clearedTarget(int width, int height)
-{
-    resize(width, height);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    gl_.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    showUploaded_ = false;
-    return {framebuffer_, width, height};
-}
-
-scene::Image ToneMapper::readTarget()
-{
-    std::vector<float> rgba(4 * static_cast<size_t>(width_) * static_cast<size_t>(height_));
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, rgba.data());
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    return imageFromBottomRows(rgba, width_, height_);
+    std::vector<float> rgba;
+    rgba.reserve(4 * panorama.texels.size());
+    for (const Vec3f& texel : panorama.texels)
+        rgba.insert(rgba.end(), {texel.x, texel.y, texel.z, 1.0f});
+    setFloatTexture(gl_, panorama_, panorama.width, panorama.height, rgba.data());
+    gl_.BindTexture(GL_TEXTURE_2D, panorama_);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    gl_.BindTexture(GL_TEXTURE_2D, 0);
 }
 
 void ToneMapper::upload(const scene::Image& image)
 {
-    setStorage(gl_, uploaded_, image.width, image.height, image.rgba.data());
-    showUploaded_ = true;
+    setFloatTexture(gl_, uploaded_, image.width, image.height, image.rgba.data());
 }
 
-void ToneMapper::show(int width, int height, float exposure)
+void ToneMapper::show(const gl::Target& target, const SampleSum& samples, const Look& look)
 {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl_.Viewport(0, 0, width, height);
+    gl_.UseProgram(program_);
+    gl_.Uniform1f(uniform("topDown"), 0.0f);
+    gl_.Uniform1f(uniform("share"), 1.0f / static_cast<float>(samples.count()));
+    fill(target, samples.texture(), look);
+}
+
+void ToneMapper::showUploaded(const gl::Target& target, const Look& look)
+{
+    gl_.UseProgram(program_);
+    gl_.Uniform1f(uniform("topDown"), 1.0f);
+    gl_.Uniform1f(uniform("share"), 1.0f);
+    fill(target, uploaded_, look);
+}
+
+void ToneMapper::setBackground(const Look& look)
+{
+    const bool isEnvironment = look.background.environment && look.environment;
+    const Vec3f colour = look.background.colour.value_or(Vec3f(0.0f));
+    gl_.Uniform1i(uniform("behind"), isEnvironment ? 2 : look.background.colour ? 1 : 0);
+    gl_.Uniform3fv(uniform("colour"), 1, &colour[0]);
+    if (!isEnvironment) return;
+    const double rotation = look.environment->rotation;
+    const Vec3f turn(Vec3d(std::cos(rotation), std::sin(rotation), look.environment->intensity));
+    const glm::mat4 worldFromClip(
+        glm::inverse(glm::dmat4(look.view.projection) * glm::dmat4(look.view.view)));
+    gl_.Uniform3fv(uniform("turn"), 1, &turn[0]);
+    gl_.UniformMatrix4fv(uniform("worldFromClip"), 1, GL_FALSE, &worldFromClip[0][0]);
+}
+
+void ToneMapper::fill(const gl::Target& target, GLuint radiance, const Look& look)
+{
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    gl_.Viewport(0, 0, target.width, target.height);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_BLEND);
-    gl_.UseProgram(program_);
-    gl_.Uniform1i(gl_.GetUniformLocation(program_, "radiance"), 0);
-    gl_.Uniform1f(gl_.GetUniformLocation(program_, "exposure"), exposure);
-    gl_.Uniform1f(gl_.GetUniformLocation(program_, "topDown"), showUploaded_ ? 1.0f : 0.0f);
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, showUploaded_ ? uploaded_ : drawn_);
-    gl_.BindVertexArray(vertexArray_);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_.BindVertexArray(0);
-    gl_.BindTexture(GL_TEXTURE_2D, 0);
-    gl_.UseProgram(0);
+    gl_.Uniform1i(uniform("radiance"), 0);
+    gl_.Uniform1i(uniform("panorama"), 1);
+    gl_.Uniform1f(uniform("exposure"), look.exposure);
+    gl_.Uniform1i(uniform("curved"), look.toneMap);
+    setBackground(look);
+    gl_.ActiveTexture(GL_TEXTURE1);
+    gl_.BindTexture(GL_TEXTURE_2D, panorama_);
+    drawCorners(gl_, vertexArray_, radiance, 3);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 }  // namespace fbrdf::viewer

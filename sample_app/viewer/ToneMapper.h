@@ -1,11 +1,20 @@
-// ToneMapper.h - from linear radiance to the window: the framebuffer that the runtime draws to, the
-// pictures that the CPU draws, and the exposed sRGB that is shown.
+// ToneMapper.h - from linear radiance to the window: what is behind the objects, exposure, tone
+// mapping, sRGB.
 #pragma once
-#include "GlFunctions.h"
+#include "SampleSum.h"
 
-#include <fbrdf/scene/Image.h>
+#include <fbrdf/scene/Environment.h>
 
 namespace fbrdf::viewer {
+
+/// How a picture is shown.
+struct Look {
+    float exposure = 1.0f;
+    bool toneMap = false;
+    scene::Background background;                          ///< none: a dark backdrop
+    const scene::EnvironmentLight* environment = nullptr;  ///< of the background
+    gl::View view;                                         ///< where it is seen from
+};
 
 /// Owns GL objects of the context that is current when it is made; all calls need that context.
 class ToneMapper {
@@ -15,25 +24,23 @@ public:
     ToneMapper(const ToneMapper&) = delete;
     ToneMapper& operator=(const ToneMapper&) = delete;
 
-    /// Returns an RGBA32F framebuffer of that size, cleared to 0.
-    gl::Target clearedTarget(int width, int height);
-    /// Reads the target back as a picture.
-    scene::Image readTarget();
-    /// Takes a picture of any size instead of the target.
+    /// Takes the panorama of Look::environment.
+    void setPanorama(const Panorama& panorama);
+    /// Takes a picture of the CPU, of any size.
     void upload(const scene::Image& image);
 
-    /// Shows what was drawn or uploaded last in the window's framebuffer of that size.
-    void show(int width, int height, float exposure);
+    /// Fills a framebuffer of the target's size: with the mean of samples, or with what was
+    /// uploaded last.
+    void show(const gl::Target& target, const SampleSum& samples, const Look& look);
+    void showUploaded(const gl::Target& target, const Look& look);
 
 private:
-    void resize(int width, int height);
+    void setBackground(const Look& look);
+    void fill(const gl::Target& target, GLuint radiance, const Look& look);
+    GLint uniform(const char* name) const { return gl_.GetUniformLocation(program_, name); }
 
     GladGLContext gl_;
-    GLuint program_ = 0, vertexArray_ = 0;
-    GLuint framebuffer_ = 0, depth_ = 0, drawn_ = 0;  ///< of the runtime
-    GLuint uploaded_ = 0;                             ///< texture of the CPU's pictures
-    int width_ = 0, height_ = 0;
-    bool showUploaded_ = false;
+    GLuint program_ = 0, vertexArray_ = 0, uploaded_ = 0, panorama_ = 0;
 };
 
 }  // namespace fbrdf::viewer

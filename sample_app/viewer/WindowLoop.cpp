@@ -1,16 +1,19 @@
 #include "WindowLoop.h"
 
-#include "CpuDrawing.h"
 #include "FrameTimer.h"
 #include "GlfwWindow.h"
 #include "GlScene.h"
 #include "Headless.h"
 #include "Panel.h"
+#include "Progressive.h"
 #include "ToneMapper.h"
 
-#include <fmt/core.h>
-
 #include <fbrdf/base/Error.h>
+#include <fbrdf/environment/Sky.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,23 +22,9 @@
 namespace fbrdf::viewer {
 namespace {
 
-// While the view changes, the CPU draws one pixel in 4 x 4, so that the mouse stays responsive.
-constexpr int kCoarseStep = 4;
-constexpr size_t kKeptTimes = 240;  ///< frames whose times a window remembers
-
-/// What a picture depends on; a CPU picture is drawn anew only when it changes.
-struct Shown {
-    scene::Camera camera;
-    scene::ViewTechnique technique;
-    int material, mesh, lightCount, width, height;
-
-    bool operator==(const Shown& o) const
-    {
-        return camera.eye == o.camera.eye && camera.centre == o.camera.centre &&
-               technique == o.technique && material == o.material && mesh == o.mesh &&
-               lightCount == o.lightCount && width == o.width && height == o.height;
-    }
-};
+constexpr size_t kKeptTimes = 240;    ///< frames whose times a window remembers
+constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
+constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
 
 /// A file without its folders; a model as it is.
 std::string shortName(const std::string& spec)
@@ -44,27 +33,39 @@ std::string shortName(const std::string& spec)
     return std::filesystem::exists(path) ? path.filename().string() : spec;
 }
 
+/// The one asked for, then the others.
+std::vector<std::string> startingWith(const std::string& first, std::vector<std::string> names)
+{
+    names.erase(std::remove(names.begin(), names.end(), first), names.end());
+    names.insert(names.begin(), first);
+    return names;
+}
+
 class WindowLoop {
 public:
     WindowLoop(const Options& options, World& world)
         : options_(options),
           world_(world),
+          environments_(startingWith(options.environment, environmentNames())),
           state_(initialState(options, world)),
           window_(options.width, options.height, "fbrdf", state_),
           panel_(window_.handle()),
-          timer_(GlfwWindow::loader()),
           toneMapper_(GlfwWindow::loader()),
-          scene_(GlfwWindow::loader(), world, {options.lookUp, 0, options.precise},
-                 {options.environmentLobes, options.environmentSamples}),
+          scene_(GlfwWindow::loader(), world, options),
+          progressive_(GlfwWindow::loader(), options, world, scene_),
           stats_(statsOf(options, world))
     {
         window_.setFilter(
             {[this] { return panel_.wantsMouse(); }, [this] { return panel_.wantsKeys(); }});
-        facts_.meshes = meshNames(options.mesh);
+        facts_.meshes = startingWith(options.mesh, {"sphere", "knot", "plane"});
         state_.meshCount = static_cast<int>(facts_.meshes.size());
         for (const MaterialSlot& slot : world.materials)
             facts_.materials.push_back(shortName(slot.name()));
+        for (const std::string& name : environments_)
+            facts_.environments.push_back(name.empty() ? "none" : shortName(name));
+        state_.environmentCount = static_cast<int>(environments_.size());
         facts_.renderer = scene_.renderer().glRenderer();
+        if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
     }
 
     Picture run()
@@ -73,81 +74,131 @@ public:
         for (int frame = 0; !window_.shouldClose() && (frames == 0 || frame < frames); ++frame)
             drawFrame();
         finishStats();
-        return {picture(), stats_};
+        return {progressive_.finishedImage(), stats_, progressive_.shown().view};
     }
 
 private:
+    static std::vector<std::string> environmentNames()
+    {
+        std::vector<std::string> names = proceduralEnvironments();
+        names.emplace_back();  // none
+        return names;
+    }
     static scene::ViewState initialState(const Options& options, const World& world)
     {
         scene::ViewState state;
-        state.camera = state.home = options.camera ? world.camera : scene::Camera();
+        state.camera = state.home = world.camera;
         state.technique = options.technique;
         state.materialCount = static_cast<int>(world.materials.size());
         state.lightCount = static_cast<int>(world.lights.size());
         state.madeLights = options.lights.empty();
         state.exposure = options.exposure;
+        state.environmentDegrees = static_cast<float>(options.environmentRotation);
+        state.environmentIntensity = static_cast<float>(options.environmentIntensity);
+        state.environmentLobes = options.environmentLobes;
+        state.turning = options.full && !options.frames;
         return state;
     }
 
-    /// The mesh asked for, then the others.
-    static std::vector<std::string> meshNames(const std::string& first)
-    {
-        std::vector<std::string> names{first};
-        for (const char* name : {"sphere", "knot", "plane"})
-            if (name != first) names.emplace_back(name);
-        return names;
-    }
-
-    void drawFrame();
     void followState();
-    void drawWithRuntime(GlfwWindow::Size size);
-    void drawWithCpu(const Shown& shown);
+    void followEnvironment();
+    void followMesh();
+    void turn();
+    void drawFrame();
+    Shown wanted(GlfwWindow::Size size) const;
+    void show(GlfwWindow::Size size);
     void saveScreenshot();
     void finishStats();
-    scene::Image picture();
-
-    gl::View view(int width, int height) const
-    {
-        return viewFromCamera(state_.camera, static_cast<double>(width) / height,
-                              scene::boundsOf(world_.mesh));
-    }
-    scene::Instance instance() const { return {&world_.mesh, glm::mat4(1.0f), state_.material}; }
-    void remember(double milliseconds)
-    {
-        std::vector<double>& times = stats_.milliseconds;
-        if (!options_.frames && times.size() == kKeptTimes) times.erase(times.begin());
-        times.push_back(milliseconds);
-        facts_.milliseconds = scene::spreadOf(times).median;
-    }
 
     const Options& options_;
     World& world_;
+    std::vector<std::string> environments_;  ///< names and files; "": none
     scene::ViewState state_;
     GlfwWindow window_;
     Panel panel_;
-    FrameTimer timer_;
     ToneMapper toneMapper_;
     GlScene scene_;
+    Progressive progressive_;
     scene::Stats stats_;
     PanelFacts facts_;
-    int mesh_ = 0, screenshots_ = 0;
-    std::optional<Shown> drawn_;  ///< what the CPU's picture shows
-    bool coarse_ = false;
-    std::unique_ptr<CpuDrawing> cpu_;
+    int mesh_ = 0, environment_ = 0, screenshots_ = 0;
+    double angle_ = 0.0;  ///< of the turntable, radians
+    std::chrono::steady_clock::time_point lastFrame_ = std::chrono::steady_clock::now();
 };
 
-/// Brings mesh and lights in line with what keys and panel chose.
+void WindowLoop::followMesh()
+{
+    if (state_.mesh == mesh_) return;
+    mesh_ = state_.mesh;
+    world_.mesh = scene::meshFromName(facts_.meshes[static_cast<size_t>(mesh_)]);
+    world_.instances = {{&world_.mesh}};
+    scene_.replaceMesh(world_.mesh);
+    makeGround(options_, world_);
+    if (world_.ground) scene_.replaceGround(*world_.ground);
+}
+
+void WindowLoop::followEnvironment()
+{
+    if (state_.environment != environment_) {
+        environment_ = state_.environment;
+        world_.environment =
+            environmentFrom(environments_[static_cast<size_t>(environment_)], options_);
+        scene_.replaceEnvironment(world_.environment ? &*world_.environment : nullptr);
+        if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
+    }
+    if (!world_.environment) return;
+    world_.environment->rotation = static_cast<double>(state_.environmentDegrees) * kDegree;
+    world_.environment->intensity = static_cast<double>(state_.environmentIntensity);
+    scene_.turnEnvironment(*world_.environment, state_.environmentLobes);
+}
+
+/// Turns objects and ground on, as long as the runtime draws: the CPU needs pictures that stand.
+void WindowLoop::turn()
+{
+    const auto now = std::chrono::steady_clock::now();
+    const double step = std::min(
+        kLongestStep, std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count());
+    if (state_.turning && !isOnCpu(state_.technique)) angle_ += kTurnRate * kDegree * step;
+    if (world_.ground) world_.ground->turnTo(angle_);
+}
+
+/// Brings the world in line with what keys and panel chose.
 void WindowLoop::followState()
 {
-    if (state_.mesh != mesh_) {
-        mesh_ = state_.mesh;
-        world_.mesh = scene::meshFromName(facts_.meshes[static_cast<size_t>(mesh_)]);
-        scene_.replaceMesh(world_.mesh);
-    }
+    followMesh();
+    followEnvironment();
     if (state_.madeLights && state_.lightCount != static_cast<int>(world_.lights.size()))
         world_.lights.lights = spreadAround(scene::makeLights(state_.lightCount, options_.seed),
                                             scene::boundsOf(world_.mesh));
+    // Each pixel would take the sum over all texels: minutes, in which the window stands still.
+    if (!options_.frames && world_.environment && isOnCpu(state_.technique) &&
+        state_.technique != scene::ViewTechnique::path) {
+        facts_.message = fmt::format("path instead of {}, which takes minutes with an environment",
+                                     viewTechniqueName(state_.technique));
+        state_.technique = scene::ViewTechnique::path;
+    }
+    turn();
     facts_.triangles = static_cast<int>(world_.mesh.indices.size() / 3);
+}
+
+Shown WindowLoop::wanted(GlfwWindow::Size size) const
+{
+    const Vec3f centre = scene::boundsOf(world_.mesh).centre;
+    const glm::mat4 there = glm::translate(glm::mat4(1.0f), centre);
+    const glm::mat4 turned =
+        glm::rotate(there, static_cast<float>(angle_), Vec3f(0.0f, 1.0f, 0.0f));
+    const double aspect = static_cast<double>(size.width) / size.height;
+    return {viewOf(world_, state_.camera, aspect),
+            state_.technique,
+            {&world_.mesh, glm::translate(turned, -centre), state_.material},
+            mesh_,
+            static_cast<int>(world_.lights.size()),
+            size.width,
+            size.height,
+            environment_,
+            state_.environmentLobes,
+            state_.environmentDegrees,
+            state_.environmentIntensity};
 }
 
 void WindowLoop::drawFrame()
@@ -158,71 +209,33 @@ void WindowLoop::drawFrame()
         state_.camera = framed(state_.camera, scene::boundsOf(world_.mesh),
                                static_cast<double>(size.width) / size.height);
     state_.frame = false;
-    const Shown shown{state_.camera,
-                      state_.technique,
-                      state_.material,
-                      mesh_,
-                      static_cast<int>(world_.lights.size()),
-                      size.width,
-                      size.height};
-    if (isOnCpu(state_.technique))
-        drawWithCpu(shown);
-    else
-        drawWithRuntime(size);
-    toneMapper_.show(size.width, size.height, state_.exposure);
+    if (const auto milliseconds = progressive_.draw(wanted(size), stats_)) {
+        std::vector<double>& times = stats_.milliseconds;
+        if (!options_.frames && times.size() == kKeptTimes) times.erase(times.begin());
+        times.push_back(*milliseconds);
+        facts_.milliseconds = scene::spreadOf(times).median;
+    }
+    facts_.passes = stats_.passes;
+    facts_.maxLookups = stats_.maxLookups;
+    facts_.samples = progressive_.samples();
+    facts_.samplesWanted = samplesOf(options_, state_.technique);
+    show(size);
     panel_.draw(state_, facts_);
     if (state_.screenshot) saveScreenshot();
     window_.present();
 }
 
-void WindowLoop::drawWithRuntime(GlfwWindow::Size size)
+void WindowLoop::show(GlfwWindow::Size size)
 {
-    drawn_.reset();
-    stats_.path.reset();
-    timer_.begin();
-    const gl::Target target = toneMapper_.clearedTarget(size.width, size.height);
-    const gl::DrawStats drawn = scene_.draw(target, view(size.width, size.height), {instance()},
-                                            world_.lights, runtimeTechnique(state_.technique));
-    remember(timer_.end());
-    addDrawStats(drawn, scene_.renderer(), stats_);
-    facts_.passes = drawn.passes;
-    facts_.maxLookups = drawn.maxLookups;
-}
-
-/// Draws coarsely while things change, in full once they stand still, sample by sample where there
-/// are some, and then not at all.
-void WindowLoop::drawWithCpu(const Shown& shown)
-{
-    const bool changed = !drawn_ || !(*drawn_ == shown);
-    if (!changed && !coarse_ && cpu_->isFinished()) return;
-    const bool isCounted = options_.frames.has_value();  // a counted frame is worth its full size
-    const auto start = std::chrono::steady_clock::now();
-    if (changed || coarse_) {
-        coarse_ = changed && !isCounted;
-        const int step = coarse_ ? kCoarseStep : 1;
-        cpu_ = std::make_unique<CpuDrawing>(options_, world_,
-                                            CpuRequest{state_.technique,
-                                                       {instance()},
-                                                       view(shown.width, shown.height),
-                                                       std::max(1, shown.width / step),
-                                                       std::max(1, shown.height / step)});
+    const Look look{state_.exposure, options_.toneMap, options_.background,
+                    world_.environment ? &*world_.environment : nullptr, progressive_.shown().view};
+    const gl::Target target{0, size.width, size.height};
+    if (isOnCpu(state_.technique)) {
+        if (progressive_.tookNewImage()) toneMapper_.upload(progressive_.image());
+        toneMapper_.showUploaded(target, look);
+    } else {
+        toneMapper_.show(target, progressive_.sum(), look);
     }
-    do cpu_->goOn();
-    while (isCounted && !cpu_->isFinished());
-    toneMapper_.upload(cpu_->image());
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    remember(time.count());
-    stats_.accumulation = "double";
-    stats_.path = cpu_->pathStats();
-    facts_.samples = stats_.path ? stats_.path->samples : 0;
-    drawn_ = shown;
-}
-
-scene::Image WindowLoop::picture()
-{
-    if (!isOnCpu(state_.technique)) return toneMapper_.readTarget();
-    if (coarse_) drawWithCpu(*drawn_);
-    return cpu_ ? cpu_->image() : scene::Image();
 }
 
 void WindowLoop::saveScreenshot()
@@ -230,7 +243,9 @@ void WindowLoop::saveScreenshot()
     state_.screenshot = false;
     const std::string path = fmt::format("fbrdf-viewer-{:03}.png", ++screenshots_);
     try {
-        writeImage(picture(), path, state_.exposure);
+        scene::Image image = progressive_.finishedImage();
+        addBackground(options_, world_, progressive_.shown().view, image);
+        writeImage(image, path, state_.exposure, transferOf(options_));
         facts_.message = "wrote " + path;
     } catch (const Error& error) {
         facts_.message = error.what();

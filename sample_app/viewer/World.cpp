@@ -3,6 +3,8 @@
 #include <fbrdf/codecs/PanoramaFile.h>
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/plan/Plan.h>
+#include <fbrdf/scene/KeyLights.h>
+#include <fbrdf/truth/Occluders.h>
 
 namespace fbrdf::viewer {
 namespace {
@@ -11,6 +13,10 @@ namespace {
 // smoothness are given, so that it is ready in a second, without a search.
 const char* const kDefaultMaterial = "ggx:alpha_x=0.18,alpha_y=0.45,f0=1.0/0.71/0.29,kd=0";
 constexpr double kDefaultSmoothness = 1e-3;
+
+constexpr int kDefaultLights = 5;
+// A full scene is seen from a little above, with room around it.
+constexpr double kElevation = 0.30, kRoom = 1.3;
 
 /// The materials that the options ask for, or the default one.
 void loadMaterials(const Options& options, std::deque<MaterialSlot>& materials)
@@ -32,12 +38,30 @@ double aspectOf(const Options& options)
 scene::LightSet lightsOf(const Options& options, const scene::Bounds& bounds)
 {
     if (!options.lights.empty()) return scene::readLights(options.lights);
-    return {spreadAround(scene::makeLights(options.lightCount, options.seed), bounds), {}};
+    if (options.full && !options.lightCount) return {scene::keyLights(), {}};
+    const int count = options.lightCount.value_or(kDefaultLights);
+    return {spreadAround(scene::makeLights(count, options.seed), bounds), {}};
 }
 
-std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
+scene::Camera cameraOf(const Options& options, const World& world)
 {
-    const std::string& name = options.environment;
+    if (options.camera) return *options.camera;
+    if (options.full) {
+        scene::Bounds bounds = scene::boundsOf(world.instances);
+        bounds.radius *= static_cast<float>(kRoom);
+        const scene::Camera above{{0.0, std::sin(kElevation), std::cos(kElevation)}};
+        return framed(above, bounds, aspectOf(options));
+    }
+    // One object is seen by the standard camera, wherever its file puts it; several must fit.
+    return world.instances.size() == 1 ? scene::Camera()
+                                       : scene::facing(world.instances, aspectOf(options));
+}
+
+}  // namespace
+
+std::optional<scene::EnvironmentLight> environmentFrom(const std::string& name,
+                                                       const Options& options)
+{
     if (name.empty()) return std::nullopt;
     scene::EnvironmentLight light;
     light.panorama = isProceduralEnvironment(name) ? proceduralEnvironment(name)
@@ -47,26 +71,33 @@ std::optional<scene::EnvironmentLight> environmentOf(const Options& options)
     return light;
 }
 
-}  // namespace
-
 void loadWorld(const Options& options, World& world)
 {
     loadMaterials(options, world.materials);
-    const int count = static_cast<int>(world.materials.size());
+    // A window shows one material at a time.
+    const int count = options.headless ? static_cast<int>(world.materials.size()) : 1;
     world.mesh = scene::meshFromName(options.mesh);
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
     world.lights = lightsOf(options, bounds);
-    world.environment = environmentOf(options);
-    // One object is seen by the standard camera, wherever its file puts it; several must fit.
-    world.camera = count == 1 ? scene::Camera() : scene::facing(world.instances, aspectOf(options));
-    if (options.camera) world.camera = *options.camera;
+    world.environment = environmentFrom(options.environment, options);
+    world.camera = cameraOf(options, world);
+    makeGround(options, world);
 }
 
-void addBackground(const Options& options, const World& world, scene::Image& image)
+void makeGround(const Options& options, World& world)
 {
-    fillBackground(image, options.background, world.environment ? &*world.environment : nullptr,
-                   viewOf(options, world));
+    if (!options.ground) return;
+    world.ground = std::make_unique<scene::Ground>(world.instances);
+    world.ground->setVisibility(visibleSky(truth::Occluders(world.instances), *world.ground));
+}
+
+void addBackground(const Options& options, const World& world, const gl::View& view,
+                   scene::Image& image)
+{
+    const scene::EnvironmentLight* environment = world.environment ? &*world.environment : nullptr;
+    if (options.background.environment && !environment) return;  // taken away in a window
+    fillBackground(image, options.background, environment, view);
 }
 
 scene::Stats statsOf(const Options& options, const World& world)
@@ -88,9 +119,15 @@ scene::Stats statsOf(const Options& options, const World& world)
     return stats;
 }
 
+gl::View viewOf(const World& world, const scene::Camera& camera, double aspect)
+{
+    return viewFromCamera(camera, aspect,
+                          world.ground ? world.ground->bounds() : scene::boundsOf(world.instances));
+}
+
 gl::View viewOf(const Options& options, const World& world)
 {
-    return viewFromCamera(world.camera, aspectOf(options), scene::boundsOf(world.instances));
+    return viewOf(world, world.camera, aspectOf(options));
 }
 
 }  // namespace fbrdf::viewer

@@ -4,12 +4,14 @@
 #include "Options.h"
 
 #include <fbrdf/scene/Environment.h>
+#include <fbrdf/scene/Ground.h>
 #include <fbrdf/scene/Image.h>
 #include <fbrdf/scene/Layout.h>
 #include <fbrdf/scene/Lights.h>
 #include <fbrdf/scene/Stats.h>
 
 #include <deque>
+#include <memory>
 #include <optional>
 
 namespace fbrdf::viewer {
@@ -20,24 +22,38 @@ struct World {
     std::vector<scene::Instance> instances;  ///< of mesh, one a material
     scene::LightSet lights;
     std::optional<scene::EnvironmentLight> environment;
+    std::unique_ptr<scene::Ground> ground;  ///< below the instances; null: none
     scene::Camera camera;
 };
 
 /// Throws Error for whatever cannot be loaded. The world must stay where it is made.
 void loadWorld(const Options& options, World& world);
 
+/// The environment of a name or file, turned and scaled as the options ask for; none for "". Throws
+/// what reading it throws.
+std::optional<scene::EnvironmentLight> environmentFrom(const std::string& name,
+                                                       const Options& options);
+
+/// Puts a ground below the instances where the options ask for one, and finds what they hide of
+/// its sky.
+void makeGround(const Options& options, World& world);
+
 /// A finished picture and what was done for it.
 struct Picture {
-    scene::Image image;
+    scene::Image image;  ///< without background
     scene::Stats stats;
+    gl::View view;
 };
 
 /// The fields of the stats that do not depend on how the picture was drawn.
 scene::Stats statsOf(const Options& options, const World& world);
 
-/// Puts the background that the options ask for behind what was drawn.
-void addBackground(const Options& options, const World& world, scene::Image& image);
+/// Puts the background that the options ask for behind what was drawn from a view.
+void addBackground(const Options& options, const World& world, const gl::View& view,
+                   scene::Image& image);
 
+/// What a camera sees in a picture of `aspect` = width / height.
+gl::View viewOf(const World& world, const scene::Camera& camera, double aspect);
 /// The view that the options ask for.
 gl::View viewOf(const Options& options, const World& world);
 

@@ -17,7 +17,7 @@ double luminance(const Vec3d& colour)
 }
 
 /// Irradiance of a surface that faces up, texel by texel at their centres.
-Vec3d upwardIrradiance(const Panorama& panorama)
+Vec3d irradianceFromAbove(const Panorama& panorama)
 {
     Vec3d sum(0.0);
     for (int y = 0; y < panorama.height / 2; ++y)
@@ -36,7 +36,7 @@ TEST(Sky, MakesAWhiteSurfaceThatFacesUpOne)
             ASSERT_EQ(panorama.width, width);
             ASSERT_EQ(panorama.height, width / 2);
             validate(panorama, name);
-            EXPECT_NEAR(luminance(upwardIrradiance(panorama)) / kPi, 1.0, kCentres) << name;
+            EXPECT_NEAR(luminance(irradianceFromAbove(panorama)) / kPi, 1.0, kCentres) << name;
         }
 }
 
@@ -74,7 +74,7 @@ TEST(Sky, GroundReflectsAFifth)
     constexpr double kCentres = 0.002;
     for (const char* name : {"overcast", "clear"}) {
         const Panorama panorama = proceduralEnvironment(name, 128);
-        const Vec3d expected = 0.2 / kPi * upwardIrradiance(panorama);
+        const Vec3d expected = 0.2 / kPi * irradianceFromAbove(panorama);
         for (const int x : {0, 50, 127})
             for (const int y : {32, 63})
                 EXPECT_NEAR(glm::distance(Vec3d(panorama.texel(x, y)) / expected, Vec3d(1.0)), 0.0,

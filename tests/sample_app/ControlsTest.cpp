@@ -54,6 +54,23 @@ TEST(Keys, DoubleAndHalveLightsWithinLimits)
     EXPECT_EQ(state.lightCount, 1) << "lights of a file stay";
 }
 
+TEST(Keys, TurnTheTableAndTheEnvironment)
+{
+    ViewState state;
+    state.environmentCount = 4;
+    for (const int expected : {1, 2, 3, 0}) {
+        EXPECT_TRUE(applyKey(state, 'e'));
+        EXPECT_EQ(state.environment, expected);
+    }
+    EXPECT_TRUE(applyKey(state, ' ') && state.turning);
+    EXPECT_TRUE(applyKey(state, ' ') && !state.turning);
+    EXPECT_TRUE(applyKey(state, '.') && state.environmentDegrees == 15.0f);
+    for (int i = 0; i < 13; ++i) applyKey(state, ',');
+    EXPECT_EQ(state.environmentDegrees, -180.0f);
+    applyKey(state, ',');
+    EXPECT_EQ(state.environmentDegrees, 165.0f);
+}
+
 TEST(Keys, SixStepsOfExposureAreAStop)
 {
     ViewState state;
@@ -74,7 +91,7 @@ TEST(Keys, RestAndUnknownOnes)
     EXPECT_TRUE(applyKey(state, 'f') && state.frame);
     EXPECT_TRUE(applyKey(state, 'h') && state.help);
     EXPECT_TRUE(applyKey(state, 'h') && !state.help);
-    EXPECT_FALSE(applyKey(state, 'x') || applyKey(state, 0) || applyKey(state, ' '));
+    EXPECT_FALSE(applyKey(state, 'x') || applyKey(state, 0));
     EXPECT_FALSE(state.close);
     EXPECT_TRUE(applyKey(state, 27) && state.close);
 }

@@ -1,19 +1,13 @@
 // ViewerProgramTest.cpp - fbrdf-viewer as its users run it: pictures, stats, exit codes and
 // error lines. It needs EGL; without it the tests that draw are skipped.
-#include "GlPictures.h"
-#include "PictureDifference.h"
-#include "Program.h"
+#include "ViewerFixture.h"
 
 #include <fbrdf/base/OutputFile.h>
-#include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/scene/TextFile.h>
-#include <gtest/gtest.h>
-#include <support/TemporaryDir.h>
 
 #include <OpenImageIO/imageio.h>
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -21,57 +15,17 @@
 namespace fbrdf::scene {
 namespace {
 
-constexpr double kAgainstReference = 2e-3;  // as TechniquesGLTest.cpp
-constexpr double kBetweenTechniques = 1e-4;
-
-class Viewer : public testing::Test {
-protected:
-    Viewer() { writeMaterial(madeMaterial(formPqp(16, 0.5)), file("made.fbrdf")); }
-
-    std::string file(const std::string& name) const { return dir_.file(name); }
-    /// Arguments that draw the made material without a display, small.
-    std::string drawMade() const
-    {
-        return "--headless --size 48x48 --material '" + file("made.fbrdf") + "' ";
-    }
-    Image draw(const std::string& arguments)
-    {
-        const ProgramResult result = runViewer(arguments + " --out '" + file("p.exr") +
-                                               "' --stats '" + file("s.json") + "'");
-        EXPECT_EQ(result.exitCode, 0) << result.err;
-        EXPECT_EQ(result.err, "");
-        EXPECT_EQ(result.out, "");
-        stats_ = readJson(file("s.json"));
-        return readExr(file("p.exr"));
-    }
-
-    test::TemporaryDir dir_;
-    nlohmann::json stats_;
-};
-
-#define NEEDS(backend) \
-    if (!hasBackend(backend)) GTEST_SKIP() << "no context on " << backendName(backend)
-
-/// The exit code, one line on stderr that begins like the tool and names `where`, and no picture.
-void expectError(const ProgramResult& result, int exitCode, const std::string& where)
-{
-    EXPECT_EQ(result.exitCode, exitCode) << result.err;
-    EXPECT_EQ(result.err.substr(0, 14), "fbrdf-viewer: ");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find(where), std::string::npos) << result.err;
-    EXPECT_EQ(result.out, "");
-}
-
 TEST_F(Viewer, HelpNamesEveryOption)
 {
     const ProgramResult result = runViewer("--help");
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err, "");
     for (const char* option :
-         {"--headless",    "--backend",    "--material",  "--mesh",    "--lights",
-          "--light-count", "--seed",       "--technique", "--look-up", "--precise",
-          "--device",      "list-devices", "--camera",    "--size",    "--exposure",
-          "--out",         "--stats",      "--frames",    "--samples", "--bounces"})
+         {"--headless", "--backend",    "--material",   "--mesh",    "--lights",   "--light-count",
+          "--seed",     "--technique",  "--look-up",    "--precise", "--device",   "list-devices",
+          "--camera",   "--size",       "--exposure",   "--out",     "--stats",    "--frames",
+          "--samples",  "--bounces",    "--ground",     "--shadows", "--tone-map", "--full",
+          "--plain",    "--background", "--environment"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
@@ -101,7 +55,10 @@ TEST_F(Viewer, UsageErrorsExitWith2)
         {"--headless --technique path --samples many", "--samples"},
         {"--headless --technique path --samples 9999999", "--samples"},
         {"--headless --technique path --bounces -1", "--bounces"},
-        {"--headless --samples 4", "--samples: found it with --technique single"},
+        {"--headless --environment-lobes 2", "--environment-lobes: found no environment"},
+        {"--headless --background environment", "--background: found environment without"},
+        {"--headless --full --plain", "--plain"},
+        {"--headless --samples 0", "--samples"},
         {"--headless --technique reference --bounces 2", "--bounces: found it with"},
         {"--light-count -1", "--light-count"},
         {"--light-count 2 --lights x.json", "--light"},
@@ -448,22 +405,11 @@ TEST_F(Viewer, ASourceIsFittedFirst)
 
 // --- the window ----------------------------------------------------------------------------------
 
-class ViewerWindow : public Viewer {
-protected:
-    void SetUp() override
-    {
-        if (!hasCommand("xvfb-run")) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
-    }
-    const std::string xvfb_ = "xvfb-run -a -n " +
-                              std::to_string(20200 + getpid() % 20000) +  // no other test's
-                              " -s '-screen 0 800x600x24 -noreset' env -u WAYLAND_DISPLAY";
-};
-
 TEST_F(ViewerWindow, DrawsFramesClosesAndAgreesWithTheReference)
 {
     for (const char* technique : {"two-lookup", "vertex", "reference", "path"}) {
-        const std::string scene = "--size 80x80 --light-count 2 --material '" + file("made.fbrdf") +
-                                  "' --technique " + technique;
+        const std::string scene = "--plain --size 80x80 --light-count 2 --material '" +
+                                  file("made.fbrdf") + "' --technique " + technique;
         const ProgramResult result =
             runViewer(scene + " --bounces 0 --frames 3 --out '" + file("w.exr") + "' --stats '" +
                           file("w.json") + "'",
@@ -478,6 +424,38 @@ TEST_F(ViewerWindow, DrawsFramesClosesAndAgreesWithTheReference)
         EXPECT_EQ(compare(readExr(file("w.exr")), expected).coverageDiffers, 0);
         EXPECT_LE(compare(readExr(file("w.exr")), expected).worst, kAgainstReference);
     }
+}
+
+TEST_F(ViewerWindow, BeginsWithTheFullSceneOfThePictures)
+{
+    const std::string scene =
+        "--size 64x40 --samples 2 --environment-lobes 1 --material '" + file("made.fbrdf") + "' ";
+    const ProgramResult result = runViewer(
+        scene + "--frames 2 --out '" + file("w.exr") + "' --stats '" + file("w.json") + "'", xvfb_);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto stats = readJson(file("w.json"));
+    EXPECT_EQ(stats["environment"]["name"], "studio");
+    EXPECT_EQ(stats["frames"], 2);
+    NEEDS(Backend::egl);
+    const Image expected = draw("--headless --full " + scene);
+    const Image window = readExr(file("w.exr"));
+    ASSERT_EQ(window.rgba.size(), expected.rgba.size());
+    double off = 0.0, largest = 0.0, sum = 0.0;
+    for (size_t i = 0; i < window.rgba.size(); ++i) {
+        const double difference = std::abs(double(window.rgba[i]) - double(expected.rgba[i]));
+        off += difference;
+        largest = std::max(largest, difference);
+        sum += double(expected.rgba[i]);
+    }
+    EXPECT_LE(off / sum, 1e-4);
+    EXPECT_LE(largest, 1e-2);
+}
+
+TEST_F(ViewerWindow, SaysThatGlIsTooOld)
+{
+    expectError(runViewer("--plain --size 64x40 --frames 1 --material '" + file("made.fbrdf") + "'",
+                          xvfb_ + " MESA_GL_VERSION_OVERRIDE=2.1 MESA_GLSL_VERSION_OVERRIDE=120"),
+                6, "expected a display with OpenGL 3.3");
 }
 
 }  // namespace

@@ -90,6 +90,28 @@ std::vector<unsigned char> encoded(const char* format, const fbrdf_picture_to_wr
     return bytes;
 }
 
+std::vector<unsigned char> encodedFrames(const char* format, const fbrdf_frames_to_write& frames)
+{
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) throw std::runtime_error(OIIO::geterror());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput proxy(bytes);
+    if (!output->supports("multiimage") || !output->set_ioproxy(&proxy))
+        throw std::runtime_error("this format has no moving pictures in memory");
+    OIIO::ImageSpec spec(frames.width, frames.height, 3, OIIO::TypeDesc::UINT8);
+    const int rate[2] = {frames.framesPerSecond, 1};
+    spec.attribute("FramesPerSecond", OIIO::TypeRational, rate);
+    const std::vector<OIIO::ImageSpec> specs(static_cast<size_t>(frames.count), spec);
+    const std::string name = std::string("memory.") + format;
+    require(output->open(name, frames.count, specs.data()), output);
+    for (int i = 0; i < frames.count; ++i) {
+        if (i > 0) require(output->open(name, spec, OIIO::ImageOutput::AppendSubimage), output);
+        require(output->write_image(OIIO::TypeDesc::UINT8, frames.frames[i]), output);
+    }
+    require(output->close(), output);
+    return bytes;
+}
+
 std::string joined(const std::vector<std::string>& names)
 {
     std::string text;
@@ -215,6 +237,15 @@ int encodePicture(const char* format, const fbrdf_picture_to_write* picture, fbr
     });
 }
 
+int encodeFrames(const char* format, const fbrdf_frames_to_write* frames, fbrdf_take_bytes take,
+                 void* context, char* why, size_t whySize)
+{
+    return guarded(why, whySize, [&] {
+        const std::vector<unsigned char> bytes = encodedFrames(format, *frames);
+        take(context, bytes.data(), bytes.size());
+    });
+}
+
 int decodePicture(const char* format, const void* bytes, size_t size, fbrdf_give_memory give,
                   void* context, char* why, size_t whySize)
 {
@@ -231,6 +262,6 @@ fbrdf_open_picture_module()
     OIIO::attribute("limits:imagesize_MB", kMostMegabytes);
     OIIO::attribute("limits:channels", kMostChannels);
     static constexpr fbrdf_picture_module module = {FBRDF_PICTURE_MODULE_VERSION, encodePicture,
-                                                    decodePicture, decodePictureRows};
+                                                    decodePicture, decodePictureRows, encodeFrames};
     return &module;
 }

@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 /* Raised by every change of this file; a module of another version is refused. */
-#define FBRDF_PICTURE_MODULE_VERSION 2
+#define FBRDF_PICTURE_MODULE_VERSION 3
 #define FBRDF_PICTURE_MODULE_FUNCTION "fbrdf_open_picture_module"
 
 struct fbrdf_picture_to_write {
@@ -21,6 +21,12 @@ struct fbrdf_picture_to_write {
     const float* pixels;         /* width x height x channels */
     int bits;                    /* of a sample in the file: 8 or 16 (of [0, 1]), 32 for floats */
     const char* colourSpace;     /* "sRGB" or "lin_rec709" */
+};
+
+/* Pictures that are shown one after the other, width x height x 3 codes of sRGB each. */
+struct fbrdf_frames_to_write {
+    int width, height, framesPerSecond, count;
+    const unsigned char* const* frames; /* count of them */
 };
 
 /* The bytes of an encoded file, valid during the call. */
@@ -67,6 +73,9 @@ struct fbrdf_picture_module {
      * the file until one is chosen, then `take` until it has all rows. */
     int (*decodeRows)(const char* format, const void* bytes, size_t size, fbrdf_choose_part choose,
                       fbrdf_take_rows take, void* context, char* why, size_t whySize);
+    /* Of a format with several images a file. */
+    int (*encodeFrames)(const char* format, const struct fbrdf_frames_to_write* frames,
+                        fbrdf_take_bytes take, void* context, char* why, size_t whySize);
 };
 
 typedef const struct fbrdf_picture_module* (*fbrdf_picture_module_function)(void);

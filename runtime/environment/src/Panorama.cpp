@@ -56,6 +56,20 @@ double texelSolidAngle(const Panorama& panorama, int y)
     return 2.0 * kPi / panorama.width * zone;
 }
 
+Vec3d upwardIrradiance(const Panorama& panorama)
+{
+    Vec3d sum(0.0);
+    for (int y = 0; 2 * y < panorama.height; ++y) {
+        // The mean of the cosine over a row times its solid angle: sin^2 / 2 at its edges.
+        const double upper = std::sin(kPi * y / panorama.height),
+                     lower =
+                         std::sin(kPi * std::min(y + 1.0, 0.5 * panorama.height) / panorama.height);
+        const double weight = kPi * (lower * lower - upper * upper) / panorama.width;
+        for (int x = 0; x < panorama.width; ++x) sum += weight * Vec3d(panorama.texel(x, y));
+    }
+    return sum;
+}
+
 Panorama reduced(const Panorama& panorama, int most)
 {
     Panorama result{std::min(panorama.width, most), std::min(panorama.height, most), {}};

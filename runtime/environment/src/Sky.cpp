@@ -42,21 +42,6 @@ void addRadiance(Panorama& panorama, int firstRow, int endRow, const Radiance& r
         }
 }
 
-/// Of a surface that faces up.
-Vec3d upwardIrradiance(const Panorama& panorama)
-{
-    Vec3d sum(0.0);
-    for (int y = 0; 2 * y < panorama.height; ++y) {
-        // The mean of the cosine over a row times its solid angle: sin^2 / 2 at its edges.
-        const double upper = std::sin(kPi * y / panorama.height),
-                     lower =
-                         std::sin(kPi * std::min(y + 1.0, 0.5 * panorama.height) / panorama.height);
-        const double weight = kPi * (lower * lower - upper * upper) / panorama.width;
-        for (int x = 0; x < panorama.width; ++x) sum += weight * Vec3d(panorama.texel(x, y));
-    }
-    return sum;
-}
-
 Panorama blackPanorama(int width)
 {
     return {width, width / 2, std::vector<Vec3f>(size_t(width) * size_t(width / 2), Vec3f(0.0f))};

@@ -27,6 +27,7 @@ const CpuTechnique& cpuTechnique(ViewTechnique technique)
 constexpr char kEscape = 27;
 constexpr float kExposureStep = 1.122462f;  // 2^(1/6): six presses a stop
 constexpr double kWheelZoom = 0.9;          // of the distance, a step
+constexpr float kEnvironmentStep = 15.0f;   // degrees
 
 /// The next of `count` things, the first after the last.
 int following(int index, int count)
@@ -57,6 +58,24 @@ bool applyLightKey(ViewState& state, char key)
         state.lightCount = key == 'l' ? std::min(kMostLights, 2 * state.lightCount)
                                       : std::max(1, state.lightCount / 2);
     return true;
+}
+
+bool applyEnvironmentKey(ViewState& state, char key)
+{
+    switch (key) {
+        case 'e':
+            state.environment = following(state.environment, state.environmentCount);
+            return true;
+        case ',':
+        case '.': {
+            const float turned =
+                state.environmentDegrees + (key == '.' ? kEnvironmentStep : -kEnvironmentStep);
+            state.environmentDegrees = std::remainder(turned, 360.0f);
+            return true;
+        }
+        case ' ': state.turning = !state.turning; return true;
+        default: return false;
+    }
 }
 
 }  // namespace
@@ -105,7 +124,9 @@ bool applyKey(ViewState& state, char key)
             state.technique = static_cast<ViewTechnique>(
                 following(static_cast<int>(state.technique), kViewTechniqueCount));
             return true;
-        default: return applyLightKey(state, key) || applyViewKey(state, key);
+        default:
+            return applyLightKey(state, key) || applyEnvironmentKey(state, key) ||
+                   applyViewKey(state, key);
     }
 }
 
@@ -126,6 +147,7 @@ const std::vector<KeyHelp>& keyHelp()
     static const std::vector<KeyHelp> lines{
         {"drag, wheel", "orbit, zoom"}, {"M", "next material"}, {"T", "next technique"},
         {"L / K", "lights x2, / 2"},    {"+ / -", "exposure"},  {"O", "next mesh"},
+        {"E", "next environment"},      {", / .", "turn it"},   {"Space", "turntable"},
         {"F", "frame the mesh"},        {"R", "camera home"},   {"S", "screenshot"},
         {"H, F1", "this help"},         {"Q, Esc", "quit"}};
     return lines;

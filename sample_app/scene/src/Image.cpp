@@ -1,3 +1,4 @@
+#include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
@@ -7,8 +8,10 @@
 #include <fbrdf/pictures/Png.h>
 #include <fbrdf/scene/Image.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 namespace fbrdf::scene {
 namespace {
@@ -27,48 +30,68 @@ std::string exrOf(const Image& image, const std::string& path)
     return encodeExr({{"", image.width, image.height, 4, false, {}, image.rgba}}, path);
 }
 
-std::string pngOf(const Image& image, const std::string& path, float exposure)
+/// How radiance becomes what sRGB codes stand for.
+struct Exposing {
+    float exposure;
+    Transfer transfer;
+
+    float operator()(float linear) const
+    {
+        const float exposed = exposure * linear;
+        return transfer == Transfer::toneMap ? toneMapped(exposed) : exposed;
+    }
+};
+
+std::string pngOf(const Image& image, const std::string& path, const Exposing& exposed)
 {
     std::vector<uint16_t> codes;
     codes.reserve(3 * image.pixelCount());
     for (size_t i = 0; i < image.rgba.size(); i += 4)
-        for (size_t c = 0; c < 3; ++c) codes.push_back(srgbCode(exposure * image.rgba[i + c]));
+        for (size_t c = 0; c < 3; ++c) codes.push_back(srgbCode(exposed(image.rgba[i + c])));
     return encodePng({image.width, image.height, 3, 8, codes}, path);
 }
 
-float radianceSample(float linear, float /*exposure*/)
+float srgbSample(float exposed)
 {
-    return linear;
-}
-
-float srgbSample(float linear, float exposure)
-{
-    const float exposed = exposure * linear;
     return exposed > 0.0f ? static_cast<float>(srgbFromLinear(double(exposed))) : 0.0f;
 }
 
 /// Pictures of formats that a module writes; none of them has coverage.
 std::string pictureOf(const Image& image, const PictureFormat& format, const std::string& path,
-                      float exposure)
+                      const Exposing& exposed)
 {
-    const auto sample = format.encoding == PictureEncoding::linear ? radianceSample : srgbSample;
+    const bool isLinear = format.encoding == PictureEncoding::linear;
     PictureSamples picture{image.width, image.height, 3, {}};
     picture.samples.reserve(3 * image.pixelCount());
     for (size_t i = 0; i < image.rgba.size(); i += 4)
         for (size_t c = 0; c < 3; ++c)
-            picture.samples.push_back(sample(image.rgba[i + c], exposure));
+            picture.samples.push_back(isLinear ? image.rgba[i + c]
+                                               : srgbSample(exposed(image.rgba[i + c])));
     return encodePicture(picture, format, path);
 }
 
-std::string fileOf(const Image& image, const std::string& path, float exposure)
+std::string fileOf(const Image& image, const std::string& path, const Exposing& exposed)
 {
     const std::string extension = extensionOf(path);
     if (extension == ".exr") return exrOf(image, path);
-    if (extension == ".png") return pngOf(image, path, exposure);
-    return pictureOf(image, *pictureFormatOf(path), path, exposure);
+    if (extension == ".png") return pngOf(image, path, exposed);
+    return pictureOf(image, *pictureFormatOf(path), path, exposed);
 }
 
 }  // namespace
+
+void add(const Image& image, Image& sum)
+{
+    FBRDF_ASSERT(image.rgba.size(), ==, sum.rgba.size());
+    std::transform(image.rgba.begin(), image.rgba.end(), sum.rgba.begin(), sum.rgba.begin(),
+                   std::plus<>());
+}
+
+Image meanOf(Image sum, int count)
+{
+    for (float& value : sum.rgba) value /= static_cast<float>(count);
+    return sum;
+}
 
 uint8_t srgbCode(float linear)
 {
@@ -87,10 +110,10 @@ void checkImagePath(const std::string& path)
     requirePictureModule(ErrorKind::output, path);
 }
 
-void writeImage(const Image& image, const std::string& path, float exposure)
+void writeImage(const Image& image, const std::string& path, float exposure, Transfer transfer)
 {
     checkImagePath(path);
-    writeFile(path, fileOf(image, path, exposure));
+    writeFile(path, fileOf(image, path, {exposure, transfer}));
 }
 
 }  // namespace fbrdf::scene

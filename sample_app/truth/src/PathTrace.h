@@ -19,6 +19,10 @@ public:
 
     /// An estimate, without bias, of the radiance that leaves a fragment towards the eye.
     Vec3d radiance(const scene::Fragment& seen, Random& random) const;
+    Vec3d positionOf(const scene::Fragment& fragment) const
+    {
+        return rays_.pointOf(fragment).position;
+    }
 
 private:
     /// A point of a path, and what it is made of.

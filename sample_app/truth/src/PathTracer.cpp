@@ -2,34 +2,13 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Parallel.h>
+#include <fbrdf/scene/Ground.h>
+#include <fbrdf/scene/SubPixels.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace fbrdf::truth {
-namespace {
-
-/// Where sample i of every pixel is, from its centre, in pixels: (-0.5, 0.5)^2, evenly for any
-/// number of samples (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences": R2).
-Vec2<double> placeOf(int i)
-{
-    const double kX = 0.75487766624669276, kY = 0.56984029099805327;
-    const auto within = [i](double step) { return std::fmod(0.5 + i * step, 1.0) - 0.5; };
-    return {within(kX), within(kY)};
-}
-
-/// The view whose pixel centres are at these places of the picture's pixels.
-gl::View movedBy(gl::View view, const Vec2<double>& place, int width, int height)
-{
-    for (int column = 0; column < 4; ++column) {
-        glm::vec4& c = view.projection[column];
-        c.x -= static_cast<float>(2.0 * place.x / width) * c.w;
-        c.y -= static_cast<float>(2.0 * place.y / height) * c.w;
-    }
-    return view;
-}
-
-}  // namespace
 
 class PathTracer::State {
 public:
@@ -50,7 +29,7 @@ private:
     /// "Note on a Method for Calculating Corrected Sums of Squares and Products").
     struct Pixel {
         Vec3d mean{0.0}, squares{0.0};
-        int covered = 0;
+        double covered = 0.0;
 
         void add(const Vec3d& radiance, int count)
         {
@@ -61,6 +40,12 @@ private:
     };
     int width() const { return options_.picture.width; }
     int height() const { return options_.picture.height; }
+    /// How much of what is behind the objects a fragment hides.
+    double opacityOf(const scene::Fragment& fragment) const
+    {
+        return scene_.isGround(fragment) ? scene_.ground->opacity(paths_.positionOf(fragment))
+                                         : 1.0;
+    }
 
     const scene::Scene& scene_;
     PathOptions options_;
@@ -73,17 +58,18 @@ private:
 void PathTracer::State::addSample()
 {
     if (samples_ == 0 || options_.spread) {
-        const Vec2<double> place = options_.spread ? placeOf(samples_) : Vec2<double>(0.0);
-        seen_ = rasterise(scene_.instances, movedBy(scene_.view, place, width(), height()), width(),
-                          height());
+        const Vec2<double> place = options_.spread ? scene::subPixel(samples_) : Vec2<double>(0.0);
+        seen_ = rasterise(scene_.instances, scene::movedBy(scene_.view, place, width(), height()),
+                          width(), height());
     }
     const auto columns = static_cast<size_t>(width());
     parallelTasks(static_cast<size_t>(height()), options_.picture.threads, [&](size_t row) {
         for (size_t i = row * columns; i < (row + 1) * columns; ++i) {
             if (seen_.pixels[i].covered()) {
                 Random random(options_.seed, i, static_cast<uint64_t>(samples_));
-                pixels_[i].add(paths_.radiance(seen_.pixels[i], random), samples_ + 1);
-                ++pixels_[i].covered;
+                const double opacity = opacityOf(seen_.pixels[i]);
+                pixels_[i].add(opacity * paths_.radiance(seen_.pixels[i], random), samples_ + 1);
+                pixels_[i].covered += opacity;
             } else {
                 pixels_[i].add(Vec3d(0.0), samples_ + 1);
             }

@@ -29,6 +29,8 @@ Vec3d panoramaDirection(double u, double v);
 Vec2<double> panoramaPlace(const Vec3d& direction);
 /// The solid angle of a texel in row y, in sr: those of all texels add up to 4 pi.
 double texelSolidAngle(const Panorama& panorama, int y);
+/// The irradiance of a surface that faces up.
+Vec3d upwardIrradiance(const Panorama& panorama);
 
 /// The panorama with at most `most` texels on a side, >= 1: each the mean over its solid angle.
 Panorama reduced(const Panorama& panorama, int most);

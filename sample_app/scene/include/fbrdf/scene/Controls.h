@@ -32,6 +32,10 @@ struct ViewState {
     int lightCount = 1;
     bool madeLights = true;  ///< lights come by number; false: from a file, and stay
     float exposure = 1.0f;
+    int environment = 0, environmentCount = 1;
+    float environmentDegrees = 0.0f, environmentIntensity = 1.0f;  ///< about +y; of its radiance
+    int environmentLobes = 0;                                      ///< at most; 0: all there are
+    bool turning = false;                                          ///< objects and ground
     bool help = false;
     bool screenshot = false, frame = false, close = false;  ///< wishes, for the window to fulfil
 };

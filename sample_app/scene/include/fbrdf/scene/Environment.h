@@ -19,6 +19,8 @@ struct EnvironmentLight {
     Vec3d fromEnvironment(const Vec3d& inEnvironment) const;
     /// Radiance from a direction in the world, filtered linearly between texels.
     Vec3d radianceFrom(const Vec3d& world) const;
+    /// The irradiance of a surface that faces up.
+    Vec3d upwardIrradiance() const { return intensity * fbrdf::upwardIrradiance(panorama); }
 };
 
 /// What is behind the objects: their environment, one colour (linear radiance), or nothing.

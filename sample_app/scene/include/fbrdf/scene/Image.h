@@ -1,6 +1,6 @@
 // Image.h - a picture of linear radiance, and its files.
 #pragma once
-#include <fbrdf/brdf/Conventions.h>
+#include <fbrdf/plan/Transfer.h>
 
 #include <cstdint>
 #include <string>
@@ -27,15 +27,22 @@ private:
     }
 };
 
+/// Adds a picture of the same size to a sum of such.
+void add(const Image& image, Image& sum);
+/// The sum over a number of pictures, > 0: exactly the picture where that is 1.
+Image meanOf(Image sum, int count);
+
 /// 8-bit code of a linear value (IEC 61966-2-1), rounded to nearest; below 0 and NaN give 0, above
 /// 1 gives 255.
 uint8_t srgbCode(float linear);
 
 /// ".exr": the image as it is, 32-bit float RGBA. ".png": 8-bit sRGB of exposure x radiance, no
 /// alpha. Others (fbrdf/codecs/PictureFile.h): ".hdr" linear radiance, the rest sRGB of exposure x
-/// radiance in 8 or, for ".tif", 16 bits. The file appears whole or not at all. Throws Error(usage)
-/// for any other extension, Error(output) where it cannot be written.
-void writeImage(const Image& image, const std::string& path, float exposure);
+/// radiance in 8 or, for ".tif", 16 bits. With Transfer::toneMap the curve of Transfer.h comes
+/// before that of sRGB; no other transfer is expected. The file appears whole or not at all. Throws
+/// Error(usage) for any other extension, Error(output) where it cannot be written.
+void writeImage(const Image& image, const std::string& path, float exposure,
+                Transfer transfer = Transfer::srgb);
 
 /// Throws what writeImage would because of the extension: Error(usage) where it is unknown,
 /// Error(output) where the module that writes the format cannot be loaded.

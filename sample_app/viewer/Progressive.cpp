@@ -1,0 +1,135 @@
+#include "Progressive.h"
+
+#include "Headless.h"
+
+#include <fbrdf/scene/SubPixels.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace fbrdf::viewer {
+namespace {
+
+// While the view changes, the CPU draws one pixel in 4 x 4, so that the mouse stays responsive.
+constexpr int kCoarseStep = 4;
+// As many samples are drawn in a frame as this allows: 40 frames a second, or one sample. Where one
+// takes much longer, as without a GPU, the runtime draws one pixel in 2 x 2 while things change.
+constexpr double kFrameMilliseconds = 25.0, kSlowMilliseconds = 80.0;
+constexpr int kSlowStep = 2;
+
+}  // namespace
+
+bool Shown::operator==(const Shown& o) const
+{
+    return view.view == o.view.view && view.projection == o.view.projection &&
+           technique == o.technique && instance.model == o.instance.model &&
+           instance.material == o.instance.material && mesh == o.mesh &&
+           lightCount == o.lightCount && width == o.width && height == o.height &&
+           environment == o.environment && environmentLobes == o.environmentLobes &&
+           environmentDegrees == o.environmentDegrees &&
+           environmentIntensity == o.environmentIntensity;
+}
+
+Progressive::Progressive(gl::LoadFunction load, const Options& options, World& world,
+                         GlScene& scene)
+    : options_(options), world_(world), scene_(scene), sum_(load), timer_(load)
+{
+    if (options.frames && !isOnCpu(options.technique))
+        scene_.prepare(runtimeTechnique(options.technique), world);
+}
+
+int Progressive::samples() const
+{
+    if (!isOnCpu(shown_->technique)) return sum_.count();
+    return coarse_ || !cpu_ ? 0 : cpu_->samples();
+}
+
+std::optional<double> Progressive::draw(const Shown& wanted, scene::Stats& stats)
+{
+    // Lobes that are still being fitted change the picture when they are there.
+    const bool waits = !isOnCpu(wanted.technique) && !stats.whyNoEnvironment.empty();
+    const bool changed = !shown_ || !(*shown_ == wanted) || waits;
+    shown_ = wanted;
+    const auto start = std::chrono::steady_clock::now();
+    if (isOnCpu(wanted.technique)) {
+        if (!drawByCpu(changed, stats)) return std::nullopt;
+        const std::chrono::duration<double, std::milli> time =
+            std::chrono::steady_clock::now() - start;
+        return time.count();
+    }
+    // A counted frame is drawn even where it shows the same, and is worth its full size.
+    if (changed || coarse_ || options_.frames)
+        restartSum(changed && !options_.frames && sampleMilliseconds_ > kSlowMilliseconds);
+    const int missing = wantedSamples() - sum_.count();
+    if (missing <= 0) return std::nullopt;
+    const int affordable =
+        sampleMilliseconds_ > 0.0 ? static_cast<int>(kFrameMilliseconds / sampleMilliseconds_) : 1;
+    const int count = options_.frames ? missing : std::clamp(affordable, 1, missing);
+    timer_.begin();
+    drawByRuntime(count, stats);
+    const double milliseconds = timer_.end();
+    sampleMilliseconds_ = milliseconds / count * (coarse_ ? kSlowStep * kSlowStep : 1);
+    return milliseconds;
+}
+
+void Progressive::restartSum(bool coarse)
+{
+    coarse_ = coarse;
+    const int step = coarse ? kSlowStep : 1;
+    sum_.restart(std::max(1, shown_->width / step), std::max(1, shown_->height / step));
+}
+
+void Progressive::drawByRuntime(int samples, scene::Stats& stats)
+{
+    GlRequest request{runtimeTechnique(shown_->technique),
+                      {shown_->instance},
+                      {},
+                      &world_.lights,
+                      world_.ground.get()};
+    for (int i = 0; i < samples; ++i) {
+        const gl::Target target = sum_.clearedTarget();
+        request.sample = sum_.count();
+        request.view = scene::movedBy(shown_->view, scene::subPixel(request.sample), target.width,
+                                      target.height);
+        addDrawStats(scene_.draw(target, request), scene_.renderer(), stats);
+        sum_.add();
+    }
+    stats.path.reset();
+}
+
+/// Draws coarsely while things change, in full once they stand still, sample by sample, and then
+/// not at all. Returns whether it did.
+bool Progressive::drawByCpu(bool changed, scene::Stats& stats)
+{
+    if (!changed && !coarse_ && cpu_->isFinished()) return false;
+    const bool isCounted = options_.frames.has_value();  // a counted frame is worth its full size
+    if (changed || coarse_) {
+        coarse_ = changed && !isCounted;
+        const int step = coarse_ ? kCoarseStep : 1;
+        cpu_ = std::make_unique<CpuDrawing>(options_, world_,
+                                            CpuRequest{shown_->technique,
+                                                       {shown_->instance},
+                                                       shown_->view,
+                                                       std::max(1, shown_->width / step),
+                                                       std::max(1, shown_->height / step)});
+    }
+    do cpu_->goOn();
+    while (isCounted && !cpu_->isFinished());
+    stats.accumulation = "double";
+    stats.path = cpu_->pathStats();
+    hasNewImage_ = true;
+    return true;
+}
+
+scene::Image Progressive::finishedImage()
+{
+    if (!isOnCpu(shown_->technique)) {
+        if (coarse_) restartSum(false);
+        drawByRuntime(wantedSamples() - sum_.count(), spare_);
+        return sum_.mean();
+    }
+    if (coarse_) drawByCpu(false, spare_);
+    return cpu_->image();
+}
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,62 @@
+// Progressive.h - the picture of a window: coarse or of one sample while things change, better from
+// frame to frame while they stand still, and then left alone.
+#pragma once
+#include "CpuDrawing.h"
+#include "FrameTimer.h"
+#include "GlScene.h"
+#include "SampleSum.h"
+
+namespace fbrdf::viewer {
+
+/// What a picture depends on.
+struct Shown {
+    gl::View view;
+    scene::ViewTechnique technique = scene::ViewTechnique::reference;
+    scene::Instance instance;
+    int mesh = 0, lightCount = 0, width = 0, height = 0;
+    int environment = 0, environmentLobes = 0;
+    float environmentDegrees = 0.0f, environmentIntensity = 1.0f;
+
+    bool operator==(const Shown& o) const;
+};
+
+class Progressive {
+public:
+    /// Belongs to the context that is current. What is given must outlive this.
+    Progressive(gl::LoadFunction load, const Options& options, World& world, GlScene& scene);
+
+    /// Goes on with the picture, or begins it anew where something has changed: as many samples as
+    /// are done in a short frame, or, where frames are counted, all. Returns the milliseconds that
+    /// took, nothing where the picture was finished. Fills the fields of the stats that say how.
+    std::optional<double> draw(const Shown& wanted, scene::Stats& stats);
+
+    const Shown& shown() const { return *shown_; }  ///< expects draw() before
+    int samples() const;                            ///< of each pixel, so far
+    /// Of techniques of the runtime.
+    const SampleSum& sum() const { return sum_; }
+    /// Of those of the CPU; true for each picture once.
+    bool tookNewImage() { return std::exchange(hasNewImage_, false); }
+    scene::Image image() const { return cpu_->image(); }
+
+    /// The picture with all its samples; draws what is missing of them.
+    scene::Image finishedImage();
+
+private:
+    int wantedSamples() const { return samplesOf(options_, shown_->technique); }
+    void restartSum(bool coarse);
+    void drawByRuntime(int samples, scene::Stats& stats);
+    bool drawByCpu(bool changed, scene::Stats& stats);
+
+    const Options& options_;
+    World& world_;
+    GlScene& scene_;
+    SampleSum sum_;
+    FrameTimer timer_;
+    std::optional<Shown> shown_;
+    double sampleMilliseconds_ = 0.0;  ///< of the runtime, in full size; 0: not known yet
+    bool coarse_ = false, hasNewImage_ = false;
+    std::unique_ptr<CpuDrawing> cpu_;
+    scene::Stats spare_;  ///< of samples that nobody asks about
+};
+
+}  // namespace fbrdf::viewer

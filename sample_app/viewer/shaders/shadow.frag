@@ -1,0 +1,6 @@
+// Depth alone.
+#version 330 core
+
+void main()
+{
+}

@@ -1,0 +1,70 @@
+// ViewerFixture.h - what tests of fbrdf-viewer share: a material made from formulas, and pictures
+// of the program read back.
+#pragma once
+#include "GlPictures.h"
+#include "PictureDifference.h"
+#include "Program.h"
+
+#include <fbrdf/io/MaterialFile.h>
+#include <gtest/gtest.h>
+#include <support/TemporaryDir.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace fbrdf::scene {
+
+constexpr double kAgainstReference = 2e-3;  // as TechniquesGLTest.cpp
+constexpr double kBetweenTechniques = 1e-4;
+
+class Viewer : public testing::Test {
+protected:
+    Viewer() { writeMaterial(madeMaterial(formPqp(16, 0.5)), file("made.fbrdf")); }
+
+    std::string file(const std::string& name) const { return dir_.file(name); }
+    /// Arguments that draw the made material without a display, small.
+    std::string drawMade() const
+    {
+        return "--headless --size 48x48 --material '" + file("made.fbrdf") + "' ";
+    }
+    Image draw(const std::string& arguments)
+    {
+        const ProgramResult result = runViewer(arguments + " --out '" + file("p.exr") +
+                                               "' --stats '" + file("s.json") + "'");
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        EXPECT_EQ(result.out, "");
+        stats_ = readJson(file("s.json"));
+        return readExr(file("p.exr"));
+    }
+
+    test::TemporaryDir dir_;
+    nlohmann::json stats_;
+};
+
+#define NEEDS(backend) \
+    if (!hasBackend(backend)) GTEST_SKIP() << "no context on " << backendName(backend)
+
+/// The exit code, one line on stderr that begins like the tool and names `where`, and no picture.
+inline void expectError(const ProgramResult& result, int exitCode, const std::string& where)
+{
+    EXPECT_EQ(result.exitCode, exitCode) << result.err;
+    EXPECT_EQ(result.err.substr(0, 14), "fbrdf-viewer: ");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(where), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+/// Tests of windows need Xvfb.
+class ViewerWindow : public Viewer {
+protected:
+    void SetUp() override
+    {
+        if (!hasCommand("xvfb-run")) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
+    }
+    const std::string xvfb_ = "xvfb-run -a -n " +
+                              std::to_string(20200 + getpid() % 20000) +  // no other test's
+                              " -s '-screen 0 1280x1024x24 -noreset' env -u WAYLAND_DISPLAY";
+};
+
+}  // namespace fbrdf::scene
