@@ -28,7 +28,9 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
 }  // namespace
 
 GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
-    : renderer_(rendererOptions(load)), groundPass_(load)
+    : renderer_(rendererOptions(load)),
+      uploaded_{options.lookUp, 0, options.precise},
+      groundPass_(load)
 {
     environmentLight_.lobes = options.environmentLobes;
     environmentLight_.samples = options.environmentSamples;
@@ -37,12 +39,10 @@ GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
         hooks_ = renderer_.createHooks(shadowMaps_->hooks());
     }
     if (world.environment) replaceEnvironment(&*world.environment);
-    const gl::MaterialOptions uploaded{options.lookUp, 0, options.precise};
-    for (MaterialSlot& slot : world.materials)
-        materials_.push_back(renderer_.createMaterial(slot.material(), uploaded));
+    for (MaterialSlot& slot : world.materials) setMaterial(materials_.size(), slot.material());
     replaceMesh(world.mesh);
     if (!world.ground) return;
-    groundMaterial_ = renderer_.createMaterial(scene::Ground::material(), uploaded);
+    groundMaterial_ = renderer_.createMaterial(scene::Ground::material(), uploaded_);
     groundMesh_ = renderer_.createMesh(*world.ground->object(0).mesh);
     replaceGround(*world.ground);
 }
@@ -54,6 +54,15 @@ gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet&
     options.environment = environmentLight_;
     options.areaLights = lights.areaLights;
     return options;
+}
+
+void GlScene::setMaterial(size_t index, const Material& material)
+{
+    auto uploaded = renderer_.createMaterial(material, uploaded_);
+    if (index == materials_.size())
+        materials_.push_back(std::move(uploaded));
+    else
+        materials_[index] = std::move(uploaded);
 }
 
 void GlScene::replaceMesh(const scene::Mesh& mesh)

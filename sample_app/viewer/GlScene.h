@@ -26,6 +26,8 @@ public:
 
     const gl::Renderer& renderer() const { return renderer_; }
     void replaceMesh(const scene::Mesh& mesh);
+    /// Takes another material in the place of one, or one more where `index` is their number.
+    void setMaterial(size_t index, const Material& material);
     /// Takes what the objects hide of the sky above the ground.
     void replaceGround(const scene::Ground& ground)
     {
@@ -48,6 +50,7 @@ private:
     gl::DrawStats drawGround(const gl::Target& target, const GlRequest& request);
 
     gl::Renderer renderer_;
+    gl::MaterialOptions uploaded_;
     std::unique_ptr<ShadowMaps> shadowMaps_;  ///< null: no shadows
     std::shared_ptr<gl::GpuHooks> hooks_;     ///< of the shadows
     GroundPass groundPass_;

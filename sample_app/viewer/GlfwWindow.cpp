@@ -81,6 +81,10 @@ void GlfwWindow::installCallbacks()
     });
     glfwSetCursorPosCallback(
         window_, [](GLFWwindow* handle, double x, double y) { windowOf(handle)->drag(x, y); });
+    glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+        auto& dropped = windowOf(handle)->state_.dropped;
+        dropped.insert(dropped.end(), paths, paths + count);
+    });
     glfwSetScrollCallback(window_, [](GLFWwindow* handle, double, double steps) {
         GlfwWindow& self = *windowOf(handle);
         if (!self.filter_.takesMouse || !self.filter_.takesMouse()) applyScroll(self.state_, steps);

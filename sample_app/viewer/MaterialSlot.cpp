@@ -15,7 +15,22 @@ MaterialSlot::MaterialSlot(const std::string& spec, FitOptions options)
     : name_(spec), options_(std::move(options))
 {
     material_ = readIfMaterial(spec);
-    if (!material_) source_ = openSource(spec);
+    if (!material_) source_ = std::make_shared<const Source>(openSource(spec));
+}
+
+MaterialSlot::MaterialSlot(const std::string& spec, std::shared_ptr<const Source> source,
+                           Material material)
+{
+    replace(spec, std::move(source), std::move(material));
+}
+
+void MaterialSlot::replace(const std::string& spec, std::shared_ptr<const Source> source,
+                           Material material)
+{
+    name_ = spec;
+    source_ = std::move(source);
+    material_ = std::move(material);
+    lobes_.reset();
 }
 
 const Material& MaterialSlot::material()
@@ -29,7 +44,11 @@ const Material& MaterialSlot::material()
 
 scene::Brdf MaterialSlot::truth()
 {
-    if (truthIsSource()) return source_->evaluate;
+    // The function keeps its source.
+    if (truthIsSource())
+        return [source = source_](const Vec3d& wo, const Vec3d& wi) {
+            return source->evaluate(wo, wi);
+        };
     return [&drawn = material()](const Vec3d& wo, const Vec3d& wi) {
         return evaluate<double>(drawn, wo, wi);
     };

@@ -5,6 +5,7 @@
 #include <fbrdf/scene/CpuRenderer.h>
 #include <fbrdf/sources/Source.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,7 +17,14 @@ public:
     /// openSource throw. `options`: how a source will be fitted.
     explicit MaterialSlot(const std::string& spec, FitOptions options = {});
 
+    /// A source that has been fitted already.
+    MaterialSlot(const std::string& spec, std::shared_ptr<const Source> source, Material material);
+
     const std::string& name() const { return name_; }
+    /// How the source was or will be fitted; null: the slot is a material file.
+    const FitOptions* fitOptions() const { return source_ ? &options_ : nullptr; }
+    /// Takes the place of what there was. The truth() that was taken before is none any more.
+    void replace(const std::string& spec, std::shared_ptr<const Source> source, Material material);
     /// The factored material; a source is fitted on the first call, which may throw Error(fit).
     const Material& material();
     /// f of the source where it is a function, else of the material (in double).
@@ -29,7 +37,7 @@ public:
 private:
     std::string name_;
     FitOptions options_;
-    std::optional<Source> source_;
+    std::shared_ptr<const Source> source_;
     std::optional<Material> material_;
     std::optional<LobeTable> lobes_;
 };

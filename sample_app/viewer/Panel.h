@@ -2,6 +2,8 @@
 // whose fields can be changed with the mouse (PanelImGui.cpp), else the window's title
 // (PanelTitle.cpp).
 #pragma once
+#include "MaterialEditor.h"
+
 #include <fbrdf/scene/Controls.h>
 
 #include <string>
@@ -20,6 +22,7 @@ struct PanelFacts {
     double milliseconds = 0.0;
     std::string renderer;  ///< of GL
     std::string message;   ///< what happened last: "wrote ..."
+    FitFacts fit;
 };
 
 class Panel {
@@ -34,7 +37,8 @@ public:
     bool wantsMouse() const;
     /// True while a field of the panel takes keys.
     bool wantsKeys() const;
-    void draw(scene::ViewState& state, const PanelFacts& facts);
+    /// fit: of the material that is shown, to be changed; null: it is not fitted.
+    void draw(scene::ViewState& state, const PanelFacts& facts, FitFields* fit);
 
 private:
     GLFWwindow* window_;

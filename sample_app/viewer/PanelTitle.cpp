@@ -6,6 +6,13 @@
 namespace fbrdf::viewer {
 namespace {
 
+std::string messageOf(const PanelFacts& facts)
+{
+    if (!facts.fit.doing.empty()) return facts.fit.doing + " (C: cancel)";
+    if (!facts.fit.problem.empty()) return facts.fit.problem;
+    return facts.message.empty() ? "H: help" : facts.message;
+}
+
 std::string titleOf(const scene::ViewState& state, const PanelFacts& facts)
 {
     if (state.help) {
@@ -17,7 +24,7 @@ std::string titleOf(const scene::ViewState& state, const PanelFacts& facts)
     const std::string& material = facts.materials[static_cast<size_t>(state.material)];
     return fmt::format("fbrdf: {} | {} | {} lights | {} passes | {:.1f} ms | {}", material,
                        viewTechniqueName(state.technique), state.lightCount, facts.passes,
-                       facts.milliseconds, facts.message.empty() ? "H: help" : facts.message);
+                       facts.milliseconds, messageOf(facts));
 }
 
 }  // namespace
@@ -35,7 +42,7 @@ bool Panel::wantsKeys() const
     return false;
 }
 
-void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
+void Panel::draw(scene::ViewState& state, const PanelFacts& facts, FitFields*)
 {
     const std::string title = titleOf(state, facts);
     if (title == title_) return;

@@ -26,7 +26,7 @@ bool Shown::operator==(const Shown& o) const
            instance.material == o.instance.material && mesh == o.mesh &&
            lightCount == o.lightCount && width == o.width && height == o.height &&
            environment == o.environment && environmentLobes == o.environmentLobes &&
-           environmentDegrees == o.environmentDegrees &&
+           revision == o.revision && environmentDegrees == o.environmentDegrees &&
            environmentIntensity == o.environmentIntensity;
 }
 
@@ -34,8 +34,7 @@ Progressive::Progressive(gl::LoadFunction load, const Options& options, World& w
                          GlScene& scene)
     : options_(options), world_(world), scene_(scene), sum_(load), timer_(load)
 {
-    if (options.frames && !isOnCpu(options.technique))
-        scene_.prepare(runtimeTechnique(options.technique), world);
+    if (!isOnCpu(options.technique)) scene_.prepare(runtimeTechnique(options.technique), world);
 }
 
 int Progressive::samples() const

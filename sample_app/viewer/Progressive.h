@@ -15,6 +15,7 @@ struct Shown {
     scene::Instance instance;
     int mesh = 0, lightCount = 0, width = 0, height = 0;
     int environment = 0, environmentLobes = 0;
+    int revision = 0;  ///< of what was replaced and has no number of its own
     float environmentDegrees = 0.0f, environmentIntensity = 1.0f;
 
     bool operator==(const Shown& o) const;

@@ -10,6 +10,7 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/environment/Sky.h>
+#include <fbrdf/io/MaterialFile.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -53,6 +54,7 @@ public:
           toneMapper_(GlfwWindow::loader()),
           scene_(GlfwWindow::loader(), world, options),
           progressive_(GlfwWindow::loader(), options, world, scene_),
+          editor_(world, [this](size_t slot) { showMaterial(slot); }),
           stats_(statsOf(options, world))
     {
         window_.setFilter(
@@ -101,12 +103,16 @@ private:
     }
 
     void followState();
+    void followMaterials();
+    void followDrops();
+    void open(const std::string& path);
     void followEnvironment();
     void followMesh();
     void turn();
     void drawFrame();
     Shown wanted(GlfwWindow::Size size) const;
     void show(GlfwWindow::Size size);
+    void showMaterial(size_t slot);
     void saveScreenshot();
     void finishStats();
 
@@ -119,12 +125,69 @@ private:
     ToneMapper toneMapper_;
     GlScene scene_;
     Progressive progressive_;
+    MaterialEditor editor_;
     scene::Stats stats_;
     PanelFacts facts_;
     int mesh_ = 0, environment_ = 0, screenshots_ = 0;
+    int revision_ = 0;    ///< of materials and lights that were replaced
     double angle_ = 0.0;  ///< of the turntable, radians
     std::chrono::steady_clock::time_point lastFrame_ = std::chrono::steady_clock::now();
 };
+
+/// A material of the world that is new, or another than before.
+void WindowLoop::showMaterial(size_t slot)
+{
+    const bool isNew = slot == facts_.materials.size();
+    scene_.setMaterial(slot, world_.materials[slot].material());
+    if (isNew) facts_.materials.emplace_back();
+    facts_.materials[slot] = shortName(world_.materials[slot].name());
+    state_.materialCount = static_cast<int>(facts_.materials.size());
+    if (isNew) state_.material = static_cast<int>(slot);
+    ++revision_;
+}
+
+void WindowLoop::followMaterials()
+{
+    if (std::exchange(state_.cancel, false)) editor_.cancel();
+    editor_.follow(static_cast<size_t>(state_.material));
+    facts_.fit = editor_.facts();
+}
+
+/// Opens what was dropped: a mesh, lights, an environment, or else a material or what one is fitted
+/// to.
+void WindowLoop::open(const std::string& path)
+{
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension == ".obj") {
+        scene::meshFromName(path);  // before anything changes
+        facts_.meshes.push_back(path);
+        state_.meshCount = static_cast<int>(facts_.meshes.size());
+        state_.mesh = state_.meshCount - 1;
+    } else if (extension == ".json" && !readIfMaterial(path)) {
+        world_.lights = scene::readLights(path);
+        state_.lightCount = static_cast<int>(world_.lights.size());
+        state_.madeLights = false;
+        ++revision_;
+    } else if (extension == ".hdr") {
+        environmentFrom(path, options_);
+        environments_.push_back(path);
+        facts_.environments.push_back(shortName(path));
+        state_.environmentCount = static_cast<int>(environments_.size());
+        state_.environment = state_.environmentCount - 1;
+    } else {
+        editor_.open(path);
+    }
+}
+
+void WindowLoop::followDrops()
+{
+    for (const std::string& path : std::exchange(state_.dropped, {})) try {
+            open(path);
+            facts_.message = "opened " + shortName(path);
+        } catch (const Error& error) {
+            facts_.message = error.what();
+        }
+}
 
 void WindowLoop::followMesh()
 {
@@ -165,6 +228,8 @@ void WindowLoop::turn()
 /// Brings the world in line with what keys and panel chose.
 void WindowLoop::followState()
 {
+    followDrops();
+    followMaterials();
     followMesh();
     followEnvironment();
     if (state_.madeLights && state_.lightCount != static_cast<int>(world_.lights.size()))
@@ -197,6 +262,7 @@ Shown WindowLoop::wanted(GlfwWindow::Size size) const
             size.height,
             environment_,
             state_.environmentLobes,
+            revision_,
             state_.environmentDegrees,
             state_.environmentIntensity};
 }
@@ -220,7 +286,7 @@ void WindowLoop::drawFrame()
     facts_.samples = progressive_.samples();
     facts_.samplesWanted = samplesOf(options_, state_.technique);
     show(size);
-    panel_.draw(state_, facts_);
+    panel_.draw(state_, facts_, editor_.fields(static_cast<size_t>(state_.material)));
     if (state_.screenshot) saveScreenshot();
     window_.present();
 }

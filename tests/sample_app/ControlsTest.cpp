@@ -88,6 +88,7 @@ TEST(Keys, RestAndUnknownOnes)
     EXPECT_TRUE(applyKey(state, 'r'));
     EXPECT_EQ(state.camera.eye, state.home.eye);
     EXPECT_TRUE(applyKey(state, 's') && state.screenshot);
+    EXPECT_TRUE(applyKey(state, 'c') && state.cancel);
     EXPECT_TRUE(applyKey(state, 'f') && state.frame);
     EXPECT_TRUE(applyKey(state, 'h') && state.help);
     EXPECT_TRUE(applyKey(state, 'h') && !state.help);

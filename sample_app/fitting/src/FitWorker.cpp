@@ -97,15 +97,15 @@ FitWatch FitWorker::watch()
 }
 
 // Read once for all orders of the same source: a slider asks for it again and again.
-const Source& FitWorker::sourceOf(const FitOrder& order)
+std::shared_ptr<const Source> FitWorker::sourceOf(const FitOrder& order)
 {
     const std::string key = keyOf(order);
     if (!source_ || sourceKey_ != key) {
         source_.reset();
-        source_ = openSource(order.source, order.sourceOptions);
+        source_ = std::make_shared<const Source>(openSource(order.source, order.sourceOptions));
         sourceKey_ = key;
     }
-    return *source_;
+    return source_;
 }
 
 FitReply FitWorker::fit(Numbered& numbered)
@@ -118,7 +118,8 @@ FitReply FitWorker::fit(Numbered& numbered)
         order.fit.watch = watch();
         order.fit.cache = cache_;
         order.fit.watch.say("opening " + order.source);
-        FitResult result = fitMaterial(sourceOf(order), order.fit);
+        reply.source = sourceOf(order);
+        FitResult result = fitMaterial(*reply.source, order.fit);
         if (order.lobes > 0) {
             order.fit.watch.say("fitting lobes");
             LobeFitOptions lobes;

@@ -44,6 +44,7 @@ bool applyViewKey(ViewState& state, char key)
         case 'r': state.camera = state.home; return true;
         case 'f': state.frame = true; return true;
         case 's': state.screenshot = true; return true;
+        case 'c': state.cancel = true; return true;
         case 'h': state.help = !state.help; return true;
         case 'q':
         case kEscape: state.close = true; return true;
@@ -145,10 +146,13 @@ void applyScroll(ViewState& state, double steps)
 const std::vector<KeyHelp>& keyHelp()
 {
     static const std::vector<KeyHelp> lines{
-        {"drag, wheel", "orbit, zoom"}, {"M", "next material"}, {"T", "next technique"},
-        {"L / K", "lights x2, / 2"},    {"+ / -", "exposure"},  {"O", "next mesh"},
-        {"E", "next environment"},      {", / .", "turn it"},   {"Space", "turntable"},
-        {"F", "frame the mesh"},        {"R", "camera home"},   {"S", "screenshot"},
+        {"drag, wheel", "orbit, zoom"}, {"M", "next material"},
+        {"T", "next technique"},        {"L / K", "lights x2, / 2"},
+        {"+ / -", "exposure"},          {"O", "next mesh"},
+        {"E", "next environment"},      {", / .", "turn it"},
+        {"Space", "turntable"},         {"F", "frame the mesh"},
+        {"R", "camera home"},           {"S", "screenshot"},
+        {"C", "cancel fits"},           {"drop a file", "open it"},
         {"H, F1", "this help"},         {"Q, Esc", "quit"}};
     return lines;
 }

@@ -67,6 +67,25 @@ TEST(ModelSpec, FixedNamesAndParametersExist)
         EXPECT_EQ(messageOf(spec), "") << spec;
 }
 
+// Of every model and preset, with values that need all digits.
+TEST(ModelSpec, ComesBackFromItsText)
+{
+    std::vector<std::string> names;
+    for (const Model& model : models()) names.push_back(model.name);
+    for (const ModelPreset& preset : modelPresets()) names.push_back(preset.name);
+    for (const std::string& name : names) {
+        ModelSpec spec = parseModelSpec(name);
+        for (const ModelParameter& parameter : spec.model->parameters) {
+            if (parameter.kind != ModelParameter::Kind::colour) continue;
+            const double middle = 0.5 * (parameter.lower + parameter.upper);
+            spec.values[parameter.name] = {parameter.lower, middle / 3.0, middle};
+        }
+        const ModelSpec again = parseModelSpec(modelSpecText(spec));
+        EXPECT_EQ(again.model, spec.model) << name;
+        EXPECT_EQ(again.values, spec.values) << modelSpecText(spec);
+    }
+}
+
 TEST(ModelSpec, SourceDescribesItself)
 {
     const Source source = makeModelSource("ggx:alpha=0.2");

@@ -4,6 +4,7 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/sources/Model.h>
 #include <fmt/format.h>
 
@@ -156,6 +157,20 @@ ModelSpec parseModelSpec(const std::string& text)
     if (colon != std::string::npos)
         Assignments(spec).read(std::string_view(text).substr(colon + 1));
     return spec;
+}
+
+std::string modelSpecText(const ModelSpec& spec)
+{
+    constexpr int kDigits = 17;
+    std::string text = spec.model->name;
+    char separator = ':';
+    for (const auto& [name, value] : spec.values) {
+        text += separator + name + '=' + numberText(value.x, kDigits);
+        if (value.y != value.x || value.z != value.x)
+            text += '/' + numberText(value.y, kDigits) + '/' + numberText(value.z, kDigits);
+        separator = ',';
+    }
+    return text;
 }
 
 Source makeModelSource(const std::string& text)

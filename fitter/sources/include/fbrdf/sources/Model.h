@@ -80,6 +80,9 @@ struct ModelSpec {
 /// twice.
 ModelSpec parseModelSpec(const std::string& spec);
 
+/// A specification with all values, from which parseModelSpec makes the same ones.
+std::string modelSpecText(const ModelSpec& spec);
+
 /// The source of a specification; errors as parseModelSpec. Its `evaluate` is double precision and
 /// returns 0 when either direction is less than 1e-12 above the horizon, where the rounding of a
 /// unit vector, and no longer the caller, decides on the side.

@@ -29,6 +29,7 @@ struct FitReply {
     int number = 0;  ///< of the order, see FitWorker::order
     /// Null where it failed, and `error` has the sentence that the tool prints, or was stopped.
     std::shared_ptr<const Material> material;
+    std::shared_ptr<const Source> source;  ///< that it was fitted to
     std::string error;
     bool isStopped = false;
     FitSummary summary;
@@ -61,7 +62,7 @@ private:
     };
     void run();
     FitReply fit(Numbered& numbered);
-    const Source& sourceOf(const FitOrder& order);
+    std::shared_ptr<const Source> sourceOf(const FitOrder& order);
     FitWatch watch();
 
     mutable std::mutex mutex_;  ///< guards what follows
@@ -75,7 +76,7 @@ private:
 
     // Of the thread alone: what the next order may use again.
     std::shared_ptr<FitCache> cache_ = makeFitCache();
-    std::optional<Source> source_;
+    std::shared_ptr<const Source> source_;
     std::string sourceKey_;  ///< of source_
 
     std::thread thread_;

@@ -37,7 +37,9 @@ struct ViewState {
     int environmentLobes = 0;                                      ///< at most; 0: all there are
     bool turning = false;                                          ///< objects and ground
     bool help = false;
-    bool screenshot = false, frame = false, close = false;  ///< wishes, for the window to fulfil
+    bool screenshot = false, frame = false, cancel = false,
+         close = false;                ///< wishes, for the window to fulfil
+    std::vector<std::string> dropped;  ///< files, in the order in which they came
 };
 
 /// Applies a key by its character (lower case; escape is 27). Returns false for a key without

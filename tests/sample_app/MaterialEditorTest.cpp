@@ -1,0 +1,184 @@
+// MaterialEditorTest.cpp - materials that follow sliders and drops, without a window.
+#include "viewer/MaterialEditor.h"
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/io/MaterialFile.h>
+#include <gtest/gtest.h>
+#include <support/TemporaryDir.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+namespace fbrdf::viewer {
+namespace {
+
+class Editor : public testing::Test {
+protected:
+    Editor()
+    {
+        FitOptions fit;
+        fit.form = "io";
+        fit.smoothness = 1e-3;
+        for (const char* spec : {"ggx:alpha=0.3,f0=0.9", "lambert:albedo=0.2"})
+            world_.materials.emplace_back(spec, fit);
+        for (MaterialSlot& slot : world_.materials) slot.material();
+        editor_.emplace(world_, [this](size_t slot) { changes_.push_back(slot); });
+    }
+
+    template <class Condition>
+    void follow(size_t slot, const Condition& condition)
+    {
+        for (int i = 0; i < 10000 && !condition(); ++i) {
+            editor_->follow(slot);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        EXPECT_TRUE(condition()) << editor_->facts().doing << editor_->facts().problem;
+    }
+    /// Until the material of the slot is fitted, and has lobes of its own.
+    void settle(size_t slot)
+    {
+        follow(slot, [&] {
+            return !changes_.empty() && editor_->facts().doing.empty() &&
+                   !world_.materials[slot].material().lobes.isEmpty();
+        });
+    }
+    void setAlpha(size_t slot, double alpha)
+    {
+        for (const char* name : {"alpha_x", "alpha_y"})
+            editor_->fields(slot)->model->values.at(name) = Vec3d(alpha);
+    }
+    double reflects(size_t slot) { return world_.materials[slot].truth()(wo_, wo_).x; }
+
+    const Vec3d wo_{0.0, 0.0, 1.0};
+    World world_;
+    std::optional<MaterialEditor> editor_;
+    std::vector<size_t> changes_;
+};
+
+TEST_F(Editor, ASliderIsFollowedByMaterialAndTruth)
+{
+    setAlpha(0, 0.5);
+    settle(0);
+    const std::string name = world_.materials[0].name();
+    EXPECT_EQ(parseModelSpec(name).values.at("alpha_x").x, 0.5);
+    EXPECT_EQ(parseModelSpec(name).values.at("f0"), Vec3d(0.9)) << "what was not moved stays";
+    FitOptions options;
+    options.form = "io";
+    options.smoothness = 1e-3;
+    options.heldOut = false;
+    const Source source = openSource(name);
+    const Material expected = fitMaterial(source, options).material;
+    EXPECT_EQ(world_.materials[0].material().tables[0].texels, expected.tables[0].texels);
+    EXPECT_EQ(reflects(0), source.evaluate(wo_, wo_).x);
+    // The first fit has lobes, as there were none.
+    EXPECT_EQ(changes_, (std::vector<size_t>{0}));
+    EXPECT_NE(editor_->facts().result.find("io, "), std::string::npos) << editor_->facts().result;
+    EXPECT_EQ(editor_->facts().problem, "");
+}
+
+// While a slider moves, the lobes of the material before light it; its own come when it rests.
+TEST_F(Editor, LobesComeWhenTheSliderRests)
+{
+    setAlpha(0, 0.5);
+    settle(0);
+    const LobeTable first = world_.materials[0].material().lobes;
+    changes_.clear();
+    setAlpha(0, 0.1);
+    follow(0, [&] { return changes_.size() == 1; });
+    EXPECT_EQ(world_.materials[0].material().lobes.error, first.error);
+    follow(0, [&] { return changes_.size() == 2; });
+    EXPECT_NE(world_.materials[0].material().lobes.error, first.error);
+}
+
+TEST_F(Editor, NothingIsFittedWhereNothingMoves)
+{
+    for (int i = 0; i < 20; ++i) editor_->follow(0);
+    EXPECT_EQ(editor_->facts().doing, "");
+    EXPECT_TRUE(changes_.empty());
+}
+
+TEST_F(Editor, TheLastOfManyPositionsIsTheOneThatStays)
+{
+    for (int i = 0; i < 50; ++i) {
+        setAlpha(0, 0.1 + 0.01 * i);
+        editor_->follow(0);
+    }
+    settle(0);
+    EXPECT_EQ(parseModelSpec(world_.materials[0].name()).values.at("alpha_x").x, 0.1 + 0.01 * 49);
+    EXPECT_LT(changes_.size(), 50u);
+}
+
+// What was ordered for one material must not come to the one that is shown now.
+TEST_F(Editor, EachReplyComesToItsOwnMaterial)
+{
+    const double before = reflects(0);
+    editor_->fields(1)->model->values.at("albedo") = Vec3d(0.6);
+    editor_->follow(1);
+    follow(0, [&] { return !changes_.empty() && editor_->facts().doing.empty(); });
+    EXPECT_EQ(reflects(0), before);
+    EXPECT_NEAR(reflects(1), 0.6 / kPi, 1e-9);
+    for (const size_t slot : changes_) EXPECT_EQ(slot, 1u);
+}
+
+TEST_F(Editor, ATooSmallLimitIsNamedAndTheMaterialStays)
+{
+    const auto before = world_.materials[0].material().tables[0].texels;
+    editor_->fields(0)->form = "hdio";
+    editor_->fields(0)->resolution = 48;
+    editor_->fields(0)->kilobytes = 1;
+    follow(0, [&] { return !editor_->facts().problem.empty(); });
+    EXPECT_NE(editor_->facts().problem.find("max-bytes: found 1024"), std::string::npos)
+        << editor_->facts().problem;
+    EXPECT_EQ(world_.materials[0].material().tables[0].texels, before);
+    editor_->fields(0)->kilobytes = 0;
+    settle(0);
+    EXPECT_NE(world_.materials[0].material().tables[0].texels.size(), before.size());
+}
+
+TEST_F(Editor, OpensMaterialsAtOnceAndFitsTheOthersOneByOne)
+{
+    const test::TemporaryDir folder;
+    writeMaterial(world_.materials[0].material(), folder.file("gold.fbrdf"));
+    editor_->open(folder.file("gold.fbrdf"));
+    ASSERT_EQ(changes_, (std::vector<size_t>{2}));
+    EXPECT_FALSE(editor_->fields(2)) << "a material file has nothing to fit";
+    editor_->follow(2);
+    editor_->open("phong:n=20");
+    editor_->open(folder.file("none.csv"));
+    editor_->open("lambert:albedo=0.7");
+    follow(0, [&] { return world_.materials.size() == 5 && editor_->facts().doing.empty(); });
+    EXPECT_EQ(world_.materials[3].name(), "phong:n=20");
+    EXPECT_EQ(world_.materials[4].name(), "lambert:albedo=0.7");
+    EXPECT_FALSE(world_.materials[3].material().lobes.isEmpty());
+    EXPECT_TRUE(editor_->fields(3)->model);
+    EXPECT_EQ(changes_.back(), 4u);
+}
+
+TEST_F(Editor, WhatCannotBeOpenedIsNamed)
+{
+    const test::TemporaryDir folder;
+    writeMaterial(world_.materials[0].material(), folder.file("cut.fbrdf"));
+    const auto size = std::filesystem::file_size(folder.file("cut.fbrdf"));
+    std::filesystem::resize_file(folder.file("cut.fbrdf"), size / 2);
+    EXPECT_THROW(editor_->open(folder.file("cut.fbrdf")), Error);
+    editor_->open(folder.file("none.csv"));
+    follow(0, [&] { return !editor_->facts().problem.empty(); });
+    EXPECT_NE(editor_->facts().problem.find("none.csv: found "), std::string::npos)
+        << editor_->facts().problem;
+    EXPECT_EQ(world_.materials.size(), 2u);
+}
+
+TEST_F(Editor, ACancelledFitLeavesWhatThereIs)
+{
+    editor_->open("ggx:alpha=0.2");
+    editor_->open("ggx:alpha=0.4");
+    follow(0, [&] { return editor_->facts().doing.find("trying") == 0; });
+    editor_->cancel();
+    follow(0, [&] { return editor_->facts().doing.empty(); });
+    EXPECT_EQ(editor_->facts().problem, "the fit was stopped");
+    EXPECT_EQ(world_.materials.size(), 2u);
+}
+
+}  // namespace
+}  // namespace fbrdf::viewer
