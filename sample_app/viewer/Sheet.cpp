@@ -74,7 +74,7 @@ scene::Image paper(const SheetLayout& layout, float radiance)
     return sheet;
 }
 
-/// The name of the material to the left, what lights it to the right.
+/// The name of the material to the left, and what lights it, where that differs, to the right.
 void drawLabels(const LabelFont& font, const LabelPlace& strip, const std::string& material,
                 const std::string& light, float ink, scene::Image& sheet)
 {
@@ -112,7 +112,8 @@ scene::Image drawSheet(const Options& options, World& world)
             paste(drawing->draw({&world.mesh, glm::mat4(1.0f), material}), left, top, sheet);
             drawLabels(font, {left, top + layout.height + font.height() / 4, layout.width},
                        labelOf(world.materials[static_cast<size_t>(material)].name()),
-                       labelOf(lights[i]), kInk / options.exposure, sheet);
+                       lights.size() == 1 ? "" : labelOf(lights[i]), kInk / options.exposure,
+                       sheet);
         }
     }
     return sheet;
