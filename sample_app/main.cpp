@@ -2,6 +2,8 @@
 #include "viewer/CommandLine.h"
 #include "viewer/CpuDrawing.h"
 #include "viewer/Headless.h"
+#include "viewer/Sheet.h"
+#include "viewer/Turntable.h"
 #include "viewer/WindowLoop.h"
 
 #include <fbrdf/base/OutputFile.h>
@@ -24,14 +26,26 @@ int run(int argc, char** argv)
         fmt::print("{}", viewer::devicesText());
         return 0;
     }
-    if (!options.out.empty()) requireWritable(options.out);
+    if (!options.out.empty() && options.command != viewer::Command::turntable)
+        requireWritable(options.out);
     if (!options.stats.empty()) requireWritable(options.stats);
 
     // 2. Materials, mesh, lights and camera.
     viewer::World world;
     viewer::loadWorld(options, world);
 
-    // 3. The picture: in a window, by the runtime without one, or on the CPU.
+    // 3. Several pictures: in one sheet, or turning.
+    if (options.command == viewer::Command::turntable) {
+        viewer::writeTurntable(options, world);
+        return 0;
+    }
+    if (options.command == viewer::Command::sheet) {
+        writeImage(viewer::drawSheet(options, world), options.out, options.exposure,
+                   transferOf(options));
+        return 0;
+    }
+
+    // 4. One picture: in a window, by the runtime without one, or on the CPU.
     viewer::Picture picture;
     if (!options.headless)
         picture = viewer::runWindow(options, world);
@@ -40,7 +54,7 @@ int run(int argc, char** argv)
     else
         picture = viewer::drawHeadless(options, world);
 
-    // 4. What is kept of it.
+    // 5. What is kept of it.
     picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
     viewer::addBackground(options, world, picture.view, picture.image);
     if (!options.out.empty())

@@ -5,6 +5,8 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/LobeTable.h>
+#include <fbrdf/codecs/AnimationFile.h>
+#include <fbrdf/codecs/PictureFile.h>
 #include <fbrdf/environment/SampledLight.h>
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/scene/Image.h>
@@ -12,15 +14,19 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+
 namespace fbrdf::viewer {
 namespace {
 
 constexpr int kMostLights = 65536;
 constexpr int kMostSamples = 1 << 20, kMostBounces = 1000;
 constexpr int kFullSamples = 16;  // edges have 16 grades
-// The tone curve brings white, 1, to 0.53: with this exposure to 0.59.
-constexpr float kFullExposure = 1.2f;
+// A white matt surface that faces the key light, under the studio as well, sends 2: this exposure
+// and the tone curve bring that to 0.59, and leave highlights room.
+constexpr float kFullExposure = 0.6f;
 constexpr int kPathSamples = 64;  // enough to see what a picture will be
+constexpr int kMostTurntableFrames = 1000;
 constexpr int kWindowWidth = 1280, kWindowHeight = 800;
 
 /// Texts that CLI11 fills in, to be interpreted afterwards.
@@ -100,10 +106,9 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
 
 void describePicture(CLI::App& app, Options& options, Texts& texts)
 {
-    auto* headless = app.add_flag("--headless", options.headless, "No window, no display");
+    app.add_flag("--headless", options.headless, "No window, no display");
     app.add_option("--backend", texts.backend,
-                   "How to get GL without a display: egl (default) or osmesa")
-        ->needs(headless);
+                   "How to get GL without a display: egl (default) or osmesa");
     app.add_option("--device", texts.device, deviceHelp())->type_name("N|list");
     app.add_option("--technique", texts.technique, scene::viewTechniqueHelp());
     app.add_option("--samples", options.samples,
@@ -120,13 +125,15 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_flag("--precise", options.precise,
                  "Filter maps in the shader: slower, and as fine as floats where a GPU knows 256 "
                  "places between two texels");
-    app.add_option("--size", texts.size, "Pixels (default 512x512, 1280x800 in a window)")
+    app.add_option("--size", texts.size,
+                   "Pixels (default 512x512; 1280x800 in a window, 320x320 of each picture of a "
+                   "sheet, 480x480 of a turntable)")
         ->type_name("WxH");
     app.add_option("--exposure", texts.exposure,
-                   "Factor of the radiance in sRGB files and in the window (default: 1, 1.2 in "
+                   "Factor of the radiance in sRGB files and in the window (default: 1, 0.6 in "
                    "the full scene)")
         ->check(CLI::PositiveNumber);
-    app.add_option("--out", options.out,
+    app.add_option("-o,--out", options.out,
                    "Picture: linear radiance (.exr with coverage, .hdr) or sRGB (.png, and .jpg, "
                    ".tif, .webp "
                    "and more where OpenImageIO is installed)")
@@ -136,6 +143,39 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--frames", options.frames,
                    "Number of frames to draw; a window closes after them")
         ->check(CLI::Range(1, 1000000));
+}
+
+void describeMaterials(CLI::App& command, Options& options)
+{
+    command.fallthrough();  // the options of pictures are those of sheets, too
+    command.add_option("MATERIAL", options.materials, "As --material")
+        ->type_name("FILE|SOURCE")
+        ->required();
+}
+
+CLI::App* describeSheet(CLI::App& app, Options& options)
+{
+    auto* sheet = app.add_subcommand(
+        "sheet",
+        "Writes a picture of each material under each light, with labels, in the full scene");
+    describeMaterials(*sheet, options);
+    sheet
+        ->add_option("--under", options.under,
+                     "A column of the sheet: an environment (as --environment) or lights (as "
+                     "--lights). Repeatable (default: all built-in environments)")
+        ->type_name("NAME|FILE")
+        ->allow_extra_args(false);
+    return sheet;
+}
+
+CLI::App* describeTurntable(CLI::App& app, Options& options)
+{
+    auto* turntable = app.add_subcommand(
+        "turntable",
+        "Writes a material that turns once about +y, in the full scene: an animation (-o FILE.gif "
+        "or FILE.webp), or a folder of PNG files; --frames N of them (default: 60)");
+    describeMaterials(*turntable, options);
+    return turntable;
 }
 
 /// A window may change to `path` later.
@@ -166,16 +206,64 @@ void checkEnvironment(const CLI::App& app, const Options& options)
 /// Fills in what the full scene has and nobody asked for otherwise.
 void completeScene(const Texts& texts, Options& options)
 {
-    options.full = texts.full || (!options.headless && !texts.plain);
+    const bool isFullByItself = !options.headless || options.command != Command::view;
+    options.full = texts.full || (isFullByItself && !texts.plain);
     if (!options.full) return;
     options.ground = options.shadows = options.toneMap = true;
+    if (options.command == Command::sheet && options.environment.empty() &&
+        options.lights.empty() && options.under.empty())
+        options.under = proceduralEnvironments();
     if (options.environment.empty()) options.environment = proceduralEnvironments().front();
     if (texts.background.empty()) options.background.environment = true;
+}
+
+/// Throws Error(usage) unless a path suits what a command writes.
+void checkOut(const Options& options)
+{
+    if (options.command != Command::view && options.out.empty())
+        throw Error(ErrorKind::usage, "-o", Found("none").expected("a path to write to"));
+    if (options.out.empty()) return;
+    if (options.command != Command::turntable) return scene::checkImagePath(options.out);
+    const bool isFolder = !std::filesystem::path(options.out).has_extension();
+    if (!isFolder && !isAnimationPath(options.out))
+        throw Error(ErrorKind::usage, "-o",
+                    Found("'" + options.out + "'")
+                        .expected("FILE.gif, FILE.webp or a folder without a dot"));
+    if (!isFolder) requirePictureModule(ErrorKind::output, options.out);
+}
+
+void checkCommand(const Options& options)
+{
+    if (options.command == Command::view) return;
+    if (!options.stats.empty())
+        throw Error(ErrorKind::usage, "--stats",
+                    Found("it with a subcommand").expected("it with a single picture"));
+    const bool isTurntable = options.command == Command::turntable;
+    if (options.frames && (!isTurntable || *options.frames > kMostTurntableFrames))
+        throw Error(ErrorKind::usage, "--frames",
+                    Found(std::to_string(*options.frames)).expected("up to 1000, of a turntable"));
+    if (isTurntable && options.materials.size() != 1)
+        throw Error(ErrorKind::usage, "turntable",
+                    Found(std::to_string(options.materials.size()) + " materials").expected("one"));
+}
+
+Size sizeOf(const Texts& texts, const Options& options)
+{
+    if (!texts.size.empty()) return sizeFromText(texts.size);
+    switch (options.command) {
+        case Command::sheet: return {320, 320};
+        case Command::turntable: return {480, 480};
+        case Command::view: break;
+    }
+    return options.headless ? Size{512, 512} : Size{kWindowWidth, kWindowHeight};
 }
 
 void understand(const Texts& texts, Options& options)
 {
     if (!texts.backend.empty()) options.backend = backendFromName(texts.backend);
+    if (!texts.backend.empty() && !options.headless)
+        throw Error(ErrorKind::usage, "--backend",
+                    Found("it with a window").expected("--headless as well"));
     if (texts.device == "list") options.listDevices = true;
     if (!options.listDevices) options.device = deviceFromText(texts.device);
     if (options.device && (!options.headless || options.backend != Backend::egl))
@@ -185,11 +273,7 @@ void understand(const Texts& texts, Options& options)
     checkPath(options);
     if (!texts.lookUp.empty()) options.lookUp = lookUpFromName(texts.lookUp);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
-    Size size{options.width, options.height};
-    if (!texts.size.empty())
-        size = sizeFromText(texts.size);
-    else if (!options.headless)
-        size = {kWindowWidth, kWindowHeight};
+    const Size size = sizeOf(texts, options);
     options.width = size.width;
     options.height = size.height;
     completeScene(texts, options);
@@ -201,7 +285,8 @@ void understand(const Texts& texts, Options& options)
                         Found("no finite number").expected("one"));
     if (!std::isfinite(options.exposure))
         throw Error(ErrorKind::usage, "--exposure", Found("no finite number").expected("one > 0"));
-    if (!options.out.empty()) scene::checkImagePath(options.out);
+    checkCommand(options);
+    checkOut(options);
 }
 
 }  // namespace
@@ -225,15 +310,22 @@ Options optionsFromArguments(int argc, const char* const* argv)
     describePicture(app, options, texts);
     const auto* devices =
         app.add_subcommand("list-devices", "Prints what --device can choose, a line each");
+    const auto* sheet = describeSheet(app, options);
+    const auto* turntable = describeTurntable(app, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        options.help = app.help();
+        options.help = sheet->parsed()       ? sheet->help()
+                       : turntable->parsed() ? turntable->help()
+                                             : app.help();
         return options;
     } catch (const CLI::ParseError& error) {
         throw Error(ErrorKind::usage, "command line", error.what());
     }
     if (devices->parsed()) texts.device = "list";
+    if (sheet->parsed()) options.command = Command::sheet;
+    if (turntable->parsed()) options.command = Command::turntable;
+    if (options.command != Command::view) options.headless = true;
     understand(texts, options);
     checkEnvironment(app, options);
     return options;

@@ -13,7 +13,12 @@
 
 namespace fbrdf::viewer {
 
+/// What is made: a picture or a window, a sheet of pictures, or a turning picture.
+enum class Command { view, sheet, turntable };
+
 struct Options {
+    Command command = Command::view;
+    std::vector<std::string> under;  ///< of a sheet: environments or files of lights, one a column
     bool headless = false;
     Backend backend = Backend::egl;
     std::optional<int> device;           ///< of headlessDevices()
@@ -40,10 +45,13 @@ struct Options {
     std::optional<scene::Camera> camera;
     int width = 512, height = 512;  ///< of a window unless told: 1280 x 800
     float exposure = 1.0f;
-    std::string out, stats;     ///< paths; empty: nothing is written
-    std::optional<int> frames;  ///< unset: 1 headless, until closed in a window
-    std::string help;           ///< not empty: --help was asked for, and this is the answer
+    std::string out, stats;  ///< paths; empty: nothing is written
+    /// Unset: 1 headless, until closed in a window; of a turntable kTurntableFrames.
+    std::optional<int> frames;
+    std::string help;  ///< not empty: --help was asked for, and this is the answer
 };
+
+constexpr int kTurntableFrames = 60;
 
 /// Samples a pixel that a technique takes: as asked for, else 16 in a full scene and 1 in a plain
 /// one; of `path` 64, in a plain scene all at the pixel's centre.

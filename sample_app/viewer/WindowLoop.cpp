@@ -12,8 +12,6 @@
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/io/MaterialFile.h>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -248,14 +246,10 @@ void WindowLoop::followState()
 
 Shown WindowLoop::wanted(GlfwWindow::Size size) const
 {
-    const Vec3f centre = scene::boundsOf(world_.mesh).centre;
-    const glm::mat4 there = glm::translate(glm::mat4(1.0f), centre);
-    const glm::mat4 turned =
-        glm::rotate(there, static_cast<float>(angle_), Vec3f(0.0f, 1.0f, 0.0f));
     const double aspect = static_cast<double>(size.width) / size.height;
     return {viewOf(world_, state_.camera, aspect),
             state_.technique,
-            {&world_.mesh, glm::translate(turned, -centre), state_.material},
+            scene::turned({&world_.mesh, glm::mat4(1.0f), state_.material}, angle_),
             mesh_,
             static_cast<int>(world_.lights.size()),
             size.width,

@@ -15,8 +15,8 @@ const char* const kDefaultMaterial = "ggx:alpha_x=0.18,alpha_y=0.45,f0=1.0/0.71/
 constexpr double kDefaultSmoothness = 1e-3;
 
 constexpr int kDefaultLights = 5;
-// A full scene is seen from a little above, with room around it.
-constexpr double kElevation = 0.30, kRoom = 1.3;
+// A full scene is seen from a little above, so that the horizon is out of sight, with room around.
+constexpr double kElevation = 0.36, kRoom = 1.3;
 
 /// The materials that the options ask for, or the default one.
 void loadMaterials(const Options& options, std::deque<MaterialSlot>& materials)
@@ -74,8 +74,9 @@ std::optional<scene::EnvironmentLight> environmentFrom(const std::string& name,
 void loadWorld(const Options& options, World& world)
 {
     loadMaterials(options, world.materials);
-    // A window shows one material at a time.
-    const int count = options.headless ? static_cast<int>(world.materials.size()) : 1;
+    // Windows, sheets and turntables show one material at a time.
+    const bool all = options.headless && options.command == Command::view;
+    const int count = all ? static_cast<int>(world.materials.size()) : 1;
     world.mesh = scene::meshFromName(options.mesh);
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);

@@ -74,6 +74,17 @@ TEST(WriteImage, PngIsSrgbOfExposureTimesRadiance)
             ASSERT_EQ(codes[3 * i + c], srgbCode(0.4f * image.rgba[4 * i + c])) << i;
 }
 
+TEST(SrgbCodes, FollowTheToneCurveWhereAskedTo)
+{
+    Image image(2, 1);
+    image.rgba = {0.25f, 1.0f, 8.0f, 1.0f, 2.0f, 0.0f, -1.0f, 0.5f};
+    const auto curved = [](float x) { return srgbCode(toneMapped(0.5f * x)); };
+    EXPECT_EQ(srgbCodes(image, 0.5f, Transfer::toneMap),
+              (std::vector<uint8_t>{curved(0.25f), curved(1.0f), 255, curved(2.0f), 0, 0}));
+    EXPECT_EQ(srgbCodes(image, 0.5f, Transfer::srgb),
+              (std::vector<uint8_t>{srgbCode(0.125f), srgbCode(0.5f), 255, 255, 0, 0}));
+}
+
 TEST(WriteImage, TiffAndTargaAreSrgbOfExposureTimesRadiance)
 {
     const test::TemporaryDir dir;

@@ -129,5 +129,16 @@ TEST(Stats, HoldEveryFieldThatIsPromised)
         EXPECT_TRUE(json.contains(field)) << field;
 }
 
+TEST(Turned, TurnsAboutTheVerticalThroughTheMiddle)
+{
+    Mesh mesh = makePlane(1);
+    for (Vec3f& position : mesh.positions) position += Vec3f(3.0f, 0.0f, 2.0f);
+    const Instance quarter = turned({&mesh}, 0.5 * kPi);
+    const auto at = [&](const Vec3f& p) { return Vec3f(quarter.model * glm::vec4(p, 1.0f)); };
+    EXPECT_LT(glm::distance(at({3.0f, 0.5f, 2.0f}), Vec3f(3.0f, 0.5f, 2.0f)), 1e-5f);
+    EXPECT_LT(glm::distance(at({4.0f, 0.0f, 2.0f}), Vec3f(3.0f, 0.0f, 1.0f)), 1e-5f)
+        << "+x to -z, counter-clockwise seen from above";
+}
+
 }  // namespace
 }  // namespace fbrdf::scene

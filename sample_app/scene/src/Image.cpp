@@ -44,11 +44,8 @@ struct Exposing {
 
 std::string pngOf(const Image& image, const std::string& path, const Exposing& exposed)
 {
-    std::vector<uint16_t> codes;
-    codes.reserve(3 * image.pixelCount());
-    for (size_t i = 0; i < image.rgba.size(); i += 4)
-        for (size_t c = 0; c < 3; ++c) codes.push_back(srgbCode(exposed(image.rgba[i + c])));
-    return encodePng({image.width, image.height, 3, 8, codes}, path);
+    const std::vector<uint8_t> codes = srgbCodes(image, exposed.exposure, exposed.transfer);
+    return encodePng({image.width, image.height, 3, 8, {codes.begin(), codes.end()}}, path);
 }
 
 float srgbSample(float exposed)
@@ -68,14 +65,6 @@ std::string pictureOf(const Image& image, const PictureFormat& format, const std
             picture.samples.push_back(isLinear ? image.rgba[i + c]
                                                : srgbSample(exposed(image.rgba[i + c])));
     return encodePicture(picture, format, path);
-}
-
-std::string fileOf(const Image& image, const std::string& path, const Exposing& exposed)
-{
-    const std::string extension = extensionOf(path);
-    if (extension == ".exr") return exrOf(image, path);
-    if (extension == ".png") return pngOf(image, path, exposed);
-    return pictureOf(image, *pictureFormatOf(path), path, exposed);
 }
 
 }  // namespace
@@ -99,6 +88,26 @@ uint8_t srgbCode(float linear)
     return static_cast<uint8_t>(std::lround(255.0 * srgbFromLinear(double(linear))));
 }
 
+std::vector<uint8_t> srgbCodes(const Image& image, float exposure, Transfer transfer)
+{
+    const Exposing exposed{exposure, transfer};
+    std::vector<uint8_t> codes;
+    codes.reserve(3 * image.pixelCount());
+    for (size_t i = 0; i < image.rgba.size(); i += 4)
+        for (size_t c = 0; c < 3; ++c) codes.push_back(srgbCode(exposed(image.rgba[i + c])));
+    return codes;
+}
+
+std::string encodeImage(const Image& image, const std::string& path, float exposure,
+                        Transfer transfer)
+{
+    const std::string extension = extensionOf(path);
+    if (extension == ".exr") return exrOf(image, path);
+    const Exposing exposed{exposure, transfer};
+    if (extension == ".png") return pngOf(image, path, exposed);
+    return pictureOf(image, *pictureFormatOf(path), path, exposed);
+}
+
 void checkImagePath(const std::string& path)
 {
     const std::string extension = extensionOf(path);
@@ -113,7 +122,7 @@ void checkImagePath(const std::string& path)
 void writeImage(const Image& image, const std::string& path, float exposure, Transfer transfer)
 {
     checkImagePath(path);
-    writeFile(path, fileOf(image, path, {exposure, transfer}));
+    writeFile(path, encodeImage(image, path, exposure, transfer));
 }
 
 }  // namespace fbrdf::scene

@@ -67,8 +67,8 @@ std::vector<ShadowedLight> shadowedLights(const std::vector<Light>& lights, cons
 
 std::vector<Light> keyLights()
 {
-    return {farLight({0.55f, 0.85f, 0.65f}, {2.2f, 2.1f, 1.95f}),
-            farLight({-0.7f, 0.6f, -0.6f}, {1.2f, 1.25f, 1.3f})};
+    return {farLight({0.55f, 0.85f, 0.65f}, {3.2f, 3.05f, 2.85f}),
+            farLight({-0.7f, 0.6f, -0.6f}, {1.75f, 1.8f, 1.9f})};
 }
 
 }  // namespace fbrdf::scene

@@ -1,6 +1,7 @@
 #include <fbrdf/scene/Layout.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,15 @@ std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect)
         instances.push_back(instance);
     }
     return instances;
+}
+
+Instance turned(Instance instance, double angle)
+{
+    const Vec3f centre = boundsOf(*instance.mesh).centre;
+    const glm::mat4 placed = glm::translate(instance.model, centre);
+    instance.model = glm::translate(
+        glm::rotate(placed, static_cast<float>(angle), Vec3f(0.0f, 1.0f, 0.0f)), -centre);
+    return instance;
 }
 
 Bounds boundsOf(const std::vector<Instance>& instances)

@@ -36,11 +36,18 @@ Image meanOf(Image sum, int count);
 /// 1 gives 255.
 uint8_t srgbCode(float linear);
 
+/// The codes of sRGB of exposure x radiance, with Transfer::toneMap after its curve; no other
+/// transfer than that and Transfer::srgb is expected. width x height x 3.
+std::vector<uint8_t> srgbCodes(const Image& image, float exposure, Transfer transfer);
+
+/// The bytes that writeImage writes.
+std::string encodeImage(const Image& image, const std::string& path, float exposure,
+                        Transfer transfer);
+
 /// ".exr": the image as it is, 32-bit float RGBA. ".png": 8-bit sRGB of exposure x radiance, no
 /// alpha. Others (fbrdf/codecs/PictureFile.h): ".hdr" linear radiance, the rest sRGB of exposure x
-/// radiance in 8 or, for ".tif", 16 bits. With Transfer::toneMap the curve of Transfer.h comes
-/// before that of sRGB; no other transfer is expected. The file appears whole or not at all. Throws
-/// Error(usage) for any other extension, Error(output) where it cannot be written.
+/// radiance in 8 or, for ".tif", 16 bits; transfer as above. The file appears whole or not at all.
+/// Throws Error(usage) for any other extension, Error(output) where it cannot be written.
 void writeImage(const Image& image, const std::string& path, float exposure,
                 Transfer transfer = Transfer::srgb);
 

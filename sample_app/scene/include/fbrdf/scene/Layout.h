@@ -13,6 +13,10 @@ namespace fbrdf::scene {
 /// mesh's place. `mesh` must outlive the result.
 std::vector<Instance> arranged(const Mesh& mesh, int materials, double aspect);
 
+/// The instance turned about the vertical through the middle of its mesh: radians,
+/// counter-clockwise seen from above.
+Instance turned(Instance instance, double angle);
+
 /// The ball around all instances. Expects matrices without scale.
 Bounds boundsOf(const std::vector<Instance>& instances);
 
