@@ -1,6 +1,7 @@
 // fbrdf-viewer: shows factored materials, and what they are judged by. See README.md.
 #include "viewer/CommandLine.h"
 #include "viewer/CpuDrawing.h"
+#include "viewer/Figures.h"
 #include "viewer/Headless.h"
 #include "viewer/Sheet.h"
 #include "viewer/Turntable.h"
@@ -24,6 +25,10 @@ int run(int argc, char** argv)
     }
     if (options.listDevices) {
         fmt::print("{}", viewer::devicesText());
+        return 0;
+    }
+    if (options.command == viewer::Command::figures) {
+        viewer::writeFigures(options);
         return 0;
     }
     if (!options.out.empty() && options.command != viewer::Command::turntable)

@@ -178,6 +178,17 @@ CLI::App* describeTurntable(CLI::App& app, Options& options)
     return turntable;
 }
 
+CLI::App* describeFigures(CLI::App& app)
+{
+    auto* figures = app.add_subcommand(
+        "figures",
+        "Writes the figures of Romanyuk et al. 2020 to a folder (-o): the true BRDF at vertices "
+        "(1a), its factorization (1b), several materials under several lights (2), their "
+        "references, maps of their errors, and the numbers");
+    figures->fallthrough();
+    return figures;
+}
+
 /// A window may change to `path` later.
 void checkPath(const Options& options)
 {
@@ -206,7 +217,9 @@ void checkEnvironment(const CLI::App& app, const Options& options)
 /// Fills in what the full scene has and nobody asked for otherwise.
 void completeScene(const Texts& texts, Options& options)
 {
-    const bool isFullByItself = !options.headless || options.command != Command::view;
+    // Figures are compared pixel by pixel with what their lights alone do.
+    const bool isFullByItself =
+        options.command == Command::view ? !options.headless : options.command != Command::figures;
     options.full = texts.full || (isFullByItself && !texts.plain);
     if (!options.full) return;
     options.ground = options.shadows = options.toneMap = true;
@@ -223,8 +236,13 @@ void checkOut(const Options& options)
     if (options.command != Command::view && options.out.empty())
         throw Error(ErrorKind::usage, "-o", Found("none").expected("a path to write to"));
     if (options.out.empty()) return;
-    if (options.command != Command::turntable) return scene::checkImagePath(options.out);
     const bool isFolder = !std::filesystem::path(options.out).has_extension();
+    if (options.command == Command::figures) {
+        if (isFolder) return;
+        throw Error(ErrorKind::usage, "-o",
+                    Found("'" + options.out + "'").expected("a folder without a dot"));
+    }
+    if (options.command != Command::turntable) return scene::checkImagePath(options.out);
     if (!isFolder && !isAnimationPath(options.out))
         throw Error(ErrorKind::usage, "-o",
                     Found("'" + options.out + "'")
@@ -242,6 +260,13 @@ void checkCommand(const Options& options)
     if (options.frames && (!isTurntable || *options.frames > kMostTurntableFrames))
         throw Error(ErrorKind::usage, "--frames",
                     Found(std::to_string(*options.frames)).expected("up to 1000, of a turntable"));
+    if (options.command == Command::figures && !options.materials.empty())
+        throw Error(ErrorKind::usage, "figures",
+                    Found("--material").expected("the materials of the figures alone"));
+    if (options.command == Command::figures && options.width != options.height)
+        throw Error(ErrorKind::usage, "--size",
+                    Found(std::to_string(options.width) + "x" + std::to_string(options.height))
+                        .expected("as many pixels up as across, of figures"));
     if (isTurntable && options.materials.size() != 1)
         throw Error(ErrorKind::usage, "turntable",
                     Found(std::to_string(options.materials.size()) + " materials").expected("one"));
@@ -253,6 +278,7 @@ Size sizeOf(const Texts& texts, const Options& options)
     switch (options.command) {
         case Command::sheet: return {320, 320};
         case Command::turntable: return {480, 480};
+        case Command::figures:
         case Command::view: break;
     }
     return options.headless ? Size{512, 512} : Size{kWindowWidth, kWindowHeight};
@@ -312,11 +338,13 @@ Options optionsFromArguments(int argc, const char* const* argv)
         app.add_subcommand("list-devices", "Prints what --device can choose, a line each");
     const auto* sheet = describeSheet(app, options);
     const auto* turntable = describeTurntable(app, options);
+    const auto* figures = describeFigures(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         options.help = sheet->parsed()       ? sheet->help()
                        : turntable->parsed() ? turntable->help()
+                       : figures->parsed()   ? figures->help()
                                              : app.help();
         return options;
     } catch (const CLI::ParseError& error) {
@@ -325,6 +353,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
     if (devices->parsed()) texts.device = "list";
     if (sheet->parsed()) options.command = Command::sheet;
     if (turntable->parsed()) options.command = Command::turntable;
+    if (figures->parsed()) options.command = Command::figures;
     if (options.command != Command::view) options.headless = true;
     understand(texts, options);
     checkEnvironment(app, options);

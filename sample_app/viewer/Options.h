@@ -13,8 +13,9 @@
 
 namespace fbrdf::viewer {
 
-/// What is made: a picture or a window, a sheet of pictures, or a turning picture.
-enum class Command { view, sheet, turntable };
+/// What is made: a picture or a window, a sheet of pictures, a turning picture, or the figures of
+/// the paper.
+enum class Command { view, sheet, turntable, figures };
 
 struct Options {
     Command command = Command::view;

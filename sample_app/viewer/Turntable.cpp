@@ -1,16 +1,14 @@
 #include "Turntable.h"
 
+#include "NewFolder.h"
 #include "SceneDrawing.h"
 
-#include <fbrdf/base/Error.h>
-#include <fbrdf/base/Found.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/codecs/AnimationFile.h>
 
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <functional>
 
 namespace fbrdf::viewer {
@@ -43,32 +41,6 @@ void writeAnimation(const Options& options, World& world)
     });
     writeFile(options.out, encodeAnimation(animation, options.out));
 }
-
-/// A folder that goes again unless it is kept, where it was not there before.
-class NewFolder {
-public:
-    explicit NewFolder(const std::string& path) : path_(path)
-    {
-        std::error_code error;
-        isNew_ = std::filesystem::create_directory(path, error);
-        if (error || !std::filesystem::is_directory(path))
-            throw Error(ErrorKind::output, path,
-                        Found(error ? error.message() : "no folder").expected("a folder to fill"));
-    }
-    ~NewFolder()
-    {
-        std::error_code ignored;
-        if (isNew_) std::filesystem::remove(path_, ignored);
-    }
-    NewFolder(const NewFolder&) = delete;
-    NewFolder& operator=(const NewFolder&) = delete;
-
-    void keep() { isNew_ = false; }
-
-private:
-    std::string path_;
-    bool isNew_ = false;
-};
 
 void writeFolder(const Options& options, World& world)
 {

@@ -1,0 +1,138 @@
+#include "Figures.h"
+
+#include "CpuDrawing.h"
+#include "Headless.h"
+#include "HeatScale.h"
+#include "NewFolder.h"
+
+#include <fbrdf/base/OutputFile.h>
+#include <fbrdf/metrics/StandardSphere.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace fbrdf::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSamples = 4;  // a pixel, of every picture
+constexpr const char* kSatin = "poulin-fournier:kd=0.08/0.12/0.4,ks=0.35";
+constexpr const char* kMaterials[] = {
+    kSatin,
+    "ggx:alpha_x=0.12,alpha_y=0.4,f0=1.0/0.77/0.34",
+    "ggx:alpha=0.12,f0=0.04,kd=0.55/0.05/0.04",
+    "ward-brushed-aluminium",
+    "ward-white-ceramic-tile",
+    "disney:baseColor=0.03/0.2/0.08,roughness=0.9,sheen=1,sheenTint=1"};
+
+Options sceneOf(const Options& options, std::vector<std::string> materials, int lights)
+{
+    Options scene = options;
+    scene.command = Command::view;
+    scene.materials = std::move(materials);
+    if (scene.form == "auto") scene.form = "io+pqpr";  // auto would search for a minute
+    scene.mesh = "knot";
+    scene.lightCount = lights;
+    scene.samples = kSamples;
+    return scene;
+}
+
+scene::Image drawn(Options options, World& world, scene::ViewTechnique technique)
+{
+    options.technique = technique;
+    return (isOnCpu(technique) ? drawOnCpu(options, world) : drawHeadless(options, world)).image;
+}
+
+/// As imageErrors takes it: exposed and clamped.
+SphereImage shownOf(const scene::Image& image, float exposure)
+{
+    SphereImage shown;
+    shown.size = image.width;
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        const auto value = [&](size_t c) {
+            return std::clamp(exposure * image.rgba[i + c], 0.0f, 1.0f);
+        };
+        shown.radiance.emplace_back(value(0), value(1), value(2));
+        shown.covered.push_back(image.rgba[i + 3] > 0.0f);
+    }
+    return shown;
+}
+
+/// Collects files and numbers.
+class FigureFiles {
+public:
+    explicit FigureFiles(const Options& options) : options_(options) {}
+
+    void add(const std::string& name, const scene::Image& image)
+    {
+        addFile(name, image, options_.exposure);
+    }
+    /// A picture, its error map and its numbers.
+    void add(const std::string& name, const scene::Image& image, const scene::Image& reference)
+    {
+        add(name, image);
+        addFile(name + "-error", heatMap(image, reference, options_.exposure), 1.0f);
+        const ImageErrors errors =
+            imageErrors(shownOf(image, options_.exposure), shownOf(reference, options_.exposure));
+        numbers_[name] = {{"psnr_linear", errors.psnrLinear},
+                          {"psnr_srgb", errors.psnrSrgb},
+                          {"ssim", errors.ssim},
+                          {"delta_e_itp", errors.deltaEItp},
+                          {"flip", errors.flip}};
+    }
+    void commit()
+    {
+        files_.add(options_.out + "/figures.json", numbers_.dump(2) + "\n");
+        files_.commit();
+    }
+
+private:
+    void addFile(const std::string& name, const scene::Image& image, float exposure)
+    {
+        const std::string path = options_.out + "/" + name + ".png";
+        files_.add(path, encodeImage(image, path, exposure, Transfer::srgb));
+    }
+
+    const Options& options_;
+    OutputFiles files_;
+    Json numbers_;
+};
+
+void addFigure1(const Options& given, FigureFiles& files)
+{
+    Options options = sceneOf(given, {kSatin}, 4);
+    options.form = "pqp";
+    World world;
+    loadWorld(options, world);
+    const scene::Image reference = drawn(options, world, scene::ViewTechnique::reference);
+    files.add("figure-1-reference", reference);
+    files.add("figure-1a", drawn(options, world, scene::ViewTechnique::vertex), reference);
+    files.add("figure-1b", drawn(options, world, scene::viewTechnique(Technique::twoLookup)),
+              reference);
+}
+
+void addFigure2(const Options& given, FigureFiles& files)
+{
+    const Options options = sceneOf(given, {std::begin(kMaterials), std::end(kMaterials)}, 8);
+    World world;
+    loadWorld(options, world);
+    const scene::Image reference = drawn(options, world, scene::ViewTechnique::reference);
+    files.add("figure-2-reference", reference);
+    files.add("figure-2", drawn(options, world, scene::viewTechnique(Technique::batched)),
+              reference);
+}
+
+}  // namespace
+
+void writeFigures(const Options& options)
+{
+    NewFolder folder(options.out);
+    FigureFiles files(options);
+    addFigure1(options, files);
+    addFigure2(options, files);
+    files.commit();
+    folder.keep();
+}
+
+}  // namespace fbrdf::viewer

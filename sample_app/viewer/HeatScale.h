@@ -1,0 +1,19 @@
+// HeatScale.h - differences of pictures as colours, with the scale of what they mean.
+#pragma once
+#include <fbrdf/brdf/Conventions.h>
+#include <fbrdf/scene/Image.h>
+
+namespace fbrdf::viewer {
+
+/// What the brightest colour stands for: differences of at least a tenth of white.
+constexpr float kHottest = 0.1f;
+
+/// Linear RGB of a share of kHottest in [0, 1], from black over violet, red and yellow to white:
+/// lightness rises evenly.
+Vec3f heatColour(float share);
+
+/// The largest difference of the three channels of sRGB at an exposure, as colours, with the scale
+/// in the lower left corner of pictures that have room for it. Both have one size.
+scene::Image heatMap(const scene::Image& image, const scene::Image& reference, float exposure);
+
+}  // namespace fbrdf::viewer
