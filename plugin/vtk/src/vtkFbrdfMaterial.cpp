@@ -1,0 +1,199 @@
+#include <fbrdf/vtk/vtkFbrdfMaterial.h>
+
+#include "FbrdfPass.h"
+#include "MaterialInternals.h"
+#include "RendererProbe.h"
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/io/MaterialFile.h>
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseVectorKey.h>
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+
+namespace {
+
+/// Another property has no probe yet.
+void onActorModified(vtkObject* caller, unsigned long, void*, void*)
+{
+    auto* const actor = vtkActor::SafeDownCast(caller);
+    if (actor && vtkFbrdfPass::of(*actor)) vtkFbrdfRendererProbe::in(*actor);
+}
+
+void observe(vtkActor& actor)
+{
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(onActorModified);
+    actor.AddObserver(vtkCommand::ModifiedEvent, command);
+}
+
+void removePass(vtkActor& actor, vtkFbrdfPass& pass)
+{
+    vtkInformation* const keys = actor.GetPropertyKeys();
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), &pass);
+    if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+        keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+}
+
+}  // namespace
+
+vtkStandardNewMacro(vtkFbrdfMaterial);
+
+vtkFbrdfMaterial::vtkFbrdfMaterial() : internals_(std::make_unique<Internals>()) {}
+vtkFbrdfMaterial::~vtkFbrdfMaterial() = default;
+
+void vtkFbrdfMaterial::PrintSelf(ostream& os, vtkIndent indent)
+{
+    Superclass::PrintSelf(os, indent);
+    const Internals& i = *internals_;
+    os << indent << "Material: " << (i.material ? i.title() : "none") << "\n"
+       << indent << "Exposure: " << i.exposure << "\n"
+       << indent << "PreciseFiltering: " << i.precise << "\n"
+       << indent << "DerivedTangents: " << i.derivedTangents << "\n"
+       << indent << "LastTechnique: " << i.report.technique << "\n";
+}
+
+bool vtkFbrdfMaterial::SetMaterialFile(const std::string& file)
+{
+    internals_->file = file;
+    if (ReloadMaterial()) return true;
+    internals_->removeMaterial();
+    return false;
+}
+
+const std::string& vtkFbrdfMaterial::GetMaterialFile() const
+{
+    return internals_->file;
+}
+
+bool vtkFbrdfMaterial::ReloadMaterial()
+{
+    try {
+        internals_->replaceMaterial(fbrdf::readMaterial(internals_->file));
+    } catch (const std::exception& error) {
+        vtkErrorMacro(<< error.what());
+        return false;
+    }
+    Modified();
+    return true;
+}
+
+bool vtkFbrdfMaterial::SetMaterial(const fbrdf::Material& material)
+{
+    internals_->file.clear();
+    Modified();
+    try {
+        fbrdf::validate(material, "material '" + material.name + "'");
+        internals_->replaceMaterial(material);
+    } catch (const std::exception& error) {
+        vtkErrorMacro(<< error.what());
+        internals_->removeMaterial();
+        return false;
+    }
+    return true;
+}
+
+const fbrdf::Material* vtkFbrdfMaterial::GetMaterial() const
+{
+    return internals_->material ? &*internals_->material : nullptr;
+}
+
+void vtkFbrdfMaterial::SetName(const std::string& name)
+{
+    internals_->name = name;
+}
+
+const std::string& vtkFbrdfMaterial::GetName() const
+{
+    return internals_->name;
+}
+
+void vtkFbrdfMaterial::SetExposure(float exposure)
+{
+    internals_->exposure = std::max(exposure, 0.0f);
+    Modified();
+}
+
+float vtkFbrdfMaterial::GetExposure() const
+{
+    return internals_->exposure;
+}
+
+void vtkFbrdfMaterial::SetTransfer(fbrdf::Transfer transfer)
+{
+    internals_->transfer = transfer;
+    Modified();
+}
+
+fbrdf::Transfer vtkFbrdfMaterial::GetTransfer() const
+{
+    return internals_->transfer;
+}
+
+void vtkFbrdfMaterial::SetPreciseFiltering(bool precise)
+{
+    if (internals_->precise == precise) return;
+    internals_->precise = precise;
+    internals_->forgetMaps();
+    Modified();
+}
+
+bool vtkFbrdfMaterial::GetPreciseFiltering() const
+{
+    return internals_->precise;
+}
+
+void vtkFbrdfMaterial::SetDerivedTangents(bool derived)
+{
+    internals_->derivedTangents = derived;
+    internals_->shaderTime.Modified();
+    Modified();
+}
+
+bool vtkFbrdfMaterial::GetDerivedTangents() const
+{
+    return internals_->derivedTangents;
+}
+
+void vtkFbrdfMaterial::ApplyTo(vtkActor* actor)
+{
+    if (!actor || Of(actor) == this) return;
+    if (vtkFbrdfPass* const other = vtkFbrdfPass::of(*actor))
+        removePass(*actor, *other);
+    else
+        observe(*actor);
+    vtkSmartPointer<vtkFbrdfPass> pass = internals_->pass.Get();
+    if (!pass) {
+        pass = vtkSmartPointer<vtkFbrdfPass>::New();
+        pass->setMaterial(*this);
+        internals_->pass = pass;
+    }
+    if (!actor->GetPropertyKeys()) {
+        vtkNew<vtkInformation> keys;
+        actor->SetPropertyKeys(keys);
+    }
+    actor->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+    vtkFbrdfRendererProbe::in(*actor);
+}
+
+void vtkFbrdfMaterial::RemoveFrom(vtkActor* actor)
+{
+    if (!actor || Of(actor) != this) return;
+    const vtkSmartPointer<vtkFbrdfPass> pass = vtkFbrdfPass::of(*actor);
+    removePass(*actor, *pass);
+}
+
+vtkFbrdfMaterial* vtkFbrdfMaterial::Of(vtkActor* actor)
+{
+    vtkFbrdfPass* const pass = actor ? vtkFbrdfPass::of(*actor) : nullptr;
+    return pass ? pass->material() : nullptr;
+}
+
+const vtkFbrdfMaterial::Report& vtkFbrdfMaterial::LastReport() const
+{
+    return internals_->report;
+}
