@@ -75,6 +75,7 @@ TEST_F(VtkDraw, AKnotWithEdgesEverywhereEqualsTheRuntime)
     // Its triangles are smaller than pixels where they are seen edge-on, so that the rounding of
     // their corners moves what is interpolated.
     constexpr double kEdgeOn = 2e-3, kMean = 1e-6;
+    view_.setView(perspectiveView());
     const auto d = difference(testMaterials()[1], knotMesh(96, 16), vtkTestLights(9));
     EXPECT_TRUE(d.comparable && d.maxRelative < kEdgeOn && d.meanRelative < kMean) << describe(d);
 }
@@ -90,7 +91,7 @@ TEST_F(VtkDraw, ManyLightsEqualTheRuntime)
 
 TEST_F(VtkDraw, AParallelProjectionEqualsTheRuntime)
 {
-    view_.view = orthographicView();
+    view_.view.projection = orthographicView().projection;
     vtkCamera* const camera = view_.renderer().GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(1.2);

@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 // GLX has a type that is named as one of glad's; only this function of it is needed.
 extern "C" void (*glXGetProcAddressARB(const unsigned char*))();
@@ -32,6 +33,20 @@ vtkSmartPointer<vtkFloatArray> arrayOf(const std::vector<Vec3f>& vectors, const 
     array->SetNumberOfComponents(3);
     for (const Vec3f& v : vectors) array->InsertNextTypedTuple(&v.x);
     return array;
+}
+
+/// Sets camera and clipping range; the view is square and in perspective.
+void setCamera(vtkRenderer& renderer, const gl::View& view)
+{
+    const glm::dmat4 toWorld = glm::inverse(glm::dmat4(view.view)), projection(view.projection);
+    const glm::dvec3 eye(toWorld[3]), centre = eye - glm::dvec3(toWorld[2]), up(toWorld[1]);
+    const double a = projection[2][2], b = projection[3][2];
+    vtkCamera* const camera = renderer.GetActiveCamera();
+    camera->SetPosition(eye.x, eye.y, eye.z);
+    camera->SetFocalPoint(centre.x, centre.y, centre.z);
+    camera->SetViewUp(up.x, up.y, up.z);
+    camera->SetViewAngle(2.0 * std::atan(1.0 / projection[1][1]) * 180.0 / kPi);
+    camera->SetClippingRange(b / (a - 1.0), b / (a + 1.0));
 }
 
 }  // namespace
@@ -99,26 +114,20 @@ vtkSmartPointer<vtkLight> vtkLightOf(const Light& light)
     return result;
 }
 
-void setView(vtkRenderer& renderer, const gl::View& view)
-{
-    const glm::dmat4 toWorld = glm::inverse(glm::dmat4(view.view)), projection(view.projection);
-    const glm::dvec3 eye(toWorld[3]), centre = eye - glm::dvec3(toWorld[2]), up(toWorld[1]);
-    const double a = projection[2][2], b = projection[3][2];
-    vtkCamera* const camera = renderer.GetActiveCamera();
-    camera->SetPosition(eye.x, eye.y, eye.z);
-    camera->SetFocalPoint(centre.x, centre.y, centre.z);
-    camera->SetViewUp(up.x, up.y, up.z);
-    camera->SetViewAngle(2.0 * std::atan(1.0 / projection[1][1]) * 180.0 / kPi);
-    camera->SetClippingRange(b / (a - 1.0), b / (a + 1.0));
-}
-
 void* glxFunction(void*, const char* name)
 {
     return reinterpret_cast<void*>(
         glXGetProcAddressARB(reinterpret_cast<const unsigned char*>(name)));
 }
 
-VtkView::VtkView(int size) : view(perspectiveView()), size_(size)
+gl::View straightView()
+{
+    gl::View view = perspectiveView();
+    view.view = glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -4.0f});
+    return view;
+}
+
+VtkView::VtkView(int size) : view(straightView()), size_(size)
 {
     window_->SetOffScreenRendering(1);
     window_->SetShowWindow(false);
@@ -127,7 +136,7 @@ VtkView::VtkView(int size) : view(perspectiveView()), size_(size)
     window_->AddRenderer(renderer_);
     renderer_->SetBackground(0.0, 0.0, 0.0);
     renderer_->AutomaticLightCreationOff();
-    setView(*renderer_, view);
+    setView(view);
     vtkNew<vtkRenderStepsPass> steps;
     floats_->SetDelegatePass(steps);
     floats_->SetColorFormat(vtkTextureObject::Float32);
@@ -137,6 +146,12 @@ VtkView::VtkView(int size) : view(perspectiveView()), size_(size)
 VtkView::~VtkView()
 {
     floats_->ReleaseGraphicsResources(window_);
+}
+
+void VtkView::setView(const gl::View& taken)
+{
+    view = taken;
+    setCamera(*renderer_, view);
 }
 
 void VtkView::setLights(const std::vector<Light>& lights)

@@ -30,8 +30,9 @@ vtkSmartPointer<vtkFbrdfMaterial> vtkMaterial(const Material& material);
 std::vector<Light> vtkTestLights(int count);
 vtkSmartPointer<vtkLight> vtkLightOf(const Light& light);
 
-/// Sets camera and clipping range; the view is square and in perspective.
-void setView(vtkRenderer& renderer, const gl::View& view);
+/// A view of the origin from (0, 0, 4), upright: VTK, which places vertices by one matrix, and the
+/// runtime, which does so by two, then round alike.
+gl::View straightView();
 
 /// A GL function of the context that is current.
 void* glxFunction(void*, const char* name);
@@ -44,6 +45,8 @@ public:
     vtkRenderer& renderer() { return *renderer_; }
     vtkRenderWindow& window() { return *window_; }
 
+    /// Square and in perspective; straightView() at first.
+    void setView(const gl::View& taken);
     void setLights(const std::vector<Light>& lights);
     /// Draws, and returns the picture: RGBA, rows from the bottom, not rounded.
     std::vector<float> frame();
@@ -55,7 +58,7 @@ public:
                                const std::vector<Light>& lights,
                                const gl::DrawOptions& options = {},
                                Transfer transfer = Transfer::linear);
-    gl::View view;  ///< taken by runtime(); perspectiveView()
+    gl::View view;  ///< taken by runtime()
 
 private:
     int size_;
