@@ -8,6 +8,7 @@
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <vtkActor.h>
+#include <vtkCommand.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseVectorKey.h>
 #include <vtkLightingMapPass.h>
@@ -18,6 +19,7 @@
 #include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
+#include <vtkProperty.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureUnitManager.h>
 
@@ -85,6 +87,36 @@ int transferIndex(fbrdf::Transfer transfer)
     return transfer == fbrdf::Transfer::toneMap ? 2 : 0;
 }
 
+/// Keeps a pass and a probe with an actor.
+class Keeper : public vtkCommand {
+public:
+    static Keeper* New() { return new Keeper; }
+    vtkBaseTypeMacro(Keeper, vtkCommand);
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+        keep(*vtkActor::SafeDownCast(caller));
+    }
+    void keep(vtkActor& actor)
+    {
+        if (isBusy_) return;
+        isBusy_ = true;
+        // The keys may be those of an assembly: its other parts must not have the pass.
+        if (vtkFbrdfPass::of(actor) != pass) {
+            vtkNew<vtkInformation> keys;
+            if (actor.GetPropertyKeys()) keys->Copy(actor.GetPropertyKeys());
+            keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+            actor.SetPropertyKeys(keys);
+        }
+        vtkFbrdfRendererProbe::in(actor);
+        isBusy_ = false;
+    }
+
+    vtkSmartPointer<vtkFbrdfPass> pass;
+
+private:
+    bool isBusy_ = false;
+};
+
 }  // namespace
 
 vtkStandardNewMacro(vtkFbrdfPass);
@@ -98,6 +130,26 @@ vtkFbrdfPass* vtkFbrdfPass::of(vtkProp& prop)
     for (int i = 0; i < count; ++i)
         if (auto* pass = SafeDownCast(keys->Get(RenderPasses(), i))) return pass;
     return nullptr;
+}
+
+void vtkFbrdfPass::attach(vtkActor& actor)
+{
+    if (of(actor) == this && observers_.count(&actor)) return;
+    vtkNew<Keeper> keeper;
+    keeper->pass = this;
+    keeper->keep(actor);
+    observers_[&actor] = actor.AddObserver(vtkCommand::ModifiedEvent, keeper);
+}
+
+void vtkFbrdfPass::detach(vtkActor& actor)
+{
+    actor.RemoveObserver(observers_[&actor]);
+    observers_.erase(&actor);
+    vtkNew<vtkInformation> keys;
+    keys->Copy(actor.GetPropertyKeys());
+    keys->Remove(RenderPasses(), this);
+    if (keys->Length(RenderPasses()) == 0) keys->Remove(RenderPasses());
+    actor.SetPropertyKeys(keys);
 }
 
 vtkMTimeType vtkFbrdfPass::GetShaderStageMTime()
@@ -154,11 +206,12 @@ bool vtkFbrdfPass::PostReplaceShaderValues(std::string& vertex, std::string& geo
         return true;
     }
     auto& internals = material_->GetInternals();
-    vtkOpenGLRenderer* const renderer =
-        vtkFbrdfRendererProbe::rendererOf(*vtkActor::SafeDownCast(prop));
+    auto* const actor = vtkActor::SafeDownCast(prop);
+    vtkOpenGLRenderer* const renderer = vtkFbrdfRendererProbe::rendererOf(*actor);
     writeMaterial(texts, {internals.mapsIn(*windowOf(renderer)).functions(),
                           !fbrdf::isIsotropic(internals.material->form), internals.derivedTangents,
-                          vtkFbrdfLightTexture::of(*renderer).count() == 0});
+                          vtkFbrdfLightTexture::of(*renderer).count() == 0,
+                          actor->GetProperty()->GetRepresentation() == VTK_SURFACE});
     return true;
 }
 

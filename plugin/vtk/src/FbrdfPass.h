@@ -7,6 +7,7 @@
 #include <vtkOpenGLRenderPass.h>
 #include <vtkSmartPointer.h>
 
+#include <map>
 #include <string>
 
 class vtkActor;
@@ -21,6 +22,11 @@ public:
     vtkFbrdfMaterial* material() const { return material_; }
     /// That of an actor; null where it has none.
     static vtkFbrdfPass* of(vtkProp& prop);
+
+    /// Puts the pass into the actor's keys, and again whenever the actor is given other keys (a
+    /// vtkAssembly gives its own to its parts in every frame) or another property.
+    void attach(vtkActor& actor);
+    void detach(vtkActor& actor);
 
     void Render(const vtkRenderState*) override {}
     bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
@@ -41,6 +47,7 @@ private:
     void report(const std::string& reason, int lights, int dropped);
 
     vtkSmartPointer<vtkFbrdfMaterial> material_;
+    std::map<vtkActor*, unsigned long> observers_;  ///< tags; actors may have gone
     // Of the program that is being written.
     bool isLeft_ = false;  ///< to VTK
     std::string refusal_;

@@ -159,7 +159,7 @@ void MapTextures::compile()
     shader->SetType(vtkShader::Fragment);
     shader->SetSource("#version 150\n" + functions_ +
                       "out vec4 colour;\nvoid main() { colour = vec4(vtkFbrdfShaded(vec3(0.0), "
-                      "vec3(0.0, 0.0, 1.0), vec4(0.0)), 1.0); }\n");
+                      "vec3(0.0, 0.0, 1.0), vec4(0.0), true), 1.0); }\n");
     if (!shader->Compile()) {
         const std::string error = shader->GetError();
         refusal_ = Found("no GLSL (" + error.substr(0, error.find('\n')) + ")").expected("1.50");

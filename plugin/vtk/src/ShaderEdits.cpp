@@ -61,7 +61,8 @@ std::string litLines(const std::string& fragment, const ShaderWish& wish)
 {
     std::string text = tangentLines(fragment, wish) +
                        "  vec3 fbrdfColour = vtkFbrdfShaded(vertexVC.xyz, normalVCVSOutput, "
-                       "fbrdfTangent);\n";
+                       "fbrdfTangent, " +
+                       (wish.drawsFaces ? "true" : "false") + ");\n";
     if (has(fragment, "uniform vec3 edgeColor;"))
         text += "  fbrdfColour = mix(fbrdfColour, edgeColor, emix);\n";
     // Of vertices and selections VTK draws the ambient colour alone.

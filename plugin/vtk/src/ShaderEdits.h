@@ -22,6 +22,7 @@ struct ShaderWish {
     bool isAnisotropic = false;    ///< tangents matter
     bool derivesTangents = false;  ///< of texture coordinates alone
     bool isDark = false;           ///< no light is on
+    bool drawsFaces = true;        ///< not their edges or corners
 };
 
 /// Before VTK has filled the markers in.

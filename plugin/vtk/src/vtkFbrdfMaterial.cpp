@@ -2,44 +2,14 @@
 
 #include "FbrdfPass.h"
 #include "MaterialInternals.h"
-#include "RendererProbe.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
 
 #include <vtkActor.h>
-#include <vtkCallbackCommand.h>
-#include <vtkInformation.h>
-#include <vtkInformationObjectBaseVectorKey.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
-
-namespace {
-
-/// Another property has no probe yet.
-void onActorModified(vtkObject* caller, unsigned long, void*, void*)
-{
-    auto* const actor = vtkActor::SafeDownCast(caller);
-    if (actor && vtkFbrdfPass::of(*actor)) vtkFbrdfRendererProbe::in(*actor);
-}
-
-void observe(vtkActor& actor)
-{
-    vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(onActorModified);
-    actor.AddObserver(vtkCommand::ModifiedEvent, command);
-}
-
-void removePass(vtkActor& actor, vtkFbrdfPass& pass)
-{
-    vtkInformation* const keys = actor.GetPropertyKeys();
-    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), &pass);
-    if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-        keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-}
-
-}  // namespace
 
 vtkStandardNewMacro(vtkFbrdfMaterial);
 
@@ -161,30 +131,23 @@ bool vtkFbrdfMaterial::GetDerivedTangents() const
 
 void vtkFbrdfMaterial::ApplyTo(vtkActor* actor)
 {
-    if (!actor || Of(actor) == this) return;
-    if (vtkFbrdfPass* const other = vtkFbrdfPass::of(*actor))
-        removePass(*actor, *other);
-    else
-        observe(*actor);
+    if (!actor) return;
+    const vtkSmartPointer<vtkFbrdfPass> before = vtkFbrdfPass::of(*actor);
     vtkSmartPointer<vtkFbrdfPass> pass = internals_->pass.Get();
     if (!pass) {
         pass = vtkSmartPointer<vtkFbrdfPass>::New();
         pass->setMaterial(*this);
         internals_->pass = pass;
     }
-    if (!actor->GetPropertyKeys()) {
-        vtkNew<vtkInformation> keys;
-        actor->SetPropertyKeys(keys);
-    }
-    actor->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
-    vtkFbrdfRendererProbe::in(*actor);
+    if (before && before != pass) before->detach(*actor);
+    pass->attach(*actor);
 }
 
 void vtkFbrdfMaterial::RemoveFrom(vtkActor* actor)
 {
     if (!actor || Of(actor) != this) return;
     const vtkSmartPointer<vtkFbrdfPass> pass = vtkFbrdfPass::of(*actor);
-    removePass(*actor, *pass);
+    pass->detach(*actor);
 }
 
 vtkFbrdfMaterial* vtkFbrdfMaterial::Of(vtkActor* actor)

@@ -2,7 +2,6 @@
 // lights of every kind.
 #include "VtkScene.h"
 
-#include "support/gl/CompareImages.h"
 #include "support/gl/Scenes.h"
 
 #include <vtkCallbackCommand.h>
@@ -24,15 +23,6 @@ namespace {
 // pixels on it are left out.
 constexpr double kAgainstVtk = 1e-4;
 constexpr double kConeEdge = 0.01;  // share of the pixels
-
-Material white()
-{
-    Material material = noiseMaterial(formIo(), Storage::half);
-    for (float& texel : material.tables[0].texels) texel = 0.0f;
-    material.scales = {Vec3f(static_cast<float>(1.0 / kPi))};
-    material.name = "white";
-    return material;
-}
 
 struct Kind {
     const char* name;
@@ -129,7 +119,7 @@ protected:
 
     VtkView view_;
     vtkSmartPointer<vtkActor> actor_;
-    vtkSmartPointer<vtkFbrdfMaterial> material_ = vtkMaterial(white());
+    vtkSmartPointer<vtkFbrdfMaterial> material_ = vtkMaterial(whiteMaterial());
 };
 
 TEST_F(VtkLights, EachKindShinesAsInVtk)

@@ -17,23 +17,6 @@ namespace {
 // The same arithmetic on floats, but VTK multiplies its matrices in double on the CPU.
 constexpr double kAgainstRuntime = 1e-4;
 
-// Vertices are placed by one matrix in VTK and by two in the runtime: a pixel whose centre an edge
-// passes within rounding is covered by one of them alone.
-constexpr int kEdgePixels = 2;
-
-/// compareImages of the pixels that both cover.
-ImageDifference compareCovered(const std::vector<float>& found, std::vector<float> expected)
-{
-    int alone = 0;
-    for (size_t i = 0; i + 3 < found.size() && found.size() == expected.size(); i += 4) {
-        if ((found[i + 3] > 0.0f) == (expected[i + 3] > 0.0f)) continue;
-        ++alone;
-        for (size_t c = i; c < i + 4; ++c) expected[c] = found[c];
-    }
-    EXPECT_LE(alone, kEdgePixels);
-    return compareImages(found, expected);
-}
-
 class VtkDraw : public ::testing::Test {
 protected:
     vtkSmartPointer<vtkActor> show(const gl::MeshData& mesh, vtkFbrdfMaterial* material)

@@ -1,6 +1,8 @@
 // VtkScene.h - lets VTK draw off screen, into floats, with the same meshes, lights and views as the
 // tests of the plain runtime, which draws in the same context beside it.
 #pragma once
+#include "support/gl/CompareImages.h"
+
 #include <fbrdf/gl/Renderer.h>
 #include <fbrdf/vtk/vtkFbrdfMaterial.h>
 
@@ -26,6 +28,9 @@ vtkSmartPointer<vtkPolyData> vtkMesh(const gl::MeshData& mesh);
 vtkSmartPointer<vtkActor> vtkActorOf(vtkPolyData* mesh);
 vtkSmartPointer<vtkFbrdfMaterial> vtkMaterial(const Material& material);
 
+/// A white Lambertian surface: VTK draws a property of its defaults alike.
+Material whiteMaterial();
+
 /// testLights() as far as VTK has such: no radius, cones with a sharp edge.
 std::vector<Light> vtkTestLights(int count);
 vtkSmartPointer<vtkLight> vtkLightOf(const Light& light);
@@ -34,8 +39,18 @@ vtkSmartPointer<vtkLight> vtkLightOf(const Light& light);
 /// runtime, which does so by two, then round alike.
 gl::View straightView();
 
+/// compareImages of the pixels that both cover; few may be covered by one alone.
+ImageDifference compareCovered(const std::vector<float>& found, std::vector<float> expected);
+
 /// A GL function of the context that is current.
 void* glxFunction(void*, const char* name);
+
+/// How the plain runtime shows a mesh.
+struct Shown {
+    glm::mat4 place{1.0f};
+    Transfer transfer = Transfer::linear;
+    float exposure = 1.0f;
+};
 
 /// A window off screen without multisampling, with a black renderer that is not lit.
 class VtkView {
@@ -55,9 +70,7 @@ public:
 
     /// What the plain runtime draws of the same in the same context.
     std::vector<float> runtime(const Material& material, const gl::MeshData& mesh,
-                               const std::vector<Light>& lights,
-                               const gl::DrawOptions& options = {},
-                               Transfer transfer = Transfer::linear);
+                               const std::vector<Light>& lights, const Shown& shown = {});
     gl::View view;  ///< taken by runtime()
 
 private:

@@ -1,6 +1,7 @@
 #include "XServer.h"
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -16,6 +17,7 @@ namespace {
 {
     prctl(PR_SET_PDEATHSIG, SIGTERM);  // also where the tests crash
     const std::string number = std::to_string(pipe);
+    if (!std::freopen("/dev/null", "w", stderr)) _exit(127);  // it names displays that are taken
     execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24", "-nolisten",
            "tcp", "-noreset", nullptr);
     _exit(127);
