@@ -175,10 +175,12 @@ void vtkFbrdfPass::report(const std::string& reason, int lights, int dropped)
     internals.report = {reason.empty() ? "single pass" : "diffuse fallback", reason, lights,
                         dropped};
     if (!reason.empty() && internals.isNews(reason))
-        vtkGenericWarningMacro(<< internals.title() << ": diffuse fallback is drawn: " << reason);
+        vtkWarningWithObjectMacro(
+            material_.Get(), << internals.title() << ": diffuse fallback is drawn: " << reason);
     if (dropped > 0 && internals.isNews("lights"))
-        vtkGenericWarningMacro(<< internals.title() << ": lights are left out: found "
-                               << lights + dropped << ", " << lights << " of which are valid");
+        vtkWarningWithObjectMacro(material_.Get(),
+                                  << internals.title() << ": lights are left out: found "
+                                  << lights + dropped << ", " << lights << " of which are valid");
 }
 
 bool vtkFbrdfPass::PreReplaceShaderValues(std::string& vertex, std::string& geometry,

@@ -76,6 +76,18 @@ std::string whyTooLarge(const TextureImage& image, const std::string& name, cons
 
 }  // namespace
 
+std::string whyNotCompiled(const std::string& fragment)
+{
+    vtkNew<vtkShader> shader;
+    shader->SetType(vtkShader::Fragment);
+    shader->SetSource("#version 150\n" + fragment);
+    const bool isCompiled = shader->Compile();
+    shader->Cleanup();
+    if (isCompiled) return "";
+    const std::string error = shader->GetError();
+    return Found("no GLSL (" + error.substr(0, error.find('\n')) + ")").expected("1.50");
+}
+
 std::string tooFew(const std::string& what, int needed, int limit)
 {
     return what + ": " +
@@ -95,7 +107,10 @@ MapTextures::MapTextures(const Material& material, bool precise, vtkOpenGLRender
                                    {std::string(vtkFbrdfShader("lights.glsl")),
                                     std::string(vtkFbrdfShader("attenuation.glsl"))}) +
                  std::string(vtkFbrdfShader("shade.glsl"));
-    compile();
+    refusal_ =
+        whyNotCompiled(functions_ +
+                       "out vec4 colour;\nvoid main() { colour = vec4(vtkFbrdfShaded(vec3(0.0), "
+                       "vec3(0.0, 0.0, 1.0), vec4(0.0), true), 1.0); }\n");
 }
 
 void MapTextures::makeMaps(const Material& material, bool precise, vtkOpenGLRenderWindow& window)
@@ -150,21 +165,6 @@ MapTextures::Map MapTextures::mapOf(const Table& table, const TextureImage& imag
         texture->Create2DFromRaw(width, height, 3, VTK_FLOAT, texels);
     textures_.emplace_back(texture.Get());
     return {texture.Get(), {}, image.lower, image.extent, image.encoding.ranged};
-}
-
-/// A shader that does not compile would make VTK draw nothing.
-void MapTextures::compile()
-{
-    vtkNew<vtkShader> shader;
-    shader->SetType(vtkShader::Fragment);
-    shader->SetSource("#version 150\n" + functions_ +
-                      "out vec4 colour;\nvoid main() { colour = vec4(vtkFbrdfShaded(vec3(0.0), "
-                      "vec3(0.0, 0.0, 1.0), vec4(0.0), true), 1.0); }\n");
-    if (!shader->Compile()) {
-        const std::string error = shader->GetError();
-        refusal_ = Found("no GLSL (" + error.substr(0, error.find('\n')) + ")").expected("1.50");
-    }
-    shader->Cleanup();
 }
 
 bool MapTextures::isAlive() const

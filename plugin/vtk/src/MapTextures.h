@@ -19,6 +19,10 @@ namespace fbrdf::vtk {
 /// "texture units: found 8, expected at least 9".
 std::string tooFew(const std::string& what, int needed, int limit);
 
+/// Why the fragment shader, but for its version, does not compile in the context that is current;
+/// empty where it does. VTK draws nothing with one that does not.
+std::string whyNotCompiled(const std::string& fragment);
+
 class MapTextures {
 public:
     /// The window is current.
@@ -48,7 +52,6 @@ private:
     Map mapOf(const Table& table, const TextureImage& image, bool precise,
               vtkOpenGLRenderWindow& window);
     void makeMaps(const Material& material, bool precise, vtkOpenGLRenderWindow& window);
-    void compile();
 
     vtkWeakPointer<vtkOpenGLRenderWindow> window_;
     std::vector<vtkSmartPointer<vtkTextureObject>> textures_;

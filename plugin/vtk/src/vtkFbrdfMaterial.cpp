@@ -4,12 +4,27 @@
 #include "MaterialInternals.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 #include <fbrdf/io/MaterialFile.h>
 
 #include <vtkActor.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <filesystem>
+
+namespace {
+
+fbrdf::Material readFile(const std::string& file)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw fbrdf::Error(fbrdf::ErrorKind::input, file,
+                           fbrdf::Found("no such file").expected("a material"));
+    return fbrdf::readMaterial(file);
+}
+
+}  // namespace
 
 vtkStandardNewMacro(vtkFbrdfMaterial);
 
@@ -43,7 +58,7 @@ const std::string& vtkFbrdfMaterial::GetMaterialFile() const
 bool vtkFbrdfMaterial::ReloadMaterial()
 {
     try {
-        internals_->replaceMaterial(fbrdf::readMaterial(internals_->file));
+        internals_->replaceMaterial(readFile(internals_->file));
     } catch (const std::exception& error) {
         vtkErrorMacro(<< error.what());
         return false;

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -145,6 +146,19 @@ TEST_F(VtkActors, MayBeMovedTurnedAndScaled)
     const auto d =
         compareCovered(view_.frame(), view_.runtime(anisotropic_, mesh_, lights_, {place}));
     EXPECT_TRUE(d.comparable && d.maxRelative < kTurned && d.meanRelative < kMean) << describe(d);
+}
+
+TEST_F(VtkActors, ClippingPlanesCutThem)
+{
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(1.0, 0.0, 0.0);
+    actor_->GetMapper()->AddClippingPlane(plane);
+    const auto cut = view_.frame();
+    for (size_t i = 0; i < cut.size(); i += 4) {
+        const size_t x = i / 4 % kSize;
+        if (x < kSize / 2 - 4) EXPECT_FLOAT_EQ(cut[i], 0.0f);
+        if (x > kSize / 2 + 4) EXPECT_FLOAT_EQ(cut[i], plain_[i]);
+    }
 }
 
 TEST_F(VtkActors, MayHaveAnotherPropertyShadersOrMapper)

@@ -114,8 +114,8 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
 
-/// Where a host's own shader has its lights, if not in fbrdfLights: in a texture or a buffer, of any
-/// number.
+/// Where a host's own shader has its lights, if not in fbrdfLights: in a texture or a buffer, of
+/// any number.
 struct HostLights {
     /// GLSL that declares what it reads and defines
     ///     vec4 fbrdfLightVector(int index)
