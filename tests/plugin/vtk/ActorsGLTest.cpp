@@ -156,8 +156,12 @@ TEST_F(VtkActors, ClippingPlanesCutThem)
     const auto cut = view_.frame();
     for (size_t i = 0; i < cut.size(); i += 4) {
         const size_t x = i / 4 % kSize;
-        if (x < kSize / 2 - 4) EXPECT_FLOAT_EQ(cut[i], 0.0f);
-        if (x > kSize / 2 + 4) EXPECT_FLOAT_EQ(cut[i], plain_[i]);
+        if (x < kSize / 2 - 4) {
+            EXPECT_FLOAT_EQ(cut[i], 0.0f);
+        }
+        if (x > kSize / 2 + 4) {
+            EXPECT_FLOAT_EQ(cut[i], plain_[i]);
+        }
     }
 }
 

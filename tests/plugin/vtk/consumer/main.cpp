@@ -10,6 +10,7 @@
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -44,9 +45,11 @@ int main(int argc, char** argv)
     window->SetSize(64, 64);
     window->AddRenderer(renderer);
     window->Render();
-    vtkNew<vtkUnsignedCharArray> pixel;
-    window->GetPixelData(32, 32, 32, 32, 0, pixel);
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window->GetPixelData(0, 0, 63, 63, 0, pixels);
+    const int brightest = *std::max_element(pixels->GetPointer(0),
+                                            pixels->GetPointer(0) + pixels->GetNumberOfValues());
     const std::string technique = material->LastReport().technique;
-    std::printf("%s, %d\n", technique.c_str(), pixel->GetValue(0));
-    return technique == "single pass" && pixel->GetValue(0) > 20 ? 0 : 1;
+    std::printf("%s, %d\n", technique.c_str(), brightest);
+    return technique == "single pass" && brightest > 20 ? 0 : 1;
 }
