@@ -7,7 +7,7 @@ if(NOT DOXYGEN_FOUND)
 endif()
 
 set(FBRDF_DOXYGEN_OUTPUT ${PROJECT_BINARY_DIR}/docs)
-file(GLOB includes LIST_DIRECTORIES TRUE runtime/*/include fitter/*/include sample_app/*/include plugin/osg/*/include)
+file(GLOB includes LIST_DIRECTORIES TRUE runtime/*/include fitter/*/include sample_app/*/include plugin/osg/*/include plugin/vtk/include)
 file(GLOB pages README.md CONTRIBUTING.md CHANGELOG.md docs/*.md)
 file(GLOB_RECURSE readmes runtime/README.md fitter/README.md plugin/README.md sample_app/README.md tests/README.md
   cmake/README.md)

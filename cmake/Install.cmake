@@ -1,5 +1,6 @@
-# What `cmake --install` leaves: programs, libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg).
-# Without components it gives brdf, environment, plan, shaders, runtime and c; io needs OpenEXR and libpng, osg OpenSceneGraph.
+# What `cmake --install` leaves: programs, libraries, headers, plugins, and a package for find_package(fbrdf COMPONENTS io osg vtk).
+# Without components it gives brdf, environment, plan, shaders, runtime and c; io needs OpenEXR and libpng, osg
+# OpenSceneGraph, vtk VTK 9.1.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(FBRDF_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fbrdf)
@@ -20,6 +21,9 @@ fbrdf_export(Core fbrdf_base fbrdf_brdf fbrdf_environment fbrdf_plan fbrdf_shade
 fbrdf_export(Io fbrdf_pictures fbrdf_io)
 if(TARGET osgFbrdf)
   fbrdf_export(Osg osgFbrdf fbrdf_osg)
+endif()
+if(TARGET fbrdf_vtk)
+  fbrdf_export(Vtk fbrdf_vtk)
 endif()
 foreach(part base brdf environment io plan shaders gl)
   install(DIRECTORY runtime/${part}/include/fbrdf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

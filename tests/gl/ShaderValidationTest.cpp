@@ -190,6 +190,27 @@ TEST_F(ShaderValidation, FunctionsAndListsOfEs)
     }
 }
 
+TEST_F(ShaderValidation, FunctionsWithLightsOfTheHost)
+{
+    const HostLights lights{
+        "uniform samplerBuffer lights;\nvec4 fbrdfLightVector(int index) { return "
+        "texelFetch(lights, index); }\n",
+        "float fbrdfShadow(int light, vec3 position, vec3 toLight) { return light < "
+        "fbrdfLightCount ? 1.0 : 0.0; }\n"};
+    for (const Material& material : test::testMaterials()) {
+        const std::string functions =
+            materialFunctions(material.form, encodingsOf(material), 150, lights);
+        EXPECT_EQ(functions.find("fbrdfLights["), std::string::npos) << material.name;
+        EXPECT_EQ(validate(write("hosted.frag",
+                                 "#version 150\n" + functions +
+                                     "out vec4 colour;\nvoid main() { colour = "
+                                     "vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, "
+                                     "0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n")),
+                  0)
+            << material.name;
+    }
+}
+
 TEST_F(ShaderValidation, FunctionsThatSample)
 {
     const Material material = test::testMaterials().front();

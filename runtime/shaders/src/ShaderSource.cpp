@@ -110,6 +110,21 @@ std::string sampledSource(const Form& form, const std::vector<TableEncoding>& en
            uniforms + evaluateFunction(context) + sampledMain(context);
 }
 
+/// What both kinds of materialFunctions have in common.
+std::string hostFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
+                          const ProgramSpec& spec, int glsl, const HostLights& lights)
+{
+    checkVersion(glsl);
+    const FragmentContext context{form,  encodings, spec,  glsl,
+                                  false, false,     false, !lights.shadowHook.empty()},
+        local{form, encodings, spec, glsl, false, true};
+    const std::string uniforms = uniformDeclarations(context);
+    return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
+                   "transfer.glsl"}) +
+           filterFunctions(encodings) + uniforms + lights.vectors + lights.shadowHook +
+           evaluateFunction(local) + radianceFunction(context);
+}
+
 }  // namespace
 
 ProgramSpec programSpec(const Pass& pass, int maxLights)
@@ -166,15 +181,15 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
                               int glsl, int maxLights)
 {
     FBRDF_ASSERT(maxLights, >=, 1);
-    checkVersion(glsl);
-    const ProgramSpec spec = wholeSpec(form, maxLights);
-    const FragmentContext context{form, encodings, spec, glsl},
-        local{form, encodings, spec, glsl, false, true};
-    const std::string uniforms = uniformDeclarations(context);
-    return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
-                   "transfer.glsl"}) +
-           filterFunctions(encodings) + uniforms + evaluateFunction(local) +
-           radianceFunction(context);
+    return hostFunctions(form, encodings, wholeSpec(form, maxLights), glsl, {});
+}
+
+std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
+                              int glsl, const HostLights& lights)
+{
+    ProgramSpec spec = wholeSpec(form, 1);
+    spec.hosted = true;
+    return hostFunctions(form, encodings, spec, glsl, lights);
 }
 
 std::string samplingFunctions(const LobeLayout& table, int glsl)

@@ -1,8 +1,8 @@
 // What osgDB does with materials and scenes: plugin, options, pseudo-loader, serializers.
 #include "FilesTest.h"
 
-#include "NewerFile.h"
 #include "support/gl/Scenes.h"
+#include "support/NewerFile.h"
 
 #include <Arguments.h>
 

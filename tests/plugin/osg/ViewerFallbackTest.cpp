@@ -2,7 +2,7 @@
 // reason, and the fallback draws the model.
 #include "OsgviewerTest.h"
 
-#include "NewerFile.h"
+#include "support/NewerFile.h"
 
 #include <osgDB/FileNameUtils>
 

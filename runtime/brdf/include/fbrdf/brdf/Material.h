@@ -41,4 +41,8 @@ void validate(const Material& material, const std::string& where);
 template <class T>
 Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi);
 
+/// Linear RGB in [0, 1]: the colour of a diffuse surface that reflects as much, for hosts that
+/// cannot draw the material. Expects a material that validate accepts.
+Vec3f diffuseAlbedo(const Material& material);
+
 }  // namespace fbrdf

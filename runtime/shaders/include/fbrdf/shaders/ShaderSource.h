@@ -62,6 +62,8 @@ struct ProgramSpec {
     LobeShare lobes = {};
     /// The same as `clustered` for area lights.
     bool areaLists = false;
+    /// Lights come from the function of HostLights.
+    bool hosted = false;
 };
 
 /// The program of a pass. lightSlots is the number of lights rounded up to 1, 8, 64, ..., at most
@@ -111,6 +113,21 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 /// maxLights >= 1: lights that fit into fbrdfLights. Throws as fragmentSource.
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
+
+/// Where a host's own shader has its lights, if not in fbrdfLights: in a texture or a buffer, of
+/// any number.
+struct HostLights {
+    /// GLSL that declares what it reads and defines
+    ///     vec4 fbrdfLightVector(int index)
+    /// Vectors 3 i to 3 i + 2 are those of light i (LightVectors.h).
+    std::string vectors;
+    /// "", or a shadow hook as in SurfaceInputs, whose `light` is i.
+    std::string shadowHook = {};
+};
+
+/// The same with the lights of the host, of which fbrdfLightCount is the number.
+std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
+                              int glsl, const HostLights& lights);
 
 /// What the same shader needs to draw directions by the lobes of the material, to be put after
 /// materialFunctions. It declares fbrdfLobes and, of bent lobes, fbrdfLobeBend (above; all rows of

@@ -1,0 +1,54 @@
+// FbrdfPass.h - how a material enters the shaders of an actor: as one of the vtkOpenGLRenderPasses
+// that the actor's property keys list, which every mapper asks when it writes a program and when it
+// sets uniforms. It is no pass of a renderer.
+#pragma once
+#include <fbrdf/vtk/vtkFbrdfMaterial.h>
+
+#include <vtkOpenGLRenderPass.h>
+#include <vtkSmartPointer.h>
+
+#include <map>
+#include <string>
+
+class vtkActor;
+
+class vtkFbrdfPass : public vtkOpenGLRenderPass {
+public:
+    static vtkFbrdfPass* New();
+    vtkTypeMacro(vtkFbrdfPass, vtkOpenGLRenderPass);
+
+    /// The pass keeps the material alive, and actors the pass.
+    void setMaterial(vtkFbrdfMaterial& material) { material_ = &material; }
+    vtkFbrdfMaterial* material() const { return material_; }
+    /// That of an actor; null where it has none.
+    static vtkFbrdfPass* of(vtkProp& prop);
+
+    /// Puts the pass into the actor's keys, and again whenever the actor is given other keys (a
+    /// vtkAssembly gives its own to its parts in every frame) or another property.
+    void attach(vtkActor& actor);
+    void detach(vtkActor& actor);
+
+    void Render(const vtkRenderState*) override {}
+    bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+                                vtkAbstractMapper* mapper, vtkProp* prop) override;
+    bool PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+                                 vtkAbstractMapper* mapper, vtkProp* prop) override;
+    bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+                             vtkOpenGLVertexArrayObject* arrays) override;
+    vtkMTimeType GetShaderStageMTime() override;
+
+protected:
+    vtkFbrdfPass();
+    ~vtkFbrdfPass() override;
+
+private:
+    /// Why VTK has to draw the actor, now; empty where the material can be.
+    std::string refusalOf(vtkActor& actor);
+    void report(const std::string& reason, int lights, int dropped);
+
+    vtkSmartPointer<vtkFbrdfMaterial> material_;
+    std::map<vtkActor*, unsigned long> observers_;  ///< tags; actors may have gone
+    // Of the program that is being written.
+    bool isLeft_ = false;  ///< to VTK
+    std::string refusal_;
+};
