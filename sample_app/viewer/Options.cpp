@@ -39,8 +39,8 @@ struct Texts {
 void describeEnvironment(CLI::App& app, Options& options, Texts& texts)
 {
     app.add_option("--environment", options.environment,
-                   "Light from everywhere, beside the other lights: a panorama, or built-in " +
-                       fmt::format("{}", fmt::join(proceduralEnvironments(), ", ")))
+                   "Light from everywhere, beside the other lights: a panorama, built-in " +
+                       fmt::format("{}", fmt::join(proceduralEnvironments(), ", ")) + ", or none")
         ->type_name("FILE.exr|FILE.hdr|NAME");
     app.add_option("--environment-rotation", options.environmentRotation,
                    "Degrees by which it is turned about +y");
@@ -220,14 +220,17 @@ void completeScene(const Texts& texts, Options& options)
     // Figures are compared pixel by pixel with what their lights alone do.
     const bool isFullByItself =
         options.command == Command::view ? !options.headless : options.command != Command::figures;
+    const bool noEnvironment = options.environment == "none";
+    if (noEnvironment) options.environment.clear();
     options.full = texts.full || (isFullByItself && !texts.plain);
     if (!options.full) return;
     options.ground = options.shadows = options.toneMap = true;
-    if (options.command == Command::sheet && options.environment.empty() &&
+    if (options.command == Command::sheet && options.environment.empty() && !noEnvironment &&
         options.lights.empty() && options.under.empty())
         options.under = proceduralEnvironments();
-    if (options.environment.empty()) options.environment = proceduralEnvironments().front();
-    if (texts.background.empty()) options.background.environment = true;
+    if (options.environment.empty() && !noEnvironment)
+        options.environment = proceduralEnvironments().front();
+    if (texts.background.empty()) options.background.environment = !noEnvironment;
 }
 
 /// Throws Error(usage) unless a path suits what a command writes.

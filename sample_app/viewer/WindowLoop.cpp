@@ -316,6 +316,7 @@ void WindowLoop::finishStats()
 {
     stats_.backend = "window";
     stats_.technique = viewTechniqueName(state_.technique);
+    stats_.samples = samplesOf(options_, state_.technique);
     stats_.mesh = facts_.meshes[static_cast<size_t>(mesh_)];
     stats_.lightsGiven = static_cast<int>(world_.lights.size());
 }

@@ -115,6 +115,9 @@ scene::Stats statsOf(const Options& options, const World& world)
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
     stats.evaluated = "material";
     stats.width = options.width;
+    stats.samples = samplesOf(options, options.technique);
+    stats.ground = world.ground != nullptr;
+    stats.shadows = options.shadows || options.technique == scene::ViewTechnique::path;
     stats.height = options.height;
     stats.lightsGiven = static_cast<int>(world.lights.size());
     return stats;

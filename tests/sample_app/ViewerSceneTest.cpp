@@ -57,6 +57,9 @@ TEST_F(ViewerScene, APlainPictureIsWhatTheRuntimeDraws)
     const Image expected = pictures.draw(scene, material, Technique::single, 48, 48).image;
     EXPECT_EQ(draw(drawMade()).rgba, expected.rgba);
     EXPECT_EQ(draw(drawMade() + "--plain").rgba, expected.rgba);
+    EXPECT_EQ(stats_["samples"], 1);
+    EXPECT_EQ(stats_["ground"], false);
+    EXPECT_EQ(stats_["shadows"], false);
     EXPECT_EQ(draw(drawMade() + "--samples 1 --background none").rgba, expected.rgba);
     EXPECT_NE(draw(drawMade() + "--samples 2").rgba, expected.rgba) << "the tester";
 }
@@ -148,6 +151,15 @@ TEST_F(ViewerScene, TheBackgroundShowsThroughEdgesAndTheFadingGround)
     }
 }
 
+TEST_F(ViewerScene, TheFullSceneCanDoWithoutAnEnvironment)
+{
+    const Image image =
+        draw(drawMade() + "--full --environment none --technique vertex --samples 1");
+    EXPECT_TRUE(stats_["environment"].is_null());
+    EXPECT_EQ(image.pixel(0, 0)[1], 0.0f) << "no background";
+    EXPECT_GT(image.pixel(24, 47)[1], 0.0f) << "the ground";
+}
+
 TEST_F(ViewerScene, TheFullSceneHasAllOfItAndLetsOptionsChangeIt)
 {
     NEEDS(Backend::egl);
@@ -155,6 +167,9 @@ TEST_F(ViewerScene, TheFullSceneHasAllOfItAndLetsOptionsChangeIt)
         "--headless --size 48x48 --material lambert:albedo=0.5 --form hdio --full --light-count 3");
     EXPECT_EQ(stats_["environment"]["name"], "studio");
     EXPECT_EQ(stats_["lights"]["given"], 3);
+    EXPECT_EQ(stats_["samples"], 16);
+    EXPECT_EQ(stats_["ground"], true);
+    EXPECT_EQ(stats_["shadows"], true);
     EXPECT_GT(full.pixel(0, 47)[3], 0.5f) << "the ground";
     EXPECT_GT(full.pixel(0, 0)[1], 0.01f) << "the background";
 }

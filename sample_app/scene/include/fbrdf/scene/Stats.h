@@ -36,6 +36,8 @@ struct Stats {
     std::vector<std::string> materials;               ///< names
     std::string evaluated;  ///< "source" or "material": what the BRDF values came from
     int width = 0, height = 0, coveredPixels = 0;
+    int samples = 1;  ///< a pixel
+    bool ground = false, shadows = false;
     int passes = 0;     ///< of the object that needed most
     int drawCalls = 0;  ///< of all objects
     int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
@@ -48,9 +50,9 @@ struct Stats {
 /// A JSON object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
 /// look_up, technique_drawn, why_replaced (null where there is none), error_bound
 /// {relative, absolute}, environment {name, note, error, why_not} (null where there is none), path
-/// {samples, bounces, noise} (null for other techniques), evaluated, size, covered_pixels, passes,
-/// draw_calls, lights {given, used, dropped}, max_lookups, accumulation, frames, clock ("cpu"),
-/// milliseconds {median, min, max}.
+/// {samples, bounces, noise} (null for other techniques), evaluated, size, samples, ground,
+/// shadows, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
+/// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
 
 }  // namespace fbrdf::scene
