@@ -197,7 +197,18 @@ TEST_F(ShaderValidation, FunctionsWithLightsOfTheHost)
         "texelFetch(lights, index); }\n",
         "float fbrdfShadow(int light, vec3 position, vec3 toLight) { return light < "
         "fbrdfLightCount ? 1.0 : 0.0; }\n"};
+    HostLights withLobes = lights;
+    withLobes.lobes = wholeShare({LobeAxes::tilted, 2, 8});
     for (const Material& material : test::testMaterials()) {
+        EXPECT_EQ(validate(write(
+                      "lobes.frag",
+                      "#version 150\n" +
+                          materialFunctions(material.form, encodingsOf(material), 150, withLobes) +
+                          "out vec4 colour;\nvoid main() { colour = "
+                          "vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, "
+                          "0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n")),
+                  0)
+            << material.name;
         const std::string functions =
             materialFunctions(material.form, encodingsOf(material), 150, lights);
         EXPECT_EQ(functions.find("fbrdfLights["), std::string::npos) << material.name;

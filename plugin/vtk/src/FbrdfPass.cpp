@@ -1,10 +1,12 @@
 #include "FbrdfPass.h"
 
+#include "EnvironmentTexture.h"
 #include "LightTexture.h"
 #include "MaterialInternals.h"
 #include "RendererProbe.h"
 #include "ShaderEdits.h"
 
+#include <fbrdf/shaders/LobeRows.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <vtkActor.h>
@@ -183,6 +185,31 @@ void vtkFbrdfPass::report(const std::string& reason, int lights, int dropped)
                                   << lights + dropped << ", " << lights << " of which are valid");
 }
 
+const fbrdf::LobeTable* vtkFbrdfPass::lobesIn(vtkOpenGLRenderer& renderer, std::string& whyNot)
+{
+    if (!vtkFbrdfEnvironmentTexture::isOn(renderer)) return nullptr;
+    whyNot = vtkFbrdfEnvironmentTexture::of(renderer).whyNot();
+    if (!whyNot.empty()) return nullptr;
+    auto& internals = material_->GetInternals();
+    const fbrdf::LobeTable* const lobes = internals.lobes(whyNot);
+    if (!lobes) return nullptr;
+    auto& maps = internals.mapsIn(*windowOf(&renderer));
+    whyNot = maps.whyNoLobes(*lobes);
+    const int needed = static_cast<int>(maps.textures().size()) + 2,
+              free = freeUnits(*windowOf(&renderer));
+    if (whyNot.empty() && needed > free) whyNot = fbrdf::vtk::tooFew("texture units", needed, free);
+    return whyNot.empty() ? lobes : nullptr;
+}
+
+void vtkFbrdfPass::reportNoEnvironment(const std::string& reason)
+{
+    auto& internals = material_->GetInternals();
+    internals.report.whyNoEnvironment = reason;
+    if (!reason.empty() && internals.isNews("environment: " + reason))
+        vtkWarningWithObjectMacro(
+            material_.Get(), << internals.title() << ": drawn without the environment: " << reason);
+}
+
 bool vtkFbrdfPass::PreReplaceShaderValues(std::string& vertex, std::string& geometry,
                                           std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
 {
@@ -210,11 +237,30 @@ bool vtkFbrdfPass::PostReplaceShaderValues(std::string& vertex, std::string& geo
     auto& internals = material_->GetInternals();
     auto* const actor = vtkActor::SafeDownCast(prop);
     vtkOpenGLRenderer* const renderer = vtkFbrdfRendererProbe::rendererOf(*actor);
-    writeMaterial(texts, {internals.mapsIn(*windowOf(renderer)).functions(),
+    vtkFbrdfRendererProbe::in(*actor).addMaterial(*material_);
+    const fbrdf::LobeTable* const lobes = lobesIn(*renderer, whyNoEnvironment_);
+    reportNoEnvironment(whyNoEnvironment_);
+    writeMaterial(texts, {internals.mapsIn(*windowOf(renderer)).functions(lobes),
                           !fbrdf::isIsotropic(internals.material->form), internals.derivedTangents,
-                          vtkFbrdfLightTexture::of(*renderer).count() == 0,
+                          !lobes && vtkFbrdfLightTexture::of(*renderer).count() == 0,
                           actor->GetProperty()->GetRepresentation() == VTK_SURFACE});
     return true;
+}
+
+void vtkFbrdfPass::setEnvironment(vtkShaderProgram& program, vtkOpenGLRenderer& renderer,
+                                  vtkFbrdfRendererProbe& probe)
+{
+    auto& environment = vtkFbrdfEnvironmentTexture::of(renderer);
+    auto& internals = material_->GetInternals();
+    const fbrdf::LobeTable* const lobes = internals.lobes(whyNoEnvironment_);
+    if (!lobes || !environment.whyNot().empty()) return;
+    activate(environment.texture(), probe);
+    environment.setUniforms(program, renderer, internals.exposure);
+    const auto rows = fbrdf::lobeRows(*lobes, fbrdf::wholeShare(fbrdf::layoutOf(*lobes)));
+    program.SetUniform4fv("fbrdfLobes", static_cast<int>(rows.size()),
+                          glm::value_ptr(rows.front()));
+    const glm::vec2 bend = fbrdf::lobeBend(*lobes);
+    program.SetUniform2f("fbrdfLobeBend", glm::value_ptr(bend));
 }
 
 bool vtkFbrdfPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop,
@@ -233,8 +279,10 @@ bool vtkFbrdfPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
     activate(lights.texture(), probe);
     maps.setUniforms(*program, internals.exposedScales());
     lights.setUniforms(*program);
+    if (program->IsUniformUsed("fbrdfEnvironment")) setEnvironment(*program, *renderer, probe);
     program->SetUniformi("vtkFbrdfTransfer", transferIndex(internals.transfer));
     setCamera(*program, *renderer, *actor);
     report("", lights.count(), lights.dropped());
+    internals.report.whyNoEnvironment = whyNoEnvironment_;
     return true;
 }

@@ -11,6 +11,8 @@
 #include <string>
 
 class vtkActor;
+class vtkFbrdfRendererProbe;
+class vtkOpenGLRenderer;
 
 class vtkFbrdfPass : public vtkOpenGLRenderPass {
 public:
@@ -44,11 +46,17 @@ protected:
 private:
     /// Why VTK has to draw the actor, now; empty where the material can be.
     std::string refusalOf(vtkActor& actor);
+    /// The lobes that the renderer's environment lights; null where it has none, or with the
+    /// reason.
+    const fbrdf::LobeTable* lobesIn(vtkOpenGLRenderer& renderer, std::string& whyNot);
+    void setEnvironment(vtkShaderProgram& program, vtkOpenGLRenderer& renderer,
+                        vtkFbrdfRendererProbe& probe);
     void report(const std::string& reason, int lights, int dropped);
+    void reportNoEnvironment(const std::string& reason);
 
     vtkSmartPointer<vtkFbrdfMaterial> material_;
     std::map<vtkActor*, unsigned long> observers_;  ///< tags; actors may have gone
     // Of the program that is being written.
     bool isLeft_ = false;  ///< to VTK
-    std::string refusal_;
+    std::string refusal_, whyNoEnvironment_;
 };

@@ -1,9 +1,9 @@
 #include "LightTexture.h"
 
+#include "RendererObject.h"
 #include "ViewLights.h"
 
 #include <vtkCamera.h>
-#include <vtkInformation.h>
 #include <vtkInformationObjectBaseKey.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderer.h>
@@ -37,20 +37,9 @@ vtkFbrdfLightTexture::~vtkFbrdfLightTexture() = default;
 
 vtkFbrdfLightTexture& vtkFbrdfLightTexture::of(vtkOpenGLRenderer& renderer)
 {
-    vtkInformation* information = renderer.GetInformation();
-    if (!information) {
-        vtkNew<vtkInformation> made;
-        renderer.SetInformation(made);
-        information = made;
-    }
-    auto* lights = SafeDownCast(information->Get(LIGHTS()));
-    if (!lights) {
-        vtkNew<vtkFbrdfLightTexture> made;
-        information->Set(LIGHTS(), made);
-        lights = made;
-    }
-    lights->update(renderer);
-    return *lights;
+    auto& lights = fbrdf::vtk::objectOf<vtkFbrdfLightTexture>(renderer, *LIGHTS());
+    lights.update(renderer);
+    return lights;
 }
 
 bool vtkFbrdfLightTexture::isCurrent(vtkOpenGLRenderer& renderer) const

@@ -1,11 +1,11 @@
 // LightTexture.h - the lights of a renderer as a texture that all materials of its actors read. It
 // lives with the renderer, and is filled again when a light or the camera has changed.
 #pragma once
+#include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkWeakPointer.h>
 
-class vtkCamera;
 class vtkInformationObjectBaseKey;
 class vtkOpenGLRenderer;
 class vtkRenderer;

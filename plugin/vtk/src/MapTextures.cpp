@@ -18,6 +18,10 @@ namespace fbrdf::vtk {
 namespace {
 
 constexpr int kGlsl = 150;  // VTK's shaders are written in it
+/// Calls what is to be compiled.
+constexpr const char* kProbe =
+    "out vec4 colour;\nvoid main() { colour = vec4(vtkFbrdfShaded(vec3(0.0), vec3(0.0, 0.0, 1.0), "
+    "vec4(0.0), true), 1.0); }\n";
 
 int limitOf(vtkOpenGLRenderWindow& window, unsigned int name)
 {
@@ -95,22 +99,42 @@ std::string tooFew(const std::string& what, int needed, int limit)
 }
 
 MapTextures::MapTextures(const Material& material, bool precise, vtkOpenGLRenderWindow& window)
-    : window_(&window)
+    : window_(&window), form_(material.form)
 {
     const Capabilities c = capabilitiesOf(window);
-    if (const int free = freeUniformVectors(material.form, c); free < 0)
-        refusal_ = tooFew("fragment uniform components", 4 * (c.maxUniformVectors - free),
+    freeVectors_ = freeUniformVectors(form_, c);
+    if (freeVectors_ < 0)
+        refusal_ = tooFew("fragment uniform components", 4 * (c.maxUniformVectors - freeVectors_),
                           4 * c.maxUniformVectors);
     if (refusal_.empty()) makeMaps(material, precise, window);
     if (!refusal_.empty()) return;
-    functions_ = materialFunctions(material.form, encodings_, kGlsl,
-                                   {std::string(vtkFbrdfShader("lights.glsl")),
-                                    std::string(vtkFbrdfShader("attenuation.glsl"))}) +
-                 std::string(vtkFbrdfShader("shade.glsl"));
-    refusal_ =
-        whyNotCompiled(functions_ +
-                       "out vec4 colour;\nvoid main() { colour = vec4(vtkFbrdfShaded(vec3(0.0), "
-                       "vec3(0.0, 0.0, 1.0), vec4(0.0), true), 1.0); }\n");
+    functions_ = written({});
+    refusal_ = whyNotCompiled(functions_ + std::string(kProbe));
+}
+
+std::string MapTextures::written(const LobeShare& lobes) const
+{
+    return materialFunctions(form_, encodings_, kGlsl,
+                             {std::string(vtkFbrdfShader("lights.glsl")),
+                              std::string(vtkFbrdfShader("attenuation.glsl")), lobes}) +
+           std::string(vtkFbrdfShader("shade.glsl"));
+}
+
+const std::string& MapTextures::functions(const LobeTable* lobes)
+{
+    if (!lobes) return functions_;
+    if (lobeFunctions_.empty()) lobeFunctions_ = written(wholeShare(layoutOf(*lobes)));
+    return lobeFunctions_;
+}
+
+const std::string& MapTextures::whyNoLobes(const LobeTable& lobes)
+{
+    if (!lobeFunctions_.empty() || !lobeRefusal_.empty()) return lobeRefusal_;
+    const int needed = wholeShare(layoutOf(lobes)).vectors();
+    lobeRefusal_ = needed > freeVectors_
+                       ? tooFew("fragment uniform components", 4 * needed, 4 * freeVectors_)
+                       : whyNotCompiled(functions(&lobes) + std::string(kProbe));
+    return lobeRefusal_;
 }
 
 void MapTextures::makeMaps(const Material& material, bool precise, vtkOpenGLRenderWindow& window)

@@ -4,6 +4,7 @@
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/shaders/TextureImage.h>
 
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextureObject.h>
 #include <vtkWeakPointer.h>
@@ -11,7 +12,6 @@
 #include <string>
 #include <vector>
 
-class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 namespace fbrdf::vtk {
@@ -33,8 +33,11 @@ public:
     bool isIn(vtkOpenGLRenderWindow& window) const { return window_ == &window && isAlive(); }
     /// Why the window cannot draw the material; empty where it can.
     const std::string& refusal() const { return refusal_; }
-    /// materialFunctions of ShaderSource.h with the lights of lights.glsl, and shade.glsl.
-    const std::string& functions() const { return functions_; }
+    /// materialFunctions of ShaderSource.h with the lights of lights.glsl, and shade.glsl. lobes:
+    /// those that an environment lights; null: none do.
+    const std::string& functions(const LobeTable* lobes = nullptr);
+    /// Why lobes cannot be drawn in addition; empty where they can.
+    const std::string& whyNoLobes(const LobeTable& lobes);
 
     /// Those that take a texture unit, in the order of the tables.
     const std::vector<vtkSmartPointer<vtkTextureObject>>& textures() const { return textures_; }
@@ -52,12 +55,15 @@ private:
     Map mapOf(const Table& table, const TextureImage& image, bool precise,
               vtkOpenGLRenderWindow& window);
     void makeMaps(const Material& material, bool precise, vtkOpenGLRenderWindow& window);
+    std::string written(const LobeShare& lobes) const;
 
     vtkWeakPointer<vtkOpenGLRenderWindow> window_;
     std::vector<vtkSmartPointer<vtkTextureObject>> textures_;
     std::vector<Map> maps_;
     std::vector<TableEncoding> encodings_;
-    std::string functions_, refusal_;
+    Form form_;
+    int freeVectors_ = 0;  ///< of uniforms, for lobes
+    std::string functions_, refusal_, lobeFunctions_, lobeRefusal_;
 };
 
 }  // namespace fbrdf::vtk

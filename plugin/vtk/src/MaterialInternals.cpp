@@ -2,6 +2,8 @@
 
 #include "FbrdfPass.h"
 
+#include <fbrdf/environment/LobeFit.h>
+
 #include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
@@ -10,6 +12,8 @@ void vtkFbrdfMaterial::Internals::replaceMaterial(const fbrdf::Material& value)
 {
     material = value;
     albedo = fbrdf::diffuseAlbedo(value);
+    lobes_ = value.lobes;
+    whyNoLobes_.clear();
     forgetMaps();
 }
 
@@ -27,7 +31,7 @@ void vtkFbrdfMaterial::Internals::forgetMaps()
     shaderTime.Modified();
 }
 
-const fbrdf::vtk::MapTextures& vtkFbrdfMaterial::Internals::mapsIn(vtkOpenGLRenderWindow& window)
+fbrdf::vtk::MapTextures& vtkFbrdfMaterial::Internals::mapsIn(vtkOpenGLRenderWindow& window)
 {
     for (auto& maps : maps_)
         if (maps->isIn(window)) return *maps;
@@ -43,6 +47,17 @@ std::vector<fbrdf::Vec3f> vtkFbrdfMaterial::Internals::exposedScales() const
     std::vector<fbrdf::Vec3f> scales = material->scales;
     for (fbrdf::Vec3f& scale : scales) scale *= exposure;
     return scales;
+}
+
+const fbrdf::LobeTable* vtkFbrdfMaterial::Internals::lobes(std::string& whyNot)
+{
+    if (lobes_.isEmpty() && whyNoLobes_.empty()) try {
+            lobes_ = fbrdf::fitLobes(*material);
+        } catch (const std::exception& error) {
+            whyNoLobes_ = error.what();
+        }
+    whyNot = whyNoLobes_;
+    return lobes_.isEmpty() ? nullptr : &lobes_;
 }
 
 std::string vtkFbrdfMaterial::Internals::title() const

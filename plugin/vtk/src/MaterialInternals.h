@@ -1,6 +1,7 @@
 // MaterialInternals.h - what vtkFbrdfMaterial knows of itself: shared by the class that users see
 // and the pass that draws.
 #pragma once
+#include "FbrdfPass.h"
 #include "MapTextures.h"
 
 #include <fbrdf/vtk/vtkFbrdfMaterial.h>
@@ -12,8 +13,6 @@
 #include <set>
 #include <string>
 #include <vector>
-
-class vtkFbrdfPass;
 
 class vtkFbrdfMaterial::Internals {
 public:
@@ -33,8 +32,11 @@ public:
     /// Textures are made again.
     void forgetMaps();
     /// Expects that there is a material. The window is current.
-    const fbrdf::vtk::MapTextures& mapsIn(vtkOpenGLRenderWindow& window);
+    fbrdf::vtk::MapTextures& mapsIn(vtkOpenGLRenderWindow& window);
     std::vector<fbrdf::Vec3f> exposedScales() const;
+    /// By which it reflects an environment: those of the file, else fitted when first asked for.
+    /// Null, with the reason, where that fails.
+    const fbrdf::LobeTable* lobes(std::string& whyNot);
     /// "'name', file", as far as there are such.
     std::string title() const;
     /// True for the first report of this kind since the material was set.
@@ -43,4 +45,6 @@ public:
 private:
     std::vector<std::unique_ptr<fbrdf::vtk::MapTextures>> maps_;
     std::set<std::string> reported_;
+    fbrdf::LobeTable lobes_;
+    std::string whyNoLobes_;
 };

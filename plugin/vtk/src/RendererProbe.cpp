@@ -1,11 +1,16 @@
 #include "RendererProbe.h"
 
+#include "EnvironmentTexture.h"
+#include "MaterialInternals.h"
+
 #include <vtkActor.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkTextureObject.h>
+
+#include <algorithm>
 
 namespace {
 
@@ -58,6 +63,17 @@ void vtkFbrdfRendererProbe::deactivateLater(vtkTextureObject& texture)
 void vtkFbrdfRendererProbe::Render(vtkRenderer* renderer)
 {
     renderer_ = renderer;
+    const bool isInEnvironment = vtkFbrdfEnvironmentTexture::isOn(*renderer);
+    if (isInEnvironment == isInEnvironment_) return;
+    isInEnvironment_ = isInEnvironment;
+    for (const auto& material : materials_)
+        if (material) material->GetInternals().shaderTime.Modified();
+}
+
+void vtkFbrdfRendererProbe::addMaterial(vtkFbrdfMaterial& material)
+{
+    if (std::find(materials_.begin(), materials_.end(), &material) == materials_.end())
+        materials_.emplace_back(&material);
 }
 
 void vtkFbrdfRendererProbe::PostRender(vtkRenderer*)

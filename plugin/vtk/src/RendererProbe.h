@@ -3,8 +3,11 @@
 // renderer before each draw. The probe is such a texture, without a picture: a cube map, as mappers
 // multiply 2D textures into the colour.
 #pragma once
+#include <fbrdf/vtk/vtkFbrdfMaterial.h>
+
 #include <vtkOpenGLTexture.h>
 #include <vtkSmartPointer.h>
+#include <vtkWeakPointer.h>
 
 #include <vector>
 
@@ -25,6 +28,9 @@ public:
     /// handed it: then it is one that shows the actor, in the window that is being drawn.
     static vtkOpenGLRenderer* rendererOf(vtkActor& actor);
 
+    /// Shaders of the material are written anew when an environment is switched on or off.
+    void addMaterial(vtkFbrdfMaterial& material);
+
     /// Frees the texture's unit after the draw.
     void deactivateLater(vtkTextureObject& texture);
 
@@ -39,4 +45,6 @@ protected:
 private:
     vtkRenderer* renderer_ = nullptr;  ///< only while an actor is drawn
     std::vector<vtkSmartPointer<vtkTextureObject>> active_;
+    std::vector<vtkWeakPointer<vtkFbrdfMaterial>> materials_;
+    bool isInEnvironment_ = false;  ///< the renderer of the last draw
 };

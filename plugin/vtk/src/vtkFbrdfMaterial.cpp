@@ -1,5 +1,6 @@
 #include <fbrdf/vtk/vtkFbrdfMaterial.h>
 
+#include "EnvironmentTexture.h"
 #include "FbrdfPass.h"
 #include "MaterialInternals.h"
 
@@ -169,6 +170,11 @@ vtkFbrdfMaterial* vtkFbrdfMaterial::Of(vtkActor* actor)
 {
     vtkFbrdfPass* const pass = actor ? vtkFbrdfPass::of(*actor) : nullptr;
     return pass ? pass->material() : nullptr;
+}
+
+void vtkFbrdfMaterial::SetEnvironmentFaceSize(vtkRenderer* renderer, int size)
+{
+    vtkFbrdfEnvironmentTexture::in(*renderer).setFaceSize(size);
 }
 
 const vtkFbrdfMaterial::Report& vtkFbrdfMaterial::LastReport() const

@@ -323,7 +323,7 @@ std::string radianceFunction(const FragmentContext& c)
 {
     return "vec3 fbrdfRadiance(vec3 fbrdfPosition, vec3 fbrdfNormal, vec4 fbrdfTangent, vec3 "
            "viewer)\n{\n" +
-           surfaceLines(c) + viewLines(c) + litBody(c) +
+           surfaceLines(c) + viewLines(c) + litBody(c) + lobeLines(c) +
            "    return total;\n}\n"
            "vec3 fbrdfRadiance(vec3 position, vec3 normal, vec3 tangent, vec3 viewer)\n{\n"
            "    return fbrdfRadiance(position, normal, vec4(tangent, 1.0), viewer);\n}\n";

@@ -121,6 +121,8 @@ std::string hostFunctions(const Form& form, const std::vector<TableEncoding>& en
     const std::string uniforms = uniformDeclarations(context);
     return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
                    "transfer.glsl"}) +
+           (hasLobes(context) ? joined({"lobes.glsl"}) : "") +
+           (hasAreaLights(context) ? joined({"lobe_frame.glsl", "area.glsl"}) : "") +
            filterFunctions(encodings) + uniforms + lights.vectors + lights.shadowHook +
            evaluateFunction(local) + radianceFunction(context);
 }
@@ -189,6 +191,7 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
 {
     ProgramSpec spec = wholeSpec(form, 1);
     spec.hosted = true;
+    spec.lobes = lights.lobes;
     return hostFunctions(form, encodings, spec, glsl, lights);
 }
 

@@ -5,10 +5,12 @@
 #include "support/gl/Scenes.h"
 
 #include <vtkCamera.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkMapper.h>
+#include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkSelection.h>
@@ -122,6 +124,20 @@ TEST_F(VtkPasses, AmbientOcclusion)
     // What is occluded depends on noise that VTK makes anew.
     EXPECT_GT(brightest(found), 60);
     EXPECT_EQ(found.size(), vtk.size());
+}
+
+TEST_F(VtkPasses, Glyphs)
+{
+    vtkNew<vtkPolyData> places;
+    vtkNew<vtkPoints> points;
+    for (const double x : {-0.6, 0.0, 0.6}) points->InsertNextPoint(x, 0.3 * x, 0.0);
+    places->SetPoints(points);
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputData(places);
+    mapper->SetSourceData(vtkMesh(sphereMesh(12)));
+    mapper->SetScaleFactor(0.35);
+    actors_[0]->SetMapper(mapper);
+    expectBothAlike("glyphs");
 }
 
 TEST_F(VtkPasses, EdgesVerticesAndLines)

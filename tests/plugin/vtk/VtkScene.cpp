@@ -3,6 +3,7 @@
 #include "support/gl/Gl.h"
 #include "support/gl/Scenes.h"
 
+#include <fbrdf/gl/Environment.h>
 #include <fbrdf/headless/Offscreen.h>
 
 #include <vtkCamera.h>
@@ -220,8 +221,15 @@ std::vector<float> VtkView::runtime(const Material& material, const gl::MeshData
     const auto gpuMesh = renderer.createMesh(mesh);
     Offscreen target(glxFunction, {size_, size_, OffscreenFormat::rgba32f, true});
     target.clear();
+    std::shared_ptr<gl::GpuEnvironment> map;
+    gl::DrawOptions options;
+    if (shown.environment) {
+        map = renderer.createEnvironment(*shown.environment, {shown.faceSize, false});
+        options.environment = {map.get(), shown.rotation};
+        renderer.prepare(*gpuMaterial, options, static_cast<int>(lights.size()));
+    }
     renderer.draw({target.framebuffer(), size_, size_, shown.transfer, shown.exposure}, view,
-                  {{gpuMaterial.get(), gpuMesh.get(), shown.place}}, lights);
+                  {{gpuMaterial.get(), gpuMesh.get(), shown.place}}, lights, options);
     return target.readPixels();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include "support/gl/CompareImages.h"
 
+#include <fbrdf/environment/Panorama.h>
 #include <fbrdf/gl/Renderer.h>
 #include <fbrdf/vtk/vtkFbrdfMaterial.h>
 
@@ -50,6 +51,9 @@ struct Shown {
     glm::mat4 place{1.0f};
     Transfer transfer = Transfer::linear;
     float exposure = 1.0f;
+    const Panorama* environment = nullptr;
+    int faceSize = 0;  ///< of its cube
+    glm::mat3 rotation{1.0f};
 };
 
 /// A window off screen without multisampling, with a black renderer that is not lit.

@@ -1,6 +1,8 @@
 // vtkFbrdfMaterial.h - a measured material for vtkActors. Actors that have it are drawn with it in
 // one pass, lit by every vtkLight of their renderer, of any kind and number, whether lights come or
-// go: no shader is written anew for them.
+// go: no shader is written anew for them. Where the renderer has UseImageBasedLighting on, its
+// environment texture lights them, too: by the lobes of the material file, or by those that are
+// fitted when they are first needed.
 //
 // A light counts as it does in VTK: a white Lambertian surface looks as a white vtkProperty of
 // diffuse coefficient 1 does. What is stored is radiance times exposure through the transfer; alpha
@@ -73,12 +75,19 @@ public:
     /// The material that the actor has; null where it has none.
     static vtkFbrdfMaterial* Of(vtkActor* actor);
 
+    /// Texels on a side of a face of the cube that materials look up of the renderer's environment:
+    /// a power of two from 8 on. 0, the default: 512, or 256 where a CPU draws.
+    static void SetEnvironmentFaceSize(vtkRenderer* renderer, int size);
+
     /// What the last draw of an actor did.
     struct Report {
         std::string technique;  ///< "single pass" or "diffuse fallback"; empty before
         std::string reason;     ///< why the fallback; empty otherwise
         int lightsUsed = 0;
         int lightsDropped = 0;  ///< lights with numbers that are not finite
+        /// Why the environment of the renderer does not light it; empty where it does, or there is
+        /// none.
+        std::string whyNoEnvironment = {};
     };
     const Report& LastReport() const;
 

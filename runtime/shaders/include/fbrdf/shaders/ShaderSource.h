@@ -123,6 +123,8 @@ struct HostLights {
     std::string vectors;
     /// "", or a shadow hook as in SurfaceInputs, whose `light` is i.
     std::string shadowHook = {};
+    /// Lobes that an environment lights, added to fbrdfRadiance; or area lights do, in eye space.
+    LobeShare lobes = {};
 };
 
 /// The same with the lights of the host, of which fbrdfLightCount is the number.
