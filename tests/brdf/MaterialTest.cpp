@@ -265,4 +265,16 @@ TEST(Material, RefusesWhatDoesNotFit)
     }
 }
 
+TEST(Material, TheDiffuseAlbedoOfALambertianIsItsOwn)
+{
+    constexpr float kPiF = static_cast<float>(kPi);
+    Material material = filled(formPqp(8, 0.5), Storage::half);
+    for (Table& table : material.tables) std::fill(table.texels.begin(), table.texels.end(), 0.0f);
+    material.scales = {Vec3f(0.25f, 0.5f, 2.0f) / kPiF};
+    const Vec3f albedo = diffuseAlbedo(material);
+    EXPECT_NEAR(albedo.x, 0.25f, 1e-5f);
+    EXPECT_NEAR(albedo.y, 0.5f, 1e-5f);
+    EXPECT_EQ(albedo.z, 1.0f) << "more than all light";
+}
+
 }  // namespace

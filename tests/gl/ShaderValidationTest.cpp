@@ -190,6 +190,22 @@ TEST_F(ShaderValidation, FunctionsAndListsOfEs)
     }
 }
 
+TEST_F(ShaderValidation, FunctionsWithLightsOfTheHost)
+{
+    const std::string host =
+        "uniform vec4 hostLights[64];\n"
+        "vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi)\n"
+        "{ wi = normalize(hostLights[light].xyz - position); return hostLights[light].www; }\n"
+        "void main() { gl_FragColor = vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, 0.0, 1.0), "
+        "vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n";
+    for (const Material& material : test::testMaterials()) {
+        const std::string text = materialFunctions(material.form, encodingsOf(material), 120, 0);
+        EXPECT_EQ(text.find("fbrdfLights"), std::string::npos);
+        EXPECT_EQ(validate(write("host.frag", "#version 120\n" + text + host)), 0) << material.name;
+        EXPECT_THROW(materialFunctions(material.form, encodingsOf(material), 100, 0), Error);
+    }
+}
+
 TEST_F(ShaderValidation, FunctionsThatSample)
 {
     const Material material = test::testMaterials().front();

@@ -111,6 +111,28 @@ Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi)
     return sum;
 }
 
+Vec3f diffuseAlbedo(const Material& material)
+{
+    // A grid of directions of light, even in cos^2 (so that each weighs the same under the cosine)
+    // and in azimuth. 16 x 16 is within a few percent of the integral for all but mirrors.
+    constexpr int kGrid = 16;
+    const Vec3f wo(std::sqrt(0.5f), 0.0f, std::sqrt(0.5f));
+    Vec3f sum(0.0f);
+    for (int i = 0; i < kGrid; ++i)
+        for (int j = 0; j < kGrid; ++j) {
+            const float square = (static_cast<float>(i) + 0.5f) / kGrid;
+            const float phi =
+                2.0f * static_cast<float>(kPi) * (static_cast<float>(j) + 0.5f) / kGrid;
+            const float sine = std::sqrt(1.0f - square);
+            sum += evaluate<float>(material, wo,
+                                   {sine * std::cos(phi), sine * std::sin(phi), std::sqrt(square)});
+        }
+    Vec3f albedo;
+    for (int c = 0; c < 3; ++c)
+        albedo[c] = std::clamp(sum[c] * static_cast<float>(kPi) / (kGrid * kGrid), 0.0f, 1.0f);
+    return albedo;
+}
+
 template Vec3<float> evaluate(const Material&, const Vec3<float>&, const Vec3<float>&);
 template Vec3<double> evaluate(const Material&, const Vec3<double>&, const Vec3<double>&);
 

@@ -91,10 +91,15 @@ std::string lightLines(const FragmentContext& c, const std::string& light,
     const bool local = needsLocalFrame(c);
     const std::string index =
         light == "0" ? light : std::to_string(kVectorsPerLight) + " * " + light;
-    std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(";
-    for (const char* const k : {"", " + 1", " + 2"})
-        text += (c.spec.clustered ? "texelFetch(fbrdfLightBuffer, " + index + k + "), "
-                                  : "fbrdfLights[" + index + k + "], ");
+    std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = ";
+    if (c.hostLights) {
+        text += "fbrdfHostLight(" + light + ", ";
+    } else {
+        text += "fbrdfIrradiance(";
+        for (const char* const k : {"", " + 1", " + 2"})
+            text += (c.spec.clustered ? "texelFetch(fbrdfLightBuffer, " + index + k + "), "
+                                      : "fbrdfLights[" + index + k + "], ");
+    }
     text += "fbrdfPosition, wi);\n";
     if (c.shadow) text += indent + "vec3 toLight = wi;\n";
     if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
@@ -262,7 +267,7 @@ std::string uniformDeclarations(const FragmentContext& c)
         lines.insert("uniform vec2 fbrdfReadScale;\n");
     }
     if (c.spec.gained) lines.insert("uniform float fbrdfGain;\n");
-    if (dependsOnLight(c) && !c.spec.clustered && c.spec.lobes.samples == 0)
+    if (dependsOnLight(c) && !c.spec.clustered && c.spec.lobes.samples == 0 && !c.hostLights)
         lines.insert("uniform vec4 fbrdfLights[" +
                      std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
     if (c.shadow && c.spec.lit && !c.spec.parts.empty())

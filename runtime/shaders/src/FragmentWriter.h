@@ -16,6 +16,7 @@ struct FragmentContext {
     bool packed = false;  ///< maps are in arrays, the rest in a buffer (PackedParameters.h)
     bool local = false;   ///< directions are given in the tangent frame even if the form needs none
     bool normalMap = false, shadow = false;  ///< see SurfaceInputs
+    bool hostLights = false;  ///< lights come from the host's function, see materialFunctions
 };
 
 std::string uniformDeclarations(const FragmentContext& context);

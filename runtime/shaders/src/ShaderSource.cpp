@@ -165,12 +165,20 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights)
 {
-    FBRDF_ASSERT(maxLights, >=, 1);
+    FBRDF_ASSERT(maxLights, >=, 0);
     checkVersion(glsl);
+    const bool hostLights = maxLights == 0;
+    if (hostLights && glsl == kGlslEs100)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("GLSL ES 1.00, whose loops have a constant number of steps")
+                        .expected("300 or newer for lights of the host"));
     const ProgramSpec spec = wholeSpec(form, maxLights);
-    const FragmentContext context{form, encodings, spec, glsl},
-        local{form, encodings, spec, glsl, false, true};
-    const std::string uniforms = uniformDeclarations(context);
+    FragmentContext context{form, encodings, spec, glsl};
+    context.hostLights = hostLights;
+    const FragmentContext local{form, encodings, spec, glsl, false, true};
+    const std::string uniforms =
+        uniformDeclarations(context) +
+        (hostLights ? "vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi);\n" : "");
     return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
                    "transfer.glsl"}) +
            filterFunctions(encodings) + uniforms + evaluateFunction(local) +

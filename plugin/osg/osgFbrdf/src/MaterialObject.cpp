@@ -2,40 +2,7 @@
 
 #include "MaterialStates.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace osgFbrdf {
-namespace {
-
-// Directions of light for the albedo: a grid even in cos^2 (so that each weighs the same under the
-// cosine) and in azimuth. 16 x 16 is within a few percent of the integral for all but mirrors.
-constexpr int kGrid = 16;
-
-osg::Vec3f albedoOf(const fbrdf::Material& material)
-{
-    // Seen at 45 degrees, between the brightest and the darkest view.
-    const fbrdf::Vec3f wo(std::sqrt(0.5f), 0.0f, std::sqrt(0.5f));
-    fbrdf::Vec3f sum(0.0f);
-    for (int i = 0; i < kGrid; ++i)
-        for (int j = 0; j < kGrid; ++j) {
-            const float square = (static_cast<float>(i) + 0.5f) / kGrid;
-            const float phi =
-                2.0f * static_cast<float>(fbrdf::kPi) * (static_cast<float>(j) + 0.5f) / kGrid;
-            const float sine = std::sqrt(1.0f - square);
-            sum += fbrdf::evaluate<float>(
-                material, wo, {sine * std::cos(phi), sine * std::sin(phi), std::sqrt(square)});
-        }
-    osg::Vec3f albedo;
-    for (int c = 0; c < 3; ++c) {
-        const float value = sum[c] * static_cast<float>(fbrdf::kPi) / (kGrid * kGrid);
-        albedo[c] = std::clamp(value, 0.0f, 1.0f);
-    }
-    return albedo;
-}
-
-}  // namespace
-
 MaterialObject::MaterialObject() = default;
 MaterialObject::~MaterialObject() = default;
 
@@ -44,7 +11,8 @@ MaterialObject::MaterialObject(const fbrdf::Material& material, const std::strin
 {
     fbrdf::validate(material_, fileName.empty() ? "material '" + material.name + "'" : fileName);
     setName(material.name);
-    albedo_ = albedoOf(material_);
+    const fbrdf::Vec3f albedo = fbrdf::diffuseAlbedo(material_);
+    albedo_.set(albedo.x, albedo.y, albedo.z);
     states_ = new MaterialStates(material_);
 }
 

@@ -108,7 +108,12 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
 ///   vec3 fbrdfRadiance(vec3 position, vec3 normal, vec4 tangent, vec3 viewer)
 ///       sum over the first fbrdfLightCount lights of f cos E, in the space of the lights; viewer
 ///       is unit, towards the eye; tangent.w: handedness, 1 where tangent is a vec3
-/// maxLights >= 1: lights that fit into fbrdfLights. Throws as fragmentSource.
+/// maxLights: lights that fit into fbrdfLights. 0: the host gives any number of them, by a function
+/// that it defines behind this text; there are no fbrdfLights then, and not in ES 1.00:
+///   vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi)
+///       irradiance on a surface that faces light `light` of fbrdfLightCount, shadows included; wi:
+///       unit, towards it
+/// Throws as fragmentSource.
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, int maxLights);
 

@@ -1,0 +1,60 @@
+// OgreHost.h - a program with OGRE, its shader generator and Plugin_Fbrdf, that draws to a float
+// texture.
+#pragma once
+#include <fbrdf/gl/Renderer.h>
+
+#include <Ogre.h>
+#include <OgreRTShaderSystem.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fbrdf::test {
+
+/// Lines that OGRE logs as warnings or errors.
+class LogLines : public Ogre::LogListener {
+public:
+    void messageLogged(const Ogre::String& message, Ogre::LogMessageLevel level, bool,
+                       const Ogre::String&, bool&) override;
+    std::vector<std::string> all, ours;  ///< ours: those of the plugin
+};
+
+class OgreHost {
+public:
+    /// renderSystem: "GL" or "GL3Plus". folder: resources of the group "General".
+    OgreHost(const std::string& renderSystem, const std::string& folder, int size);
+    ~OgreHost();
+
+    Ogre::Root& root() { return *root_; }
+    Ogre::SceneManager& scene() { return *scene_; }
+    Ogre::Camera& camera() { return *camera_; }
+    Ogre::Viewport& viewport() { return *viewport_; }
+    Ogre::RTShader::ShaderGenerator& generator();
+    LogLines& log() { return lines_; }
+
+    Ogre::MeshPtr addMesh(const std::string& name, const gl::MeshData& mesh);
+    /// An entity at the origin. material: a name, drawn by the shader generator.
+    Ogre::Entity* addEntity(const std::string& mesh, const std::string& material);
+    /// A material of OGRE by a script in the syntax of .material files.
+    void addScript(const std::string& text);
+    void setView(const gl::View& view);
+    Ogre::Light* addLight(const Light& light);
+
+    /// RGBA, bottom row first.
+    std::vector<float> picture();
+    /// Looks a GL function up in OGRE's context.
+    static void* load(void* user, const char* name);
+
+private:
+    LogLines lines_;
+    std::unique_ptr<Ogre::LogManager> logs_;
+    std::unique_ptr<Ogre::Root> root_;
+    Ogre::SceneManager* scene_ = nullptr;
+    Ogre::Camera* camera_ = nullptr;
+    Ogre::Viewport* viewport_ = nullptr;
+    Ogre::TexturePtr target_;
+    int size_;
+};
+
+}  // namespace fbrdf::test
