@@ -88,22 +88,26 @@ bool BrdfState::setParameter(const Ogre::String& name, const Ogre::String& value
 
 std::string BrdfState::whyNot(const Ogre::Pass& pass) const
 {
-    if (!material_->isGood()) return "no material";
+    if (!material_->isGood()) return material_->problem();
     if (!isGlsl())
-        return fbrdf::Found("shader language '" +
+        return options_.material + ": " +
+               fbrdf::Found("shader language '" +
                             shader::ShaderGenerator::getSingleton().getTargetLanguage() + "'")
-            .expected("glsl");
+                   .expected("glsl");
     const fbrdf::Capabilities has = capabilitiesOfRenderSystem();
-    if (!has.floatTextures) return fbrdf::Found("no float textures").expected("those for lights");
+    if (!has.floatTextures)
+        return options_.material + ": " +
+               fbrdf::Found("no float textures").expected("those for lights");
     int units = pass.getNumTextureUnitStates() + 1 + (options_.normalMap.empty() ? 0 : 1);
     for (const TableTexture& table : material_->tables()) units += table.texture ? 1 : 0;
     if (units > has.maxTextureUnits)
-        return "texture units: " + fbrdf::Found(std::to_string(has.maxTextureUnits))
-                                       .expected("at least " + std::to_string(units));
+        return options_.material + ": texture units: " +
+               fbrdf::Found(std::to_string(has.maxTextureUnits))
+                   .expected("at least " + std::to_string(units));
     try {
         fragmentText();
     } catch (const fbrdf::Error& error) {
-        return error.what();
+        return options_.material + ": " + error.what();
     }
     return "";
 }
@@ -112,24 +116,30 @@ bool BrdfState::preAddToRenderState(const shader::RenderState*, Ogre::Pass*, Ogr
 {
     const Ogre::Technique& technique = *pass->getParent();
     const Ogre::String name = materialNameOf(*pass), group = technique.getParent()->getGroup();
-    if (options_.material.empty()) {
-        warn("'" + name + "'", "diffuse fallback is drawn: no material");
-        return false;
+    std::string reason = "no material";
+    if (!options_.material.empty()) {
+        material_ = services_.materials.loaded(options_.material, group);
+        material_->addUser({technique.getSchemeName(), name, group});
+        reason = options_.diffuse ? "" : whyNot(*pass);
+        if (reason.empty() && !options_.diffuse) {
+            addTextures(*pass);
+            return true;
+        }
     }
-    material_ = services_.materials.loaded(options_.material, group);
-    material_->addUser({technique.getSchemeName(), name, group});
-    const std::string reason = options_.diffuse ? "" : whyNot(*pass);
-    if (reason.empty() && !options_.diffuse) {
-        addTextures(*pass);
-        return true;
-    }
-    if (!options_.diffuse)
-        warn("'" + name + "', " + options_.material, "diffuse fallback is drawn: " + reason);
-    const fbrdf::Vec3f albedo = material_->albedo() * options_.exposure;
-    pass->setDiffuse(albedo.x, albedo.y, albedo.z, pass->getDiffuse().a);
-    pass->setAmbient(albedo.x, albedo.y, albedo.z);
-    pass->setSpecular(0.0f, 0.0f, 0.0f, 0.0f);
+    const std::string line = "diffuse fallback is drawn: " + reason;
+    if (!reason.empty() && services_.warned.insert(name + line).second)
+        warn("'" + name + "'", line);
+    drawDiffuse(*pass);
     return false;
+}
+
+void BrdfState::drawDiffuse(Ogre::Pass& pass) const
+{
+    const fbrdf::Vec3f albedo =
+        (material_ ? material_->albedo() : fbrdf::Vec3f(0.5f)) * options_.exposure;
+    pass.setDiffuse(albedo.x, albedo.y, albedo.z, pass.getDiffuse().a);
+    pass.setAmbient(albedo.x, albedo.y, albedo.z);
+    pass.setSpecular(0.0f, 0.0f, 0.0f, 0.0f);
 }
 
 void BrdfState::addTextures(Ogre::Pass& pass)

@@ -8,6 +8,7 @@
 #include <OgreShaderSubRenderState.h>
 
 #include <map>
+#include <set>
 
 namespace ogreFbrdf {
 
@@ -23,6 +24,8 @@ struct Services {
     /// Programs that stay when OGRE makes its techniques anew, as it does whenever the number of
     /// lights in the view changes; their texts do not change with it.
     std::map<Ogre::String, Ogre::GpuProgramPtr> kept = {};
+    /// Lines that the log has: OGRE makes techniques anew often, and each is written once.
+    std::set<std::string> warned = {};
 };
 
 class BrdfState : public Ogre::RTShader::SubRenderState {
@@ -49,6 +52,7 @@ public:
 
 private:
     std::string whyNot(const Ogre::Pass& pass) const;
+    void drawDiffuse(Ogre::Pass& pass) const;
     void addTextures(Ogre::Pass& pass);
     std::string fragmentText() const;
     void addVertexStage(Ogre::RTShader::Function& vertex, Ogre::RTShader::Function& fragment,

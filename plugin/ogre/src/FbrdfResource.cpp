@@ -6,7 +6,6 @@
 #include <fbrdf/base/Found.h>
 #include <fbrdf/io/MaterialFile.h>
 
-#include <OgreLogManager.h>
 #include <OgreResourceGroupManager.h>
 #include <OgreShaderGenerator.h>
 #include <OgreTextureManager.h>
@@ -59,7 +58,8 @@ void FbrdfResource::loadImpl()
         read();
     } catch (const fbrdf::Error& error) {
         problem_ = error.what();
-        Ogre::LogManager::getSingleton().logWarning("ogreFbrdf: " + problem_);
+        // Without a material that stays, those who would draw it write the line.
+        if (hasMaterial_) warn("the last good material stays", problem_);
     }
     if (hasMaterial_) makeTables();
     for (const MaterialUser& user : users_)

@@ -18,8 +18,8 @@ struct MaterialUser {
     bool operator<(const MaterialUser& other) const;
 };
 
-/// Loading does not fail: what is wrong with the file is written to the log once, and is problem().
-/// A resource that was good before stays as it was.
+/// Loading does not fail: what is wrong with the file is problem(). A resource that was good before
+/// stays as it was, and the log says so.
 class FbrdfResource : public Ogre::Resource {
 public:
     FbrdfResource(Ogre::ResourceManager* manager, const Ogre::String& name,

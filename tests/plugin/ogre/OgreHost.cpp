@@ -71,8 +71,9 @@ void LogLines::messageLogged(const Ogre::String& message, Ogre::LogMessageLevel 
                              const Ogre::String&, bool&)
 {
     all.push_back(message);
-    if (level >= Ogre::LML_WARNING && message.find("ogreFbrdf: ") != std::string::npos)
-        ours.push_back(message);
+    const size_t start = message.find("ogreFbrdf: ");  // OGRE puts "Warning: " before it
+    if (level >= Ogre::LML_WARNING && start != std::string::npos)
+        ours.push_back(message.substr(start));
 }
 
 OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, int size)

@@ -29,6 +29,11 @@ void OgreTest::addMaterial(const std::string& name, const Material& material,
                            const std::string& options)
 {
     writeMaterial(material, file(name + ".fbrdf"));
+    addScriptOf(name, options);
+}
+
+void OgreTest::addScriptOf(const std::string& name, const std::string& options)
+{
     // OGRE lists the files of a folder when it is added.
     auto& groups = Ogre::ResourceGroupManager::getSingleton();
     groups.removeResourceLocation(folder(), "General");

@@ -27,6 +27,8 @@ protected:
     /// Writes the material to NAME.fbrdf, and makes OGRE's material NAME with it and the options.
     void addMaterial(const std::string& name, const Material& material,
                      const std::string& options = "");
+    /// Makes OGRE's material NAME with what is in NAME.fbrdf.
+    void addScriptOf(const std::string& name, const std::string& options = "");
     /// The plugin's lines in the log since the last call.
     std::vector<std::string> takeLog();
     /// What the runtime draws in the same context.
