@@ -8,6 +8,8 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 
+#include <OgreRenderSystem.h>
+#include <OgreRoot.h>
 #include <OgreSceneManager.h>
 #include <OgreShaderFFPRenderState.h>
 #include <OgreShaderFunction.h>
@@ -49,6 +51,14 @@ void addTexture(Ogre::Pass& pass, const Ogre::TexturePtr& texture, Ogre::FilterO
     unit->setTexture(texture);
     unit->setTextureAddressingMode(Ogre::TextureUnitState::TAM_CLAMP);
     unit->setTextureFiltering(filter, filter, Ogre::FO_NONE);
+}
+
+/// OGRE has bound the textures of a pass before it asks for the pass's uniforms.
+void bindAgain(const Ogre::Pass& pass)
+{
+    Ogre::RenderSystem* system = Ogre::Root::getSingleton().getRenderSystem();
+    for (size_t unit = 0; unit < pass.getNumTextureUnitStates(); ++unit)
+        system->_setTexture(unit, true, pass.getTextureUnitStates()[unit]->_getTexturePtr());
 }
 
 }  // namespace
@@ -246,10 +256,11 @@ void BrdfState::updateGpuProgramsParams(Ogre::Renderable* renderable, const Ogre
     Ogre::SceneManager* scene = shader::ShaderGenerator::getSingleton().getActiveSceneManager();
     const Ogre::Camera* camera = source->getCurrentCamera();
     if (!scene || !camera || !material_) return;
-    services_.lights.use(*scene, *camera);
+    if (!material_->isLoaded()) material_->load();
+    if (services_.lights.use(*scene, *camera)) bindAgain(*pass);
     const ObjectConstants constants =
         objectConstants(lights ? *lights : renderable->getLights(), services_.lights, *pass,
-                        *camera, scene->isShadowTechniqueTextureBased());
+                        scene->isShadowTechniqueTextureBased());
     if (areMaterialConstantsSet_ && constants == last_) return;
     if (!areMaterialConstantsSet_) {
         setMaterialConstants(*pass, *material_, options_, units_);

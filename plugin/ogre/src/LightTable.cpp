@@ -5,6 +5,7 @@
 #include "Matrices.h"
 
 #include <fbrdf/base/Found.h>
+#include <fbrdf/shaders/ShaderSource.h>
 
 #include <OgreCamera.h>
 #include <OgreHardwarePixelBuffer.h>
@@ -26,13 +27,16 @@ const Ogre::TexturePtr& LightTable::texture()
     return texture_;
 }
 
-void LightTable::use(Ogre::SceneManager& scene, const Ogre::Camera& camera)
+bool LightTable::use(Ogre::SceneManager& scene, const Ogre::Camera& camera)
 {
     if (scenes_.insert(&scene).second) scene.addListener(this);
-    if (!isStale_ && camera_ == &camera) return;
+    if (!isStale_ && camera_ == &camera) return false;
     write(scene._getLightsAffectingFrustum(), camera);
+    eye_ = glm::vec4(fbrdf::eyeFromProjection(
+        glm::dmat4(matrixOf(Ogre::Matrix4(camera.getProjectionMatrix())))));
     camera_ = &camera;
     isStale_ = false;
+    return true;
 }
 
 void LightTable::write(const Ogre::LightList& lights, const Ogre::Camera& camera)

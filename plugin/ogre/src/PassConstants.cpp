@@ -1,8 +1,5 @@
 #include "PassConstants.h"
 
-#include "Matrices.h"
-
-#include <OgreCamera.h>
 #include <OgreGpuProgramParams.h>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -25,7 +22,7 @@ bool ObjectConstants::operator==(const ObjectConstants& other) const
 }
 
 ObjectConstants objectConstants(const Ogre::LightList& lights, const LightTable& table,
-                                const Ogre::Pass& pass, const Ogre::Camera& camera, bool hasShadows)
+                                const Ogre::Pass& pass, bool hasShadows)
 {
     ObjectConstants result;
     const int count = static_cast<int>(lights.size());
@@ -41,8 +38,7 @@ ObjectConstants objectConstants(const Ogre::LightList& lights, const LightTable&
     // The first light of the list is the one whose shadow maps a pass has.
     if (hasShadows && !lights.empty() && lights.front()->getCastShadows())
         result.shadowedLight = isListed ? 0 : table.rowOf(lights.front());
-    result.eye = glm::vec4(fbrdf::eyeFromProjection(
-        glm::dmat4(matrixOf(Ogre::Matrix4(camera.getProjectionMatrix())))));
+    result.eye = table.eye();
     const Ogre::ColourValue& emission = pass.getSelfIllumination();
     result.emitted = {emission.r, emission.g, emission.b, pass.getDiffuse().a};
     return result;

@@ -32,8 +32,7 @@ struct ObjectConstants {
 };
 
 ObjectConstants objectConstants(const Ogre::LightList& lights, const LightTable& table,
-                                const Ogre::Pass& pass, const Ogre::Camera& camera,
-                                bool hasShadows);
+                                const Ogre::Pass& pass, bool hasShadows);
 void setMaterialConstants(const Ogre::Pass& pass, const FbrdfResource& material,
                           const BrdfOptions& options, const PassUnits& units);
 void setObjectConstants(const Ogre::Pass& pass, const ObjectConstants& constants);

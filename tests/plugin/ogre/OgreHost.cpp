@@ -76,6 +76,21 @@ void LogLines::messageLogged(const Ogre::String& message, Ogre::LogMessageLevel 
         ours.push_back(message.substr(start));
 }
 
+Ogre::Technique* MakesTechniques::handleSchemeNotFound(unsigned short, const Ogre::String& scheme,
+                                                       Ogre::Material* material, unsigned short,
+                                                       const Ogre::Renderable*)
+{
+    auto& generator = ShaderGenerator::getSingleton();
+    if (scheme != ShaderGenerator::DEFAULT_SCHEME_NAME ||
+        !generator.createShaderBasedTechnique(*material, Ogre::MaterialManager::DEFAULT_SCHEME_NAME,
+                                              scheme))
+        return nullptr;
+    generator.validateMaterial(scheme, material->getName(), material->getGroup());
+    for (Ogre::Technique* technique : material->getTechniques())
+        if (technique->getSchemeName() == scheme) return technique;
+    return nullptr;
+}
+
 OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, int size)
     : logs_(new Ogre::LogManager), size_(size)
 {
@@ -91,6 +106,7 @@ OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, i
     addMedia();
     Ogre::ResourceGroupManager::getSingleton().addResourceLocation(folder, "FileSystem", kGroup);
     ShaderGenerator::initialize();
+    Ogre::MaterialManager::getSingleton().addListener(&techniques_);
     Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
     scene_ = root_->createSceneManager();
     generator().addSceneManager(scene_);
@@ -112,6 +128,7 @@ OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, i
 OgreHost::~OgreHost()
 {
     target_.reset();
+    Ogre::MaterialManager::getSingleton().removeListener(&techniques_);
     if (ShaderGenerator::getSingletonPtr()) ShaderGenerator::destroy();
     root_.reset();
     logs_->getDefaultLog()->removeListener(&lines_);
@@ -147,9 +164,6 @@ Ogre::Entity* OgreHost::addEntity(const std::string& mesh, const std::string& ma
 {
     Ogre::Entity* entity = scene_->createEntity(mesh);
     entity->setMaterialName(material, kGroup);
-    generator().createShaderBasedTechnique(
-        *Ogre::MaterialManager::getSingleton().getByName(material, kGroup),
-        Ogre::MaterialManager::DEFAULT_SCHEME_NAME, ShaderGenerator::DEFAULT_SCHEME_NAME);
     scene_->getRootSceneNode()->createChildSceneNode()->attachObject(entity);
     return entity;
 }

@@ -20,6 +20,14 @@ public:
     std::vector<std::string> all, ours;  ///< ours: those of the plugin
 };
 
+/// Makes a technique of the shader generator for every material that has none, as OgreBites does.
+class MakesTechniques : public Ogre::MaterialManager::Listener {
+public:
+    Ogre::Technique* handleSchemeNotFound(unsigned short index, const Ogre::String& scheme,
+                                          Ogre::Material* material, unsigned short lod,
+                                          const Ogre::Renderable* renderable) override;
+};
+
 class OgreHost {
 public:
     /// renderSystem: "GL" or "GL3Plus". folder: resources of the group "General".
@@ -48,6 +56,7 @@ public:
 
 private:
     LogLines lines_;
+    MakesTechniques techniques_;
     std::unique_ptr<Ogre::LogManager> logs_;
     std::unique_ptr<Ogre::Root> root_;
     Ogre::SceneManager* scene_ = nullptr;

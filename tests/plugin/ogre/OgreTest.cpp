@@ -52,7 +52,7 @@ std::vector<std::string> OgreTest::takeLog()
 
 std::vector<float> OgreTest::runtimePicture(const Material& material, const gl::MeshData& mesh,
                                             const std::vector<Light>& lights, const gl::View& view,
-                                            const glm::mat4& model)
+                                            const glm::mat4& model, uint32_t normalMap)
 {
     gl::RendererOptions options;
     options.load = OgreHost::load;
@@ -70,6 +70,7 @@ std::vector<float> OgreTest::runtimePicture(const Material& material, const gl::
     item.material = gpuMaterial.get();
     item.mesh = gpuMesh.get();
     item.model = model;
+    item.normalMap = normalMap;
     renderer.draw(target, view, {item}, lights);
     return offscreen.readPixels();
 }

@@ -34,7 +34,8 @@ protected:
     /// What the runtime draws in the same context.
     std::vector<float> runtimePicture(const Material& material, const gl::MeshData& mesh,
                                       const std::vector<Light>& lights, const gl::View& view,
-                                      const glm::mat4& model = glm::mat4(1.0f));
+                                      const glm::mat4& model = glm::mat4(1.0f),
+                                      uint32_t normalMap = 0);
     GladGLContext gl{};
 
 private:

@@ -96,7 +96,7 @@ TEST_P(OgreResources, AfterABadFileTheLastGoodMaterialStays)
         << lines[0];
 }
 
-TEST_P(OgreResources, AGroupCanBeUnloadedAndLoaded)
+TEST_P(OgreResources, WhatIsUnloadedComesBack)
 {
     addMaterial("m", testMaterials()[0]);
     host().addEntity("sphere", "m");
@@ -105,6 +105,13 @@ TEST_P(OgreResources, AGroupCanBeUnloadedAndLoaded)
     EXPECT_FALSE(resource("m.fbrdf")->isLoaded());
     resource("m.fbrdf")->load();
     expectRuntimes(testMaterials()[0]);
+    // Both, as the unloading of a group does it; the material of OGRE loads itself when it is
+    // drawn.
+    Ogre::MaterialManager::getSingleton().getByName("m")->unload();
+    resource("m.fbrdf")->unload();
+    host().picture();
+    expectRuntimes(testMaterials()[0]);
+    EXPECT_TRUE(resource("m.fbrdf")->isLoaded());
 }
 
 TEST_P(OgreResources, MaterialsThatShareAFileShareItsTexturesAndProgram)

@@ -1,5 +1,7 @@
 #include "XServer.h"
 
+#include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +18,11 @@ XServer::XServer()
     if (pipe(ends) != 0) throw std::runtime_error("Xvfb: found no pipe");
     process_ = fork();
     if (process_ == 0) {
+        // A test that crashes takes its server along, which must not keep the test's output open.
+        prctl(PR_SET_PDEATHSIG, SIGTERM);
+        const int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDOUT_FILENO);
+        dup2(nowhere, STDERR_FILENO);
         const std::string number = std::to_string(ends[1]);
         close(ends[0]);
         execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24",
