@@ -10,8 +10,8 @@
 namespace ogreFbrdf {
 namespace {
 
-/// A cosine that stands for "no cone".
-constexpr float kNoCone = -2.0f;
+/// Cosines that stand for "no cone", and for that with 1 / r^2.
+constexpr float kNoCone = -2.0f, kInverseSquare = -3.0f;
 /// An edge of a cone is at least this wide in cosine, so that it stays finite.
 constexpr double kNarrowestEdge = 1e-6;
 
@@ -60,7 +60,10 @@ LightRow lightRow(const Ogre::Light& light, const glm::dmat4& toEye)
         row[0] = glm::vec4(glm::vec3(place), light.getAttenuationRange());
         row[2] = glm::vec4(light.getAttenuationConstant(), light.getAttenuationLinear(),
                            light.getAttenuationQuadric(), 0.0f);
-        if (light.getType() == Ogre::Light::LT_SPOTLIGHT) setCone(row, light, toEye);
+        if (light.getType() == Ogre::Light::LT_SPOTLIGHT)
+            setCone(row, light, toEye);
+        else if (row[2].x == 0.0f && row[2].y == 0.0f && row[2].z > 0.0f)
+            row[1] = glm::vec4(glm::vec3(row[1]) / row[2].z, kInverseSquare);
         // A range of 0 would read as a directional light.
         if (!(row[0].w > 0.0f)) row = {};
     }

@@ -199,15 +199,6 @@ TEST_P(OgreEngine, AShadowDimsItsOwnLightAlone)
     std::vector<float> sum = one;
     for (size_t i = 0; i < sum.size(); ++i)
         if (i % 4 < 3) sum[i] += other[i];
-        for (auto* pp : {&one, &other, &both}) {
-            FILE* f = fopen(pp == &one     ? "/tmp/w/one.raw"
-                            : pp == &other ? "/tmp/w/other.raw"
-                                           : "/tmp/w/both.raw",
-                            "wb");
-            fwrite(pp->data(), 4, pp->size(), f);
-            fclose(f);
-        }
-    }
     EXPECT_LT(largestDifference(both, sum), kSame);
 }
 

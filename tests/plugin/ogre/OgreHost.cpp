@@ -208,9 +208,14 @@ Ogre::Light* OgreHost::addLight(const Light& light)
     return result;
 }
 
-std::vector<float> OgreHost::picture()
+void OgreHost::draw()
 {
     target_->getBuffer()->getRenderTarget()->update();
+}
+
+std::vector<float> OgreHost::picture()
+{
+    draw();
     const auto side = static_cast<Ogre::uint32>(size_);
     std::vector<float> top(4 * side * side);
     target_->getBuffer()->blitToMemory(

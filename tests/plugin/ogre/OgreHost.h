@@ -49,7 +49,9 @@ public:
     void setView(const gl::View& view);
     Ogre::Light* addLight(const Light& light);
 
-    /// RGBA, bottom row first.
+    /// Culls and draws.
+    void draw();
+    /// Draws. RGBA, bottom row first.
     std::vector<float> picture();
     /// Looks a GL function up in OGRE's context.
     static void* load(void* user, const char* name);
