@@ -70,10 +70,18 @@ Ogre::HardwareVertexBufferSharedPtr vertexBuffer(Ogre::VertexDeclaration& declar
 void LogLines::messageLogged(const Ogre::String& message, Ogre::LogMessageLevel level, bool,
                              const Ogre::String&, bool&)
 {
-    all.push_back(message);
     const size_t start = message.find("ogreFbrdf: ");  // OGRE puts "Warning: " before it
-    if (level >= Ogre::LML_WARNING && start != std::string::npos)
-        ours.push_back(message.substr(start));
+    if (level < Ogre::LML_WARNING || start == std::string::npos) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    lines_.push_back(message.substr(start));
+}
+
+std::vector<std::string> LogLines::take()
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<std::string> lines;
+    lines.swap(lines_);
+    return lines;
 }
 
 Ogre::Technique* MakesTechniques::handleSchemeNotFound(unsigned short, const Ogre::String& scheme,

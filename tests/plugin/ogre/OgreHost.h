@@ -7,17 +7,23 @@
 #include <OgreRTShaderSystem.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 namespace fbrdf::test {
 
-/// Lines that OGRE logs as warnings or errors.
+/// The plugin's warnings in OGRE's log, to which threads of OGRE write too.
 class LogLines : public Ogre::LogListener {
 public:
     void messageLogged(const Ogre::String& message, Ogre::LogMessageLevel level, bool,
                        const Ogre::String&, bool&) override;
-    std::vector<std::string> all, ours;  ///< ours: those of the plugin
+    /// Those since the last call.
+    std::vector<std::string> take();
+
+private:
+    std::mutex mutex_;
+    std::vector<std::string> lines_;
 };
 
 /// Makes a technique of the shader generator for every material that has none, as OgreBites does.

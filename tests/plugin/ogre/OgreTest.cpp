@@ -20,7 +20,7 @@ void OgreTest::TearDown()
 {
     if (!host_) return;
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-    for (const std::string& line : host_->log().ours) ADD_FAILURE() << line;
+    for (const std::string& line : takeLog()) ADD_FAILURE() << line;
     host_.reset();
     server_.reset();
 }
@@ -45,9 +45,7 @@ void OgreTest::addScriptOf(const std::string& name, const std::string& options)
 
 std::vector<std::string> OgreTest::takeLog()
 {
-    std::vector<std::string> lines;
-    lines.swap(host_->log().ours);
-    return lines;
+    return host_->log().take();
 }
 
 std::vector<float> OgreTest::runtimePicture(const Material& material, const gl::MeshData& mesh,

@@ -1,7 +1,11 @@
 // Materials in scripts of OGRE: how they are written, saved and read again, and what is wrong.
 #include "OgreTest.h"
 
+#include "support/FileBytes.h"
+
 #include <fbrdf/io/MaterialFile.h>
+
+#include <sstream>
 
 namespace fbrdf::test {
 namespace {
@@ -112,6 +116,34 @@ TEST_P(OgreScripts, BadOptionsAreRefusedAndTheRestIsDrawn)
     ASSERT_EQ(lines.size(), 4u);
     for (size_t i = 0; i < 4; ++i)
         EXPECT_EQ(lines[i], std::string("ogreFbrdf: plain.fbrdf: ") + words[i]);
+}
+
+/// The first block of the page between ``` and the word after it, and ```.
+std::string blockOf(const std::string& page, const std::string& kind)
+{
+    const std::string head = "\n```" + kind + "\n";
+    const size_t begin = page.find(head) + head.size();
+    return page.substr(begin, page.find("```", begin) - begin);
+}
+
+TEST_P(OgreScripts, ThePageOfTheDocumentationIsRight)
+{
+    const std::string page = fileBytes("docs/ogre.md");
+    const std::string script = blockOf(page, "");
+    ASSERT_EQ(script.find("material gold\n"), 0u);
+    writeMaterial(everythingMaterial(), file("gold.fbrdf"));
+    host().addScript(script);
+    addMaterial("same", everythingMaterial(), "exposure 2 transfer tone-map");
+    expectSame(drawn("gold"), drawn("same"));
+    // Its C++ is that of the example.
+    const std::string example = fileBytes("plugin/ogre/example/main.cpp");
+    std::istringstream lines(blockOf(page, "cpp"));
+    size_t at = 0, count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {
+        at = example.find(line, at);
+        ASSERT_NE(at, std::string::npos) << line;
+    }
+    EXPECT_EQ(count, 7u);
 }
 
 }  // namespace
