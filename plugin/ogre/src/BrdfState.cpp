@@ -122,7 +122,8 @@ std::string BrdfState::whyNot(const Ogre::Pass& pass) const
     return "";
 }
 
-bool BrdfState::preAddToRenderState(const shader::RenderState*, Ogre::Pass*, Ogre::Pass* pass)
+bool BrdfState::preAddToRenderState(const shader::RenderState*, Ogre::Pass* sourcePass,
+                                    Ogre::Pass* pass)
 {
     const Ogre::Technique& technique = *pass->getParent();
     const Ogre::String name = materialNameOf(*pass), group = technique.getParent()->getGroup();
@@ -140,6 +141,8 @@ bool BrdfState::preAddToRenderState(const shader::RenderState*, Ogre::Pass*, Ogr
     if (!reason.empty() && services_.warned.insert(name + line).second)
         warn("'" + name + "'", line);
     drawDiffuse(*pass);
+    // Without shaders OGRE draws the pass that this one was made of.
+    if (!isGlsl()) drawDiffuse(*sourcePass);
     return false;
 }
 

@@ -18,18 +18,14 @@ namespace {
 /// The bytes of a resource. Throws fbrdf::Error where there are none.
 std::string bytesOf(const Ogre::String& name, const Ogre::String& group, Ogre::Resource* resource)
 {
-    std::string problem;
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
     try {
-        return Ogre::ResourceGroupManager::getSingleton()
-            .openResource(name, group, resource)
-            ->getAsString();
-    } catch (const Ogre::FileNotFoundException&) {
-        problem = fbrdf::Found("no such file").expected("a material");
-    } catch (const Ogre::Exception& error) {
-        problem = fbrdf::Found("a file that cannot be read, " + error.getDescription())
-                      .expected("a material");
+        return groups.openResource(name, group, resource)->getAsString();
+    } catch (const Ogre::Exception&) {
+        const bool isListed = groups.resourceExistsInAnyGroup(name);
+        const fbrdf::Found found(isListed ? "a file that cannot be read" : "no such file");
+        throw fbrdf::Error(fbrdf::ErrorKind::input, name, found.expected("a material"));
     }
-    throw fbrdf::Error(fbrdf::ErrorKind::input, name, problem);
 }
 
 }  // namespace

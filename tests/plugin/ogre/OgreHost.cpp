@@ -94,7 +94,8 @@ Ogre::Technique* MakesTechniques::handleSchemeNotFound(unsigned short, const Ogr
                                               scheme))
         return nullptr;
     generator.validateMaterial(scheme, material->getName(), material->getGroup());
-    for (Ogre::Technique* technique : material->getTechniques())
+    material->compile();
+    for (Ogre::Technique* technique : material->getSupportedTechniques())
         if (technique->getSchemeName() == scheme) return technique;
     return nullptr;
 }

@@ -137,6 +137,18 @@ TEST_P(OgreResources, AMissingFileIsNamedAndADiffuseModelDrawn)
                                        "found no such file, expected a material"});
 }
 
+TEST_P(OgreResources, AFileThatCannotBeReadIsNamedAndADiffuseModelDrawn)
+{
+    addMaterial("m", testMaterials()[0]);
+    std::filesystem::remove(file("m.fbrdf"));  // OGRE has listed it
+    const auto expected = diffuse(Vec3f(0.5f));
+    host().addEntity("sphere", "m");
+    expectSame(host().picture(), expected);
+    EXPECT_EQ(takeLog(),
+              std::vector<std::string>{"ogreFbrdf: 'm': diffuse fallback is drawn: m.fbrdf: found "
+                                       "a file that cannot be read, expected a material"});
+}
+
 TEST_P(OgreResources, ABrokenFileIsNamedAndADiffuseModelDrawn)
 {
     const std::string whole = materialFileBytes(testMaterials()[0]);
@@ -184,6 +196,24 @@ TEST_P(OgreResources, TheFallbackCanBeAskedFor)
     const auto expected = diffuse(diffuseAlbedo(material));
     host().addEntity("sphere", "m");
     expectSame(host().picture(), expected);
+}
+
+// GL3Plus draws nothing at all without GLSL.
+class OgreWithoutGlsl : public OgreResources {};
+INSTANTIATE_TEST_SUITE_P(Systems, OgreWithoutGlsl, ::testing::Values("GL"), systemName);
+
+TEST_P(OgreWithoutGlsl, TheAlbedoIsDrawnByFixedFunction)
+{
+    const Material material = testMaterials()[0];
+    host().generator().setTargetLanguage("hlsl");
+    addMaterial("m", material);
+    const auto expected = diffuse(diffuseAlbedo(material));
+    host().addEntity("sphere", "m");
+    expectSame(host().picture(), expected);
+    EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 0.1f);
+    EXPECT_EQ(takeLog(),
+              std::vector<std::string>{"ogreFbrdf: 'm': diffuse fallback is drawn: m.fbrdf: found "
+                                       "shader language 'hlsl', expected glsl"});
 }
 
 }  // namespace
