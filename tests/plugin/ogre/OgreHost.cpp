@@ -100,14 +100,15 @@ Ogre::Technique* MakesTechniques::handleSchemeNotFound(unsigned short, const Ogr
     return nullptr;
 }
 
-OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, int size)
+OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, int size,
+                   bool isLate)
     : logs_(new Ogre::LogManager), size_(size)
 {
     logs_->createLog(folder + "/ogre.log", true, false, false)->addListener(&lines_);
     root_ = std::make_unique<Ogre::Root>("", "", "");
     root_->loadPlugin(std::string(FBRDF_OGRE_PLUGINS) + "/RenderSystem_" + renderSystem);
     root_->loadPlugin(std::string(FBRDF_OGRE_PLUGINS) + "/Codec_STBI");
-    root_->loadPlugin(FBRDF_OGRE_PLUGIN);
+    if (!isLate) root_->loadPlugin(pluginFile());
     root_->setRenderSystem(root_->getAvailableRenderers().front());
     root_->initialise(false);
     Ogre::NameValuePairList window{{"hidden", "true"}, {"vsync", "false"}};
@@ -132,6 +133,12 @@ OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, i
     viewport_->setBackgroundColour(Ogre::ColourValue(0.0f, 0.0f, 0.0f, 0.0f));
     viewport_->setOverlaysEnabled(false);
     viewport_->setMaterialScheme(ShaderGenerator::DEFAULT_SCHEME_NAME);
+    if (isLate) root_->loadPlugin(pluginFile());
+}
+
+const char* OgreHost::pluginFile()
+{
+    return FBRDF_OGRE_PLUGIN;
 }
 
 OgreHost::~OgreHost()

@@ -36,8 +36,10 @@ public:
 
 class OgreHost {
 public:
-    /// renderSystem: "GL" or "GL3Plus". folder: resources of the group "General".
-    OgreHost(const std::string& renderSystem, const std::string& folder, int size);
+    /// renderSystem: "GL" or "GL3Plus". folder: resources of the group "General". isLate: the
+    /// plugin is loaded when everything else is there.
+    OgreHost(const std::string& renderSystem, const std::string& folder, int size,
+             bool isLate = false);
     ~OgreHost();
 
     Ogre::Root& root() { return *root_; }
@@ -46,6 +48,7 @@ public:
     Ogre::Viewport& viewport() { return *viewport_; }
     Ogre::RTShader::ShaderGenerator& generator();
     LogLines& log() { return lines_; }
+    static const char* pluginFile();
 
     Ogre::MeshPtr addMesh(const std::string& name, const gl::MeshData& mesh);
     /// An entity at the origin. material: a name, drawn by the shader generator.

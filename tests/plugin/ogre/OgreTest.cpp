@@ -7,10 +7,10 @@
 
 namespace fbrdf::test {
 
-void OgreTest::SetUp()
+void OgreTest::start(bool isLate)
 {
     server_ = std::make_unique<XServer>();
-    host_ = std::make_unique<OgreHost>(GetParam(), folder(), kOgrePicture);
+    host_ = std::make_unique<OgreHost>(GetParam(), folder(), kOgrePicture, isLate);
     gl = loadGl(OgreHost::load);
     while (gl.GetError() != GL_NO_ERROR) {
     }  // those of OGRE's start are not ours

@@ -17,7 +17,8 @@ constexpr int kOgrePicture = 64;
 
 class OgreTest : public ::testing::TestWithParam<const char*> {
 protected:
-    void SetUp() override;
+    void SetUp() override { start(false); }
+    void start(bool isLate);
     /// Fails on GL errors, and on lines of the plugin in the log that no test has taken.
     void TearDown() override;
 

@@ -110,5 +110,24 @@ TEST_P(OgrePictures, ObjectsMoveScaleAndMirror)
     EXPECT_TRUE(isRuntimes(d)) << describe(d);
 }
 
+class LatePlugin : public OgrePictures {
+protected:
+    void SetUp() override { start(true); }
+};
+FBRDF_ON_BOTH_SYSTEMS(LatePlugin);
+
+TEST_P(LatePlugin, ComesAndGoesWhileOgreRuns)
+{
+    const gl::MeshData mesh = sphereMesh(24);
+    show(testMaterials()[0], mesh, perspectiveView());
+    addLights(9);
+    compare(testMaterials()[0], mesh, perspectiveView());
+    host().root().unloadPlugin(OgreHost::pluginFile());
+    host().picture();  // by OGRE's own lighting
+    host().root().loadPlugin(OgreHost::pluginFile());
+    show(testMaterials()[0], mesh, perspectiveView());
+    compare(testMaterials()[0], mesh, perspectiveView());
+}
+
 }  // namespace
 }  // namespace fbrdf::test
