@@ -221,6 +221,53 @@ TEST_P(OgreEngine, TexturesOfThePassTint)
     for (size_t i = 2; i < ours.size(); i += 4) ASSERT_EQ(ours[i], 0.0f);
 }
 
+TEST_P(OgreEngine, EmissionAndAlphaAreOgres)
+{
+    light(Ogre::Light::LT_DIRECTIONAL, {2.0f, 3.0f, 1.0f}, 0.7f);
+    host().viewport().setBackgroundColour(Ogre::ColourValue(0.1f, 0.3f, 0.2f, 1.0f));
+    const auto opaque = drawn("ours");
+    for (const char* name : {"ours", "theirs"}) {
+        Ogre::Pass* pass =
+            Ogre::MaterialManager::getSingleton().getByName(name)->getTechnique(0)->getPass(0);
+        pass->setSelfIllumination(0.1f, 0.0f, 0.05f);
+        Ogre::ColourValue diffuse = pass->getDiffuse();
+        diffuse.a = 0.5f;
+        pass->setDiffuse(diffuse);
+        pass->setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
+        host().generator().invalidateMaterial(Ogre::RTShader::ShaderGenerator::DEFAULT_SCHEME_NAME,
+                                              name, "General");
+    }
+    expectOursAsTheirs();
+    EXPECT_GT(largestDifference(drawn("ours"), opaque), 0.1);
+}
+
+TEST_P(OgreEngine, ViewsOfOneFrameSeeTheirOwnLights)
+{
+    light(Ogre::Light::LT_POINT, {0.0f, 2.0f, 2.0f}, 1.0f)->setAttenuation(9.0f, 1.0f, 0.1f, 0.1f);
+    host().addEntity("sphere", "ours");
+    const auto alone = host().picture();
+    // Another camera draws into half of the target, before and after the first.
+    Ogre::Camera* other = host().scene().createCamera("other");
+    Ogre::SceneNode* node = host().scene().getRootSceneNode()->createChildSceneNode();
+    node->attachObject(other);
+    node->setPosition(3.0f, -1.0f, 2.0f);
+    node->lookAt(Ogre::Vector3::ZERO, Ogre::Node::TS_WORLD);
+    Ogre::RenderTarget* target = host().viewport().getTarget();
+    Ogre::Viewport* half = target->addViewport(other, 1, 0.5f, 0.0f, 0.5f, 1.0f);
+    half->setMaterialScheme(Ogre::RTShader::ShaderGenerator::DEFAULT_SCHEME_NAME);
+    half->setOverlaysEnabled(false);
+    for (int frame = 0; frame < 2; ++frame) {
+        const auto both = host().picture();
+        double left = 0.0, right = 0.0;
+        for (size_t i = 0; i < both.size(); ++i) {
+            double& side = i / 4 % kOgrePicture < kOgrePicture / 2 ? left : right;
+            side = std::max(side, static_cast<double>(std::abs(both[i] - alone[i])));
+        }
+        EXPECT_EQ(left, 0.0);
+        EXPECT_GT(right, 0.05);
+    }
+}
+
 TEST_P(OgreEngine, InstancesAreDrawnAsEntities)
 {
     host().addScript(
