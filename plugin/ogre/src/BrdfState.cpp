@@ -98,26 +98,19 @@ bool BrdfState::setParameter(const Ogre::String& name, const Ogre::String& value
 
 std::string BrdfState::whyNot(const Ogre::Pass& pass) const
 {
-    if (!material_->isGood()) return material_->problem();
-    if (!isGlsl())
-        return options_.material + ": " +
-               fbrdf::Found("shader language '" +
-                            shader::ShaderGenerator::getSingleton().getTargetLanguage() + "'")
-                   .expected("glsl");
+    const Ogre::String& language = shader::ShaderGenerator::getSingleton().getTargetLanguage();
+    if (!isGlsl()) return fbrdf::Found("shader language '" + language + "'").expected("glsl");
     const fbrdf::Capabilities has = capabilitiesOfRenderSystem();
-    if (!has.floatTextures)
-        return options_.material + ": " +
-               fbrdf::Found("no float textures").expected("those for lights");
+    if (!has.floatTextures) return fbrdf::Found("no float textures").expected("those, for lights");
     int units = pass.getNumTextureUnitStates() + 1 + (options_.normalMap.empty() ? 0 : 1);
     for (const TableTexture& table : material_->tables()) units += table.texture ? 1 : 0;
     if (units > has.maxTextureUnits)
-        return options_.material + ": texture units: " +
-               fbrdf::Found(std::to_string(has.maxTextureUnits))
-                   .expected("at least " + std::to_string(units));
+        return "texture units: " + fbrdf::Found(std::to_string(has.maxTextureUnits))
+                                       .expected("at least " + std::to_string(units));
     try {
         fragmentText();
     } catch (const fbrdf::Error& error) {
-        return options_.material + ": " + error.what();
+        return error.what();
     }
     return "";
 }
@@ -131,15 +124,17 @@ bool BrdfState::preAddToRenderState(const shader::RenderState*, Ogre::Pass* sour
     if (!options_.material.empty()) {
         material_ = services_.materials.loaded(options_.material, group);
         material_->addUser({technique.getSchemeName(), name, group});
-        reason = options_.diffuse ? "" : whyNot(*pass);
+        reason = material_->problem();
+        if (material_->isGood()) reason = options_.diffuse ? "" : whyNot(*pass);
         if (reason.empty() && !options_.diffuse) {
             addTextures(*pass);
             return true;
         }
+        if (material_->isGood()) reason = options_.material + ": " + reason;
     }
     const std::string line = "diffuse fallback is drawn: " + reason;
-    if (!reason.empty() && services_.warned.insert(name + line).second)
-        warn("'" + name + "'", line);
+    const bool isWanted = options_.diffuse && material_ && material_->isGood();
+    if (!isWanted && services_.warned.insert(name + line).second) warn("'" + name + "'", line);
     drawDiffuse(*pass);
     // Without shaders OGRE draws the pass that this one was made of.
     if (!isGlsl()) drawDiffuse(*sourcePass);

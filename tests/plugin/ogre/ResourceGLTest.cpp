@@ -96,6 +96,14 @@ TEST_P(OgreResources, AfterABadFileTheLastGoodMaterialStays)
         << lines[0];
 }
 
+TEST_P(OgreResources, ABadFileThatIsMendedIsDrawn)
+{
+    lineOf("no material");
+    writeMaterial(testMaterials()[0], file("bad.fbrdf"));
+    resource("bad.fbrdf")->reload();
+    expectRuntimes(testMaterials()[0]);
+}
+
 TEST_P(OgreResources, WhatIsUnloadedComesBack)
 {
     addMaterial("m", testMaterials()[0]);
