@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <cstring>
 
 namespace fbrdf::test {
@@ -138,7 +139,8 @@ OgreHost::OgreHost(const std::string& renderSystem, const std::string& folder, i
 
 const char* OgreHost::pluginFile()
 {
-    return FBRDF_OGRE_PLUGIN;
+    const char* installed = std::getenv("FBRDF_OGRE_PLUGIN");
+    return installed ? installed : FBRDF_OGRE_PLUGIN;
 }
 
 OgreHost::~OgreHost()

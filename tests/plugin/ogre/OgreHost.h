@@ -48,6 +48,7 @@ public:
     Ogre::Viewport& viewport() { return *viewport_; }
     Ogre::RTShader::ShaderGenerator& generator();
     LogLines& log() { return lines_; }
+    /// As plugins.cfg names it: without ending. FBRDF_OGRE_PLUGIN in the environment is another.
     static const char* pluginFile();
 
     Ogre::MeshPtr addMesh(const std::string& name, const gl::MeshData& mesh);
