@@ -161,6 +161,18 @@ TEST_P(OgreEngine, OnlyTheLightsThatReachAnObjectAreInItsList)
     EXPECT_GT(largest(theirs), 0.05f);
 }
 
+TEST_P(OgreEngine, MoreLightsThanAListHasObserveTheirRanges)
+{
+    for (int i = 0; i < 300; ++i)
+        light(Ogre::Light::LT_POINT, {0.02f * static_cast<float>(i % 100) - 1.0f, 2.0f, 2.0f},
+              0.01f)
+            ->setAttenuation(9.0f, 1.0f, 0.3f, 0.2f);
+    const auto reached = drawn("ours");
+    light(Ogre::Light::LT_POINT, {2.0f, 0.0f, -3.0f}, 5.0f)->setAttenuation(1.0f, 1.0f, 0.0f, 0.0f);
+    EXPECT_LT(largestDifference(drawn("ours"), reached), kSame);
+    EXPECT_GT(largest(reached), 0.05f);
+}
+
 TEST_P(OgreEngine, FogIsOgres)
 {
     light(Ogre::Light::LT_DIRECTIONAL, {2.0f, 3.0f, 1.0f}, 0.7f);

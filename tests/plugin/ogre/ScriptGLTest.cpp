@@ -21,6 +21,7 @@ protected:
         host().addMesh("sphere", sphereMesh(24));
         host().setView(perspectiveView());
         for (const Light& light : unlimitedLights(9)) host().addLight(light);
+        writeMaterial(everythingMaterial(), file("two words.fbrdf"));
         addMaterial("plain", everythingMaterial());
     }
 
@@ -99,6 +100,18 @@ TEST_P(OgreScripts, WhatIsSavedIsReadAgain)
     text.replace(text.find("material line"), 13, "material again");
     host().addScript(text);
     expectSame(drawn("again"), expected);
+}
+
+TEST_P(OgreScripts, NamesWithSpacesAreQuoted)
+{
+    const auto plain = drawn("plain");
+    expectSame(drawn("line", "fbrdf \"two words.fbrdf\" exposure 1"), plain);
+    expectSame(drawn("block", "fbrdf \"two words.fbrdf\" { exposure 1 }"), plain);
+    std::string text = saved("line");
+    EXPECT_NE(text.find("fbrdf \"two words.fbrdf\"\n"), std::string::npos) << text;
+    text.replace(text.find("material line"), 13, "material again");
+    host().addScript(text);
+    expectSame(drawn("again"), plain);
 }
 
 TEST_P(OgreScripts, BadOptionsAreRefusedAndTheRestIsDrawn)
