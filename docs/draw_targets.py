@@ -15,7 +15,7 @@ FOLDERS = {'runtime': '#e8f1fa', 'fitter': '#eaf5ea', 'sample_app': '#fdf3e3', '
 # Packages that say what a part costs; the others are header-only or small.
 PACKAGES = {
     'PkgConfig::OIIO': 'OpenImageIO', 'Eigen3::Eigen': 'Eigen', 'Ceres::ceres': 'Ceres', 'MPI::MPI_C': 'MPI',
-    'pugixml::pugixml': 'pugixml', 'PNG::PNG': 'libpng', 'fbrdf_osg': 'OpenSceneGraph', 'glfw': 'GLFW',
+    'pugixml::pugixml': 'pugixml', 'PNG::PNG': 'libpng', 'fbrdf_osg': 'OpenSceneGraph', 'fbrdf_ogre': 'OGRE', 'glfw': 'GLFW',
     'PkgConfig::IMGUI': 'Dear ImGui', 'OpenGL::EGL': 'EGL', 'PkgConfig::OPENEXR': 'OpenEXR', 'PkgConfig::OPENEXRCORE': 'OpenEXR',
     'embree': 'Embree', 'OpenEXR::OpenEXRCore': 'OpenEXR', 'OpenEXR::OpenEXR': 'OpenEXR',
 }

@@ -192,33 +192,35 @@ TEST_F(ShaderValidation, FunctionsAndListsOfEs)
 
 TEST_F(ShaderValidation, FunctionsWithLightsOfTheHost)
 {
-    const HostLights lights{
-        "uniform samplerBuffer lights;\nvec4 fbrdfLightVector(int index) { return "
-        "texelFetch(lights, index); }\n",
-        "float fbrdfShadow(int light, vec3 position, vec3 toLight) { return light < "
-        "fbrdfLightCount ? 1.0 : 0.0; }\n"};
-    HostLights withLobes = lights;
-    withLobes.lobes = wholeShare({LobeAxes::tilted, 2, 8});
-    for (const Material& material : test::testMaterials()) {
-        EXPECT_EQ(validate(write(
-                      "lobes.frag",
-                      "#version 150\n" +
-                          materialFunctions(material.form, encodingsOf(material), 150, withLobes) +
-                          "out vec4 colour;\nvoid main() { colour = "
-                          "vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, "
-                          "0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n")),
-                  0)
-            << material.name;
-        const std::string functions =
-            materialFunctions(material.form, encodingsOf(material), 150, lights);
-        EXPECT_EQ(functions.find("fbrdfLights["), std::string::npos) << material.name;
-        EXPECT_EQ(validate(write("hosted.frag",
-                                 "#version 150\n" + functions +
-                                     "out vec4 colour;\nvoid main() { colour = "
-                                     "vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, "
-                                     "0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n")),
-                  0)
-            << material.name;
+    const std::string host =
+        "uniform vec4 hostLights[64];\n"
+        "vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi)\n"
+        "{ wi = normalize(hostLights[light].xyz - position); return hostLights[light].www; }\n",
+                      use =
+                          "void main() { gl_FragColor = vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, "
+                          "0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n";
+    HostLights lights{host};
+    for (const LobeShare& lobes : {LobeShare{}, wholeShare({LobeAxes::tilted, 2, 8})}) {
+        lights.lobes = lobes;
+        for (const Material& material : test::testMaterials()) {
+            const std::string head =
+                lobes.isEmpty() ? "#version 120\n"
+                                : "#version 120\n#extension GL_ARB_shader_texture_lod : require\n";
+            const std::string text =
+                materialFunctions(material.form, encodingsOf(material), 120, lights);
+            EXPECT_EQ(text.find("fbrdfLights"), std::string::npos);
+            EXPECT_EQ(validate(write("host.frag", head + text + use)), 0) << material.name;
+            // The host may define its function behind the text.
+            EXPECT_EQ(validate(write("behind.frag",
+                                     head +
+                                         materialFunctions(material.form, encodingsOf(material),
+                                                           120, HostLights{"", lobes}) +
+                                         host + use)),
+                      0)
+                << material.name;
+            EXPECT_THROW(materialFunctions(material.form, encodingsOf(material), 100, lights),
+                         Error);
+        }
     }
 }
 

@@ -115,8 +115,7 @@ MapTextures::MapTextures(const Material& material, bool precise, vtkOpenGLRender
 std::string MapTextures::written(const LobeShare& lobes) const
 {
     return materialFunctions(form_, encodings_, kGlsl,
-                             {std::string(vtkFbrdfShader("lights.glsl")),
-                              std::string(vtkFbrdfShader("attenuation.glsl")), lobes}) +
+                             {std::string(vtkFbrdfShader("lights.glsl")), lobes}) +
            std::string(vtkFbrdfShader("shade.glsl"));
 }
 

@@ -87,7 +87,6 @@ std::string pairLines(const FragmentContext& c, const std::string& indent)
 /// One of the vectors of lights. index: the expression for its number.
 std::string lightVector(const FragmentContext& c, const std::string& index)
 {
-    if (c.spec.hosted) return "fbrdfLightVector(" + index + ")";
     return c.spec.clustered ? "texelFetch(fbrdfLightBuffer, " + index + ")"
                             : "fbrdfLights[" + index + "]";
 }
@@ -99,8 +98,13 @@ std::string lightLines(const FragmentContext& c, const std::string& light,
     const bool local = needsLocalFrame(c);
     const std::string index =
         light == "0" ? light : std::to_string(kVectorsPerLight) + " * " + light;
-    std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = fbrdfIrradiance(";
-    for (const char* const k : {"", " + 1", " + 2"}) text += lightVector(c, index + k) + ", ";
+    std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = ";
+    if (c.spec.hosted) {
+        text += "fbrdfHostLight(" + light + ", ";
+    } else {
+        text += "fbrdfIrradiance(";
+        for (const char* const k : {"", " + 1", " + 2"}) text += lightVector(c, index + k) + ", ";
+    }
     text += "fbrdfPosition, wi);\n";
     if (c.shadow) text += indent + "vec3 toLight = wi;\n";
     if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
@@ -112,9 +116,9 @@ std::string lightLines(const FragmentContext& c, const std::string& light,
 std::string shadowFactor(const FragmentContext& c, const std::string& light)
 {
     if (!c.shadow) return "";
-    const std::string number = c.spec.hosted      ? light
-                               : c.spec.clustered ? "texelFetch(fbrdfLightNumbers, " + light + ").r"
-                                                  : "fbrdfLightNumbers[" + light + "]";
+    const std::string number = c.spec.clustered
+                                   ? "texelFetch(fbrdfLightNumbers, " + light + ").r"
+                                   : "fbrdfLightNumbers[" + light + "]";
     return " * fbrdfShadow(" + number + ", fbrdfPosition, toLight)";
 }
 
@@ -272,7 +276,7 @@ std::string uniformDeclarations(const FragmentContext& c)
     if (dependsOnLight(c) && !c.spec.clustered && !c.spec.hosted && c.spec.lobes.samples == 0)
         lines.insert("uniform vec4 fbrdfLights[" +
                      std::to_string(kVectorsPerLight * c.spec.lightSlots) + "];\n");
-    if (c.shadow && c.spec.lit && !c.spec.parts.empty() && !c.spec.hosted)
+    if (c.shadow && c.spec.lit && !c.spec.parts.empty())
         lines.insert(c.spec.clustered ? "uniform isamplerBuffer fbrdfLightNumbers;\n"
                                       : "uniform int fbrdfLightNumbers[" +
                                             std::to_string(c.spec.lightSlots) + "];\n");

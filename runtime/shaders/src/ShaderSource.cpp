@@ -115,15 +115,19 @@ std::string hostFunctions(const Form& form, const std::vector<TableEncoding>& en
                           const ProgramSpec& spec, int glsl, const HostLights& lights)
 {
     checkVersion(glsl);
-    const FragmentContext context{form,  encodings, spec,  glsl,
-                                  false, false,     false, !lights.shadowHook.empty()},
+    if (spec.hosted && glsl == kGlslEs100)
+        throw Error(ErrorKind::gl, "shader",
+                    Found("GLSL ES 1.00, whose loops have a constant number of steps")
+                        .expected("300 or newer for lights of the host"));
+    const FragmentContext context{form, encodings, spec, glsl},
         local{form, encodings, spec, glsl, false, true};
-    const std::string uniforms = uniformDeclarations(context);
+    std::string uniforms = uniformDeclarations(context);
+    if (spec.hosted) uniforms += "vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi);\n";
     return joined({"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
                    "transfer.glsl"}) +
            (hasLobes(context) ? joined({"lobes.glsl"}) : "") +
            (hasAreaLights(context) ? joined({"lobe_frame.glsl", "area.glsl"}) : "") +
-           filterFunctions(encodings) + uniforms + lights.vectors + lights.shadowHook +
+           filterFunctions(encodings) + uniforms + lights.lights +
            evaluateFunction(local) + radianceFunction(context);
 }
 

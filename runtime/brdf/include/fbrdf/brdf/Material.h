@@ -41,8 +41,9 @@ void validate(const Material& material, const std::string& where);
 template <class T>
 Vec3<T> evaluate(const Material& material, const Vec3<T>& wo, const Vec3<T>& wi);
 
-/// Linear RGB in [0, 1]: the colour of a diffuse surface that reflects as much, for hosts that
-/// cannot draw the material. Expects a material that validate accepts.
+/// The albedo of a diffuse surface that stands for the material where that cannot be drawn: the
+/// share of even light that it reflects to a view at 45 degrees, in [0, 1]; within a few percent
+/// for all but mirrors. Expects a material that validate accepts.
 Vec3f diffuseAlbedo(const Material& material);
 
 }  // namespace fbrdf

@@ -118,16 +118,17 @@ std::string materialFunctions(const Form& form, const std::vector<TableEncoding>
 /// any number.
 struct HostLights {
     /// GLSL that declares what it reads and defines
-    ///     vec4 fbrdfLightVector(int index)
-    /// Vectors 3 i to 3 i + 2 are those of light i (LightVectors.h).
-    std::string vectors;
-    /// "", or a shadow hook as in SurfaceInputs, whose `light` is i.
-    std::string shadowHook = {};
+    ///     vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi)
+    /// irradiance on a surface that faces light `light` of fbrdfLightCount, shadows included; wi:
+    /// unit, towards it. It may call fbrdfIrradiance with vectors of LightVectors.h. "": the host
+    /// defines the function behind the text.
+    std::string lights = {};
     /// Lobes that an environment lights, added to fbrdfRadiance; or area lights do, in eye space.
     LobeShare lobes = {};
 };
 
-/// The same with the lights of the host, of which fbrdfLightCount is the number.
+/// The same with the lights of the host, of which fbrdfLightCount is the number. Throws for ES 1.00
+/// too, whose loops have a constant number of steps.
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,
                               int glsl, const HostLights& lights);
 
