@@ -23,8 +23,8 @@ public:
 
     int height() const;                          ///< pixels
     int widthOf(const std::string& text) const;  ///< pixels
-    /// Draws UTF-8 from the left, in grey of that radiance. What is too wide loses its middle, and
-    /// has "..." there.
+    /// Draws ASCII, and a question mark for every other byte, from the left, in grey of that
+    /// radiance. What is too wide loses its middle, and has "..." there.
     void draw(scene::Image& image, const LabelPlace& place, const std::string& text,
               float radiance) const;
 

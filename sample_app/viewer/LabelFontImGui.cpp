@@ -79,8 +79,9 @@ void LabelFont::draw(scene::Image& image, const LabelPlace& place, const std::st
     for (size_t letters = text.size(); letters > 0 && widthOf(line) > place.width; --letters)
         line = shortened(text, letters - 1);
     float x = static_cast<float>(place.x);
-    for (const unsigned char letter : line) {
-        const ImFontGlyph* const glyph = state_->font->FindGlyph(letter < 128 ? letter : '?');
+    for (const char letter : line) {
+        const auto code = static_cast<unsigned char>(letter);
+        const ImFontGlyph* const glyph = state_->font->FindGlyph(code < 128 ? code : '?');
         state_->drawGlyph(image, *glyph, static_cast<int>(x), place.y, radiance);
         x += glyph->AdvanceX;
     }

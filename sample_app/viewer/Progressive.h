@@ -6,6 +6,10 @@
 #include "GlScene.h"
 #include "SampleSum.h"
 
+#include <memory>
+#include <optional>
+#include <utility>
+
 namespace fbrdf::viewer {
 
 /// What a picture depends on.

@@ -78,10 +78,11 @@ scene::Image paper(const SheetLayout& layout, float radiance)
 void drawLabels(const LabelFont& font, const LabelPlace& strip, const std::string& material,
                 const std::string& light, float ink, scene::Image& sheet)
 {
-    const int right = light.empty() ? 0 : font.widthOf(light) + kGap;
+    const int right = light.empty() ? 0 : std::min(font.widthOf(light) + kGap, strip.width / 2);
     font.draw(sheet, {strip.x, strip.y, strip.width - right}, material, ink);
     if (!light.empty())
-        font.draw(sheet, {strip.x + strip.width - right + kGap, strip.y, right}, light, 0.5f * ink);
+        font.draw(sheet, {strip.x + strip.width - right + kGap, strip.y, right - kGap}, light,
+                  0.5f * ink);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ constexpr int kSheetGap = 8, kStrip = 19;
 TEST_F(ViewerSheet, ShowsEachMaterialUnderEachLightAsItsOwnPictureDoes)
 {
     NEEDS(Backend::egl);
-    const std::string options = "--plain --size 40x30 --mesh knot --samples 2 ";
+    const std::string options = "--plain --size 96x30 --mesh knot --samples 2 ";
     const ProgramResult result =
         runViewer("sheet " + quoted("made.fbrdf") + quoted("other.fbrdf") + "--under " +
                   quoted("front.json") + "--under " + quoted("side.json") + options + "-o " +
@@ -49,7 +49,7 @@ TEST_F(ViewerSheet, ShowsEachMaterialUnderEachLightAsItsOwnPictureDoes)
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(result.out + result.err, "");
     const Image sheet = readExr(file("sheet.exr"));
-    EXPECT_EQ(sheet.width, kSheetGap + 2 * (40 + kSheetGap));
+    EXPECT_EQ(sheet.width, kSheetGap + 2 * (96 + kSheetGap));
     EXPECT_EQ(sheet.height, kSheetGap + 2 * (30 + kStrip + kSheetGap));
     const char* const materials[] = {"made.fbrdf", "other.fbrdf"};
     const char* const lights[] = {"front.json", "side.json"};
@@ -58,18 +58,18 @@ TEST_F(ViewerSheet, ShowsEachMaterialUnderEachLightAsItsOwnPictureDoes)
             const Image picture =
                 draw("--headless " + options + "--material " + quoted(materials[row]) +
                      "--lights " + quoted(lights[column]));
-            const int left = kSheetGap + column * (40 + kSheetGap),
+            const int left = kSheetGap + column * (96 + kSheetGap),
                       top = kSheetGap + row * (30 + kStrip + kSheetGap);
             float largest = 0.0f;
             for (int y = 0; y < 30; ++y)
-                for (int x = 0; x < 40; ++x)
+                for (int x = 0; x < 96; ++x)
                     for (int c = 0; c < 3; ++c)
                         largest = std::max(largest, std::abs(sheet.pixel(left + x, top + y)[c] -
                                                              picture.pixel(x, y)[c]));
             EXPECT_EQ(largest, 0.0f) << row << " " << column;
             int ink = 0;
             for (int y = 30; y < 30 + kStrip; ++y)
-                for (int x = 0; x < 40; ++x) ink += sheet.pixel(left + x, top + y)[0] > 0.2f;
+                for (int x = 0; x < 96; ++x) ink += sheet.pixel(left + x, top + y)[0] > 0.2f;
             EXPECT_GT(ink, 20) << "a label";
         }
 }
