@@ -10,7 +10,6 @@
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <vtkActor.h>
-#include <vtkCommand.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseVectorKey.h>
 #include <vtkLightingMapPass.h>
@@ -89,14 +88,18 @@ int transferIndex(fbrdf::Transfer transfer)
     return transfer == fbrdf::Transfer::toneMap ? 2 : 0;
 }
 
-/// Keeps a pass and a probe with an actor.
+/// Keeps a pass and a probe with an actor, until that goes: keys that die do not release their
+/// passes.
 class Keeper : public vtkCommand {
 public:
     static Keeper* New() { return new Keeper; }
     vtkBaseTypeMacro(Keeper, vtkCommand);
-    void Execute(vtkObject* caller, unsigned long, void*) override
+    void Execute(vtkObject* caller, unsigned long event, void*) override
     {
-        keep(*vtkActor::SafeDownCast(caller));
+        vtkActor& actor = *vtkActor::SafeDownCast(caller);
+        if (event != vtkCommand::DeleteEvent) return keep(actor);
+        const vtkSmartPointer<vtkFbrdfPass> kept = pass;  // beyond the end of this observer
+        kept->detach(actor);
     }
     void keep(vtkActor& actor)
     {
@@ -140,7 +143,9 @@ void vtkFbrdfPass::attach(vtkActor& actor)
     vtkNew<Keeper> keeper;
     keeper->pass = this;
     keeper->keep(actor);
-    observers_[&actor] = actor.AddObserver(vtkCommand::ModifiedEvent, keeper);
+    for (const unsigned long event : {vtkCommand::ModifiedEvent, vtkCommand::DeleteEvent})
+        actor.AddObserver(event, keeper);
+    observers_[&actor] = keeper;
 }
 
 void vtkFbrdfPass::detach(vtkActor& actor)
