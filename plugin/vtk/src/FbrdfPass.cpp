@@ -88,6 +88,26 @@ int transferIndex(fbrdf::Transfer transfer)
     return transfer == fbrdf::Transfer::toneMap ? 2 : 0;
 }
 
+/// Of keys that no actor has any more: they would not release their passes.
+void emptyUnused(vtkInformation* keys)
+{
+    if (!keys || keys->GetReferenceCount() > 1) return;
+    vtkInformationObjectBaseVectorKey* const passes = vtkOpenGLRenderPass::RenderPasses();
+    while (keys->Length(passes) > 0) keys->Remove(passes, keys->Get(passes, 0));
+}
+
+/// A copy with a list of passes of its own.
+vtkSmartPointer<vtkInformation> copyOf(vtkInformation* keys)
+{
+    auto copy = vtkSmartPointer<vtkInformation>::New();
+    if (!keys) return copy;
+    vtkInformationObjectBaseVectorKey* const passes = vtkOpenGLRenderPass::RenderPasses();
+    copy->Copy(keys);
+    copy->Remove(passes);
+    for (int i = 0; i < keys->Length(passes); ++i) copy->Append(passes, keys->Get(passes, i));
+    return copy;
+}
+
 /// Keeps a pass and a probe with an actor, until that goes: keys that die do not release their
 /// passes.
 class Keeper : public vtkCommand {
@@ -99,6 +119,7 @@ public:
         vtkActor& actor = *vtkActor::SafeDownCast(caller);
         if (event != vtkCommand::DeleteEvent) return keep(actor);
         const vtkSmartPointer<vtkFbrdfPass> kept = pass;  // beyond the end of this observer
+        keys_ = nullptr;
         kept->detach(actor);
     }
     void keep(vtkActor& actor)
@@ -107,10 +128,11 @@ public:
         isBusy_ = true;
         // The keys may be those of an assembly: its other parts must not have the pass.
         if (vtkFbrdfPass::of(actor) != pass) {
-            vtkNew<vtkInformation> keys;
-            if (actor.GetPropertyKeys()) keys->Copy(actor.GetPropertyKeys());
-            keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
-            actor.SetPropertyKeys(keys);
+            const vtkSmartPointer<vtkInformation> before = keys_;
+            keys_ = copyOf(actor.GetPropertyKeys());
+            keys_->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+            actor.SetPropertyKeys(keys_);
+            emptyUnused(before);
         }
         vtkFbrdfRendererProbe::in(actor);
         isBusy_ = false;
@@ -119,6 +141,7 @@ public:
     vtkSmartPointer<vtkFbrdfPass> pass;
 
 private:
+    vtkSmartPointer<vtkInformation> keys_;  ///< those that the actor was given
     bool isBusy_ = false;
 };
 
@@ -152,11 +175,12 @@ void vtkFbrdfPass::detach(vtkActor& actor)
 {
     actor.RemoveObserver(observers_[&actor]);
     observers_.erase(&actor);
-    vtkNew<vtkInformation> keys;
-    keys->Copy(actor.GetPropertyKeys());
+    const vtkSmartPointer<vtkInformation> before = actor.GetPropertyKeys();
+    const vtkSmartPointer<vtkInformation> keys = copyOf(before);
     keys->Remove(RenderPasses(), this);
     if (keys->Length(RenderPasses()) == 0) keys->Remove(RenderPasses());
     actor.SetPropertyKeys(keys);
+    emptyUnused(before);
 }
 
 vtkMTimeType vtkFbrdfPass::GetShaderStageMTime()
