@@ -10,7 +10,6 @@
 #include <fbrdf/shaders/ShaderSource.h>
 
 #include <vtkActor.h>
-#include <vtkCommand.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseVectorKey.h>
 #include <vtkLightingMapPass.h>
@@ -89,14 +88,39 @@ int transferIndex(fbrdf::Transfer transfer)
     return transfer == fbrdf::Transfer::toneMap ? 2 : 0;
 }
 
-/// Keeps a pass and a probe with an actor.
+/// Of keys that no actor has any more: they would not release their passes.
+void emptyUnused(vtkInformation* keys)
+{
+    if (!keys || keys->GetReferenceCount() > 1) return;
+    vtkInformationObjectBaseVectorKey* const passes = vtkOpenGLRenderPass::RenderPasses();
+    while (keys->Length(passes) > 0) keys->Remove(passes, keys->Get(passes, 0));
+}
+
+/// A copy with a list of passes of its own.
+vtkSmartPointer<vtkInformation> copyOf(vtkInformation* keys)
+{
+    auto copy = vtkSmartPointer<vtkInformation>::New();
+    if (!keys) return copy;
+    vtkInformationObjectBaseVectorKey* const passes = vtkOpenGLRenderPass::RenderPasses();
+    copy->Copy(keys);
+    copy->Remove(passes);
+    for (int i = 0; i < keys->Length(passes); ++i) copy->Append(passes, keys->Get(passes, i));
+    return copy;
+}
+
+/// Keeps a pass and a probe with an actor, until that goes: keys that die do not release their
+/// passes.
 class Keeper : public vtkCommand {
 public:
     static Keeper* New() { return new Keeper; }
     vtkBaseTypeMacro(Keeper, vtkCommand);
-    void Execute(vtkObject* caller, unsigned long, void*) override
+    void Execute(vtkObject* caller, unsigned long event, void*) override
     {
-        keep(*vtkActor::SafeDownCast(caller));
+        vtkActor& actor = *vtkActor::SafeDownCast(caller);
+        if (event != vtkCommand::DeleteEvent) return keep(actor);
+        const vtkSmartPointer<vtkFbrdfPass> kept = pass;  // beyond the end of this observer
+        keys_ = nullptr;
+        kept->detach(actor);
     }
     void keep(vtkActor& actor)
     {
@@ -104,10 +128,11 @@ public:
         isBusy_ = true;
         // The keys may be those of an assembly: its other parts must not have the pass.
         if (vtkFbrdfPass::of(actor) != pass) {
-            vtkNew<vtkInformation> keys;
-            if (actor.GetPropertyKeys()) keys->Copy(actor.GetPropertyKeys());
-            keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
-            actor.SetPropertyKeys(keys);
+            const vtkSmartPointer<vtkInformation> before = keys_;
+            keys_ = copyOf(actor.GetPropertyKeys());
+            keys_->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+            actor.SetPropertyKeys(keys_);
+            emptyUnused(before);
         }
         vtkFbrdfRendererProbe::in(actor);
         isBusy_ = false;
@@ -116,6 +141,7 @@ public:
     vtkSmartPointer<vtkFbrdfPass> pass;
 
 private:
+    vtkSmartPointer<vtkInformation> keys_;  ///< those that the actor was given
     bool isBusy_ = false;
 };
 
@@ -140,18 +166,21 @@ void vtkFbrdfPass::attach(vtkActor& actor)
     vtkNew<Keeper> keeper;
     keeper->pass = this;
     keeper->keep(actor);
-    observers_[&actor] = actor.AddObserver(vtkCommand::ModifiedEvent, keeper);
+    for (const unsigned long event : {vtkCommand::ModifiedEvent, vtkCommand::DeleteEvent})
+        actor.AddObserver(event, keeper);
+    observers_[&actor] = keeper;
 }
 
 void vtkFbrdfPass::detach(vtkActor& actor)
 {
     actor.RemoveObserver(observers_[&actor]);
     observers_.erase(&actor);
-    vtkNew<vtkInformation> keys;
-    keys->Copy(actor.GetPropertyKeys());
+    const vtkSmartPointer<vtkInformation> before = actor.GetPropertyKeys();
+    const vtkSmartPointer<vtkInformation> keys = copyOf(before);
     keys->Remove(RenderPasses(), this);
     if (keys->Length(RenderPasses()) == 0) keys->Remove(RenderPasses());
     actor.SetPropertyKeys(keys);
+    emptyUnused(before);
 }
 
 vtkMTimeType vtkFbrdfPass::GetShaderStageMTime()

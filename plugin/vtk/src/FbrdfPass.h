@@ -4,6 +4,7 @@
 #pragma once
 #include <fbrdf/vtk/vtkFbrdfMaterial.h>
 
+#include <vtkCommand.h>
 #include <vtkOpenGLRenderPass.h>
 #include <vtkSmartPointer.h>
 
@@ -55,7 +56,7 @@ private:
     void reportNoEnvironment(const std::string& reason);
 
     vtkSmartPointer<vtkFbrdfMaterial> material_;
-    std::map<vtkActor*, unsigned long> observers_;  ///< tags; actors may have gone
+    std::map<vtkActor*, vtkSmartPointer<vtkCommand>> observers_;
     // Of the program that is being written.
     bool isLeft_ = false;  ///< to VTK
     std::string refusal_, whyNoEnvironment_;

@@ -113,6 +113,8 @@ TEST_F(VtkPasses, SupersamplingAndFastAntialiasing)
     expectBothAlike("SSAA");
     fine->ReleaseGraphicsResources(&view_.window());
     view_.renderer().SetPass(nullptr);
+    view_.window().SetMultiSamples(4);
+    expectBothAlike("multisampling");
 }
 
 TEST_F(VtkPasses, AmbientOcclusion)
