@@ -36,7 +36,7 @@ bool setExposure(BrdfOptions& options, const std::string& value)
 bool isExact(float value, int digits)
 {
     double number = 0.0;
-    return fbrdf::parseNumber(fbrdf::numberText(double{value}, digits), number) &&
+    return fbrdf::parseNumber(fbrdf::numberText(static_cast<double>(value), digits), number) &&
            static_cast<float>(number) == value;
 }
 
@@ -45,7 +45,7 @@ std::string exactText(float value)
 {
     int digits = 6;
     while (digits < 9 && !isExact(value, digits)) ++digits;
-    return fbrdf::numberText(double{value}, digits);
+    return fbrdf::numberText(static_cast<double>(value), digits);
 }
 
 bool setFlag(bool& flag, const std::string& value)

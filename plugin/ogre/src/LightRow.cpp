@@ -29,8 +29,10 @@ glm::vec3 unitInEye(const Ogre::Vector3& direction, const glm::dmat4& toEye)
 
 void setCone(LightRow& row, const Ogre::Light& light, const glm::dmat4& toEye)
 {
-    const double inner = std::cos(0.5 * double{light.getSpotlightInnerAngle().valueRadians()}),
-                 outer = std::cos(0.5 * double{light.getSpotlightOuterAngle().valueRadians()});
+    const double inner = std::cos(
+                     0.5 * static_cast<double>(light.getSpotlightInnerAngle().valueRadians())),
+                 outer = std::cos(
+                     0.5 * static_cast<double>(light.getSpotlightOuterAngle().valueRadians()));
     row[1].w = static_cast<float>(outer);
     row[2].w = light.getSpotlightFalloff();
     row[3] = glm::vec4(unitInEye(light.getDerivedDirection(), toEye),

@@ -29,9 +29,7 @@ void addMedia()
                                    Ogre::RGN_INTERNAL);
 }
 
-/// A vertex: position, normal, tangent with handedness, texture coordinates.
-constexpr size_t kFloats = 12;
-
+/// Of each vertex: position, normal, tangent with handedness, texture coordinates.
 std::vector<float> verticesOf(const gl::MeshData& mesh)
 {
     std::vector<float> vertices;
