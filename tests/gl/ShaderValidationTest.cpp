@@ -192,13 +192,14 @@ TEST_F(ShaderValidation, FunctionsAndListsOfEs)
 
 TEST_F(ShaderValidation, FunctionsWithLightsOfTheHost)
 {
-    const std::string host =
-        "uniform vec4 hostLights[64];\n"
-        "vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi)\n"
-        "{ wi = normalize(hostLights[light].xyz - position); return hostLights[light].www; }\n",
-                      use =
-                          "void main() { gl_FragColor = vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, "
-                          "0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n";
+    const std::string
+        host =
+            "uniform vec4 hostLights[64];\n"
+            "vec3 fbrdfHostLight(int light, vec3 position, out vec3 wi)\n"
+            "{ wi = normalize(hostLights[light].xyz - position); return hostLights[light].www; }\n",
+        use =
+            "void main() { gl_FragColor = vec4(fbrdfRadiance(vec3(0.0), vec3(0.0, "
+            "0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0)), 1.0); }\n";
     HostLights lights{host};
     for (const LobeShare& lobes : {LobeShare{}, wholeShare({LobeAxes::tilted, 2, 8})}) {
         lights.lobes = lobes;

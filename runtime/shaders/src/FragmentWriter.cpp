@@ -116,9 +116,8 @@ std::string lightLines(const FragmentContext& c, const std::string& light,
 std::string shadowFactor(const FragmentContext& c, const std::string& light)
 {
     if (!c.shadow) return "";
-    const std::string number = c.spec.clustered
-                                   ? "texelFetch(fbrdfLightNumbers, " + light + ").r"
-                                   : "fbrdfLightNumbers[" + light + "]";
+    const std::string number = c.spec.clustered ? "texelFetch(fbrdfLightNumbers, " + light + ").r"
+                                                : "fbrdfLightNumbers[" + light + "]";
     return " * fbrdfShadow(" + number + ", fbrdfPosition, toLight)";
 }
 

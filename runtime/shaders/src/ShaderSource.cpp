@@ -127,8 +127,8 @@ std::string hostFunctions(const Form& form, const std::vector<TableEncoding>& en
                    "transfer.glsl"}) +
            (hasLobes(context) ? joined({"lobes.glsl"}) : "") +
            (hasAreaLights(context) ? joined({"lobe_frame.glsl", "area.glsl"}) : "") +
-           filterFunctions(encodings) + uniforms + lights.lights +
-           evaluateFunction(local) + radianceFunction(context);
+           filterFunctions(encodings) + uniforms + lights.lights + evaluateFunction(local) +
+           radianceFunction(context);
 }
 
 }  // namespace

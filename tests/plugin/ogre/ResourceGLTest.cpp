@@ -1,8 +1,8 @@
 // .fbrdf files as resources of OGRE: reloading, and what is drawn where there is no material.
 #include "OgreTest.h"
 
-#include "plugin/osg/NewerFile.h"
 #include "support/FileBytes.h"
+#include "support/NewerFile.h"
 
 #include <fbrdf/io/MaterialFile.h>
 
