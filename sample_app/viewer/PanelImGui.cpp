@@ -94,7 +94,8 @@ void drawModel(ModelSpec& spec)
             drawColour(parameter, value->second);
         else
             drawScalar(parameter, value->second);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning.c_str());
+        if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+            ImGui::SetTooltip("%s", parameter.meaning.c_str());
     }
 }
 
