@@ -131,7 +131,7 @@ LobeTable testLobes(LobeAxes axes)
     table.spread = isBent ? 0.125f : 0.0f;
     table.acrossTangent = isBent;
     table.error = 0.0125;
-    if (isBent) table.fewerErrors = {0.5, 0.03125};  // may be missing
+    if (isBent) table.fewerErrors = {0.03125};  // may be missing
     float number = 0.01f;
     const auto next = [&] { return number += 0.013f; };
     for (int i = 0; i < table.thetas * table.azimuths; ++i) {

@@ -80,8 +80,10 @@ void addCosine(CLI::App& command, SourceOptions& options)
 
 void addLobes(CLI::App& command, LobeFitOptions& options)
 {
-    addInteger(command, "--environment-lobes", options.lobes, 0, kMostTiltedLobes,
-               "lobes for light from environments (2); 0: none are stored")
+    addInteger(
+        command, "--environment-lobes", options.lobes, 0, kMostTiltedLobes,
+        "lobes for light from environments (2); of anisotropic materials 1, 3 or 7; 0: none are "
+        "stored")
         ->type_name("K");
 }
 

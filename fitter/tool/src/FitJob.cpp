@@ -64,7 +64,7 @@ void describe(Material& material, const FitJob& job, const FitOutcome& outcome)
 
 LobeFitOptions lobesOf(const FitJob& job)
 {
-    LobeFitOptions options = job.lobes;
+    LobeFitOptions options = lobeOptions(job.lobes.lobes);
     options.threads = job.fit.threads;
     return options;
 }

@@ -153,11 +153,13 @@ void validate(const LobeTable& table, const std::string& where)
         throw Error(
             ErrorKind::input, where,
             Found("a spread or an error of lobes that is no number").expected("finite ones"));
-    if (!table.fewerErrors.empty() &&
-        table.fewerErrors.size() != static_cast<size_t>(table.lobes) - 1)
+    // Draws have 1, 2 or all tilted lobes, or 1, 3 or all bent ones.
+    const int fewer =
+        table.axes == LobeAxes::tilted ? table.lobes - 1 : std::min(2, (table.lobes - 1) / 2);
+    if (!table.fewerErrors.empty() && table.fewerErrors.size() != static_cast<size_t>(fewer))
         throw Error(ErrorKind::input, where,
                     Found(std::to_string(table.fewerErrors.size()) + " errors of fewer lobes")
-                        .expected(std::to_string(table.lobes - 1) + ", or none"));
+                        .expected(std::to_string(fewer) + ", or none"));
     for (size_t i = 0; i < table.knots.size(); ++i)
         if (!isKnot(table, table.knots[i]))
             throw Error(ErrorKind::input, where,

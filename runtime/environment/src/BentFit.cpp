@@ -108,7 +108,7 @@ public:
         });
         table.error = errorOf(table, choice);
         std::vector<double> fewerErrors;
-        for (int lobes = 1; lobes < table.lobes; ++lobes)
+        for (int lobes = 1; keptLobes(table, lobes) < table.lobes; ++lobes)
             fewerErrors.push_back(errorOf(widened(withFewerLobes(table, lobes)), choice));
         table.fewerErrors = fewerErrors;
         return table;

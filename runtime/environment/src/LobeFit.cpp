@@ -50,7 +50,7 @@ public:
             if (last.cost < kWorthALobe * chosen.cost) chosen = last;
         }
         std::vector<double> fewerErrors;
-        for (int lobes = 1; lobes < chosen.table.lobes; ++lobes) {
+        for (int lobes = 1; keptLobes(chosen.table, lobes) < chosen.table.lobes; ++lobes) {
             Candidate fewer{withFewerLobes(chosen.table, lobes)};
             setError(fewer);
             fewerErrors.push_back(fewer.table.error);
@@ -160,6 +160,14 @@ void check(const LobeFitOptions& options)
 }
 
 }  // namespace
+
+LobeFitOptions lobeOptions(int lobes)
+{
+    LobeFitOptions options;
+    options.lobes = lobes;
+    options.normals = lobes == 3 ? kMostLobes : 2 * lobes - 1;
+    return options;
+}
 
 LobeTable fitLobes(const Reflectance& f, bool isotropic, const LobeFitOptions& options)
 {

@@ -102,16 +102,22 @@ std::vector<LobeShare> lobeShares(const LobeLayout& table, const LobeLight& ligh
     return shares;
 }
 
-LobeTable withFewerLobes(const LobeTable& table, int lobes)
+int keptLobes(const LobeTable& table, int lobes)
 {
     FBRDF_ASSERT(lobes, >=, 1);
+    if (table.axes == LobeAxes::tilted) return std::min(table.lobes, lobes);
+    return lobes >= 3 ? table.lobes : std::min(table.lobes, 2 * lobes - 1);
+}
+
+LobeTable withFewerLobes(const LobeTable& table, int lobes)
+{
     const bool bent = table.axes == LobeAxes::bent;
-    const int kept = std::min(table.lobes, bent && lobes % 2 == 0 ? lobes - 1 : lobes);
+    const int kept = keptLobes(table, lobes);
     if (kept == table.lobes) return table;
     const int first = bent ? (table.lobes - kept) / 2 : 0;
     LobeTable fewer = table;
     fewer.lobes = kept;
-    if (!table.fewerErrors.empty()) fewer.error = table.fewerErrors[static_cast<size_t>(kept) - 1];
+    if (!table.fewerErrors.empty()) fewer.error = table.fewerErrors[static_cast<size_t>(lobes) - 1];
     fewer.fewerErrors.clear();
     for (size_t i = 0; i < table.knots.size(); ++i) {
         LobeKnot knot = table.knots[i];

@@ -122,8 +122,7 @@ FitReply FitWorker::fit(Numbered& numbered)
         FitResult result = fitMaterial(*reply.source, order.fit);
         if (order.lobes > 0) {
             order.fit.watch.say("fitting lobes");
-            LobeFitOptions lobes;
-            lobes.lobes = order.lobes;
+            LobeFitOptions lobes = lobeOptions(order.lobes);
             lobes.threads = order.fit.threads;
             result.material.lobes = fitLobes(result.material, lobes);
         }

@@ -27,9 +27,7 @@ AreaScores areaScoresOf(const std::string& name, const AreaSphere& sphere,
     const auto truth = sphere.truth(source.evaluate);
     const bool isotropic = isIsotropic(source.evaluate);
     for (const int lobes : options.lobes) {
-        LobeFitOptions fit;
-        fit.lobes = lobes;
-        fit.normals = lobes == 3 ? 7 : 2 * lobes - 1;
+        LobeFitOptions fit = lobeOptions(lobes);
         fit.threads = options.threads;
         const auto lit = sphere.lit(fitLobes(source.evaluate, isotropic, fit));
         AreaScore& score = result.scores.emplace_back();

@@ -69,9 +69,7 @@ EnvironmentScores scoreSource(const std::string& name, const EnvironmentSphere& 
     LobeTable table, drawnBy;
     EnvironmentScore directions;
     for (const int lobes : options.lobes) {
-        LobeFitOptions fit;
-        fit.lobes = lobes;
-        fit.normals = lobes == 3 ? 7 : 2 * lobes - 1;
+        LobeFitOptions fit = lobeOptions(lobes);
         fit.threads = options.threads;
         const auto start = std::chrono::steady_clock::now();
         table = fitLobes(source.evaluate, isotropic, fit);

@@ -33,7 +33,7 @@ FBRDF_API void fbrdf_environment_release(fbrdf_environment* environment);
 /* How a draw is lit by an environment; changing it costs nothing. */
 typedef struct fbrdf_environment_light {
     uint32_t struct_size;
-    uint32_t lobes; /* at most so many of a material's; 0: all that it has */
+    uint32_t lobes; /* 1 to 3: so many tilted lobes at most, or 1, 3 or all bent ones; 0: all */
     const fbrdf_environment* environment;
     float rotation;     /* radians about +y of the world, counter-clockwise seen from above */
     float intensity[3]; /* times the radiance; finite, >= 0 */

@@ -66,8 +66,8 @@ struct LobeTable {
     /// The expected error of light under an environment of the prior (LobeFit.h), relative to the
     /// expected light: root of mean squares over view directions.
     double error = 0.0;
-    /// The same where only 1, 2, ... of the lobes are used (withFewerLobes, fbrdf/plan/Lobes.h): as
-    /// many as `lobes` less one, or none where they are not known.
+    /// The same for draws that ask for 1, 2, ... lobes and get fewer than all (withFewerLobes,
+    /// fbrdf/plan/Lobes.h), or none where they are not known.
     std::vector<double> fewerErrors = {};
 
     bool isEmpty() const { return lobes == 0; }

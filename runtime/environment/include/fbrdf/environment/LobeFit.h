@@ -13,6 +13,10 @@ struct LobeFitOptions {
     int threads = 0;  ///< 0: one a core
 };
 
+/// What K of `--environment-lobes` stands for, 1 to 3: so many tilted lobes, or 1, 3 or 7 bent
+/// normals. Draws have the same numbers (withFewerLobes).
+LobeFitOptions lobeOptions(int lobes);
+
 /// Fits lobes to a BRDF, for every view direction; calls f from several threads. Throws
 /// Error(usage) for options out of range, Error(fit) for an f that is not finite.
 LobeTable fitLobes(const Reflectance& f, bool isotropic, const LobeFitOptions& options = {});

@@ -69,8 +69,9 @@ struct EnvironmentLight {
     /// Turns directions of the environment to those of the world; orthonormal.
     glm::mat3 rotation{1.0f};
     Vec3f intensity{1.0f};  ///< multiplies the radiance; finite, >= 0
-    int lobes = 0;          ///< 0: as a material's table has; else at most so many. Packed ones
-                            ///< (GpuLibrary) have all
+    /// 0: as a material's table has; else at most so many tilted ones, or 1, 3 or all bent ones for
+    /// 1, 2 and 3. Packed ones (GpuLibrary) have all.
+    int lobes = 0;
     /// 0: lobes are looked up. Else so many directions are drawn by the lobes, at most kMostSamples
     /// (SampledLight.h), and for each the material's own maps and the unfiltered cube are looked
     /// up, at the level that its density asks for: the quality mode, in a pass of its own. It needs

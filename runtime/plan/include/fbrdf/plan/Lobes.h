@@ -90,6 +90,10 @@ struct LobeRoom {
 std::vector<LobeShare> lobeShares(const LobeLayout& table, const LobeLight& light,
                                   const LobeRoom& room);
 
+/// How many lobes of a table a draw has that asks for `lobes` >= 1: so many tilted ones at most; of
+/// bent ones 1, 3, or from 3 on all.
+int keptLobes(const LobeTable& table, int lobes);
+
 /// The table with fewer lobes: the one that is most like the others takes their weights, so that
 /// energy stays, and is as wide and as tilted as they are on average. Of bent ones the middle ones
 /// remain, an odd number. Its error is that of LobeTable::fewerErrors, or the whole table's where

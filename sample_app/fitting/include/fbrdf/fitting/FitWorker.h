@@ -22,7 +22,7 @@ struct FitOrder {
     std::string source;  ///< as openSource takes it
     SourceOptions sourceOptions;
     FitOptions fit;
-    int lobes = 2;  ///< tilted lobes that the material gets (LobeFit.h); 0: none
+    int lobes = 2;  ///< lobes that the material gets (lobeOptions, LobeFit.h); 0: none
 };
 
 struct FitReply {
