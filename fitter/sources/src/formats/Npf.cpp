@@ -13,6 +13,7 @@
 #include "MerlGrid.h"
 
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Number.h>
 
 #include <algorithm>
 #include <cmath>

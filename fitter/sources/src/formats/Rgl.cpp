@@ -13,6 +13,7 @@
 // The samples are the nodes of the file: for each (phi_i, theta_i) the h x w nodes of s, where the
 // values are as measured, negatives included.
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
 #include "Formats.h"
 #include "formats/RglWarp.h"

@@ -2,6 +2,7 @@
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
+#include <glm/mat4x4.hpp>
 #include <osg/Matrixd>
 #include <osg/Vec3d>
 
