@@ -8,6 +8,7 @@ namespace fbrdf::viewer {
 namespace {
 
 constexpr int kLobes = 2;
+constexpr size_t kMeasured = 16384;  // samples that the errors of a fit are computed on
 
 /// What is fitted again and again has a form that is named: searching one takes seconds.
 std::string formOf(const MaterialSlot& slot, const Material& material)
@@ -37,6 +38,7 @@ fitting::FitOrder orderOf(const std::string& source, const FitFields& fields)
     order.fit.maxBytes = 1024 * static_cast<size_t>(fields.kilobytes);
     if (!fields.choosesSmoothness) order.fit.smoothness = static_cast<double>(fields.smoothness);
     order.fit.heldOut = false;
+    order.fit.measured = kMeasured;
     return order;
 }
 

@@ -180,6 +180,7 @@ void benchLive(const Settings& settings)
     for (const char* form : {"io", "hdio", "hdpu", "hdsu"}) {
         FitOptions options = formOptions(form, true);
         options.heldOut = false;
+        options.measured = 16384;  // as the window's fits
         options.cache = makeFitCache();
         const auto sourceAt = [](double alpha) {
             return openSource(fmt::format("ggx:alpha={},f0=0.04,kd=0.3/0.2/0.1", alpha));

@@ -1,4 +1,5 @@
 #include <fbrdf/fit/Fit.h>
+#include <fbrdf/sources/OpenSource.h>
 
 #include "Known.h"
 
@@ -25,6 +26,24 @@ ErrorKind kindOf(const Source& source, const FitOptions& options)
         return error.kind();
     }
     return ErrorKind::gl;
+}
+
+TEST(Fit, FewerMeasuredSamplesChangeNoTableAndErrorsALittle)
+{
+    FitOptions options;
+    options.form = "io";
+    options.heldOut = false;
+    options.smoothness = 1e-3;
+    const Source source = openSource("ggx:alpha=0.3,f0=0.9,kd=0.1");
+    const FitResult all = fitMaterial(source, options);
+    options.measured = 4000;
+    const FitResult few = fitMaterial(source, options);
+    EXPECT_EQ(few.material.tables[0].texels, all.material.tables[0].texels);
+    EXPECT_NE(few.summary.all.logMedian, all.summary.all.logMedian);
+    EXPECT_NEAR(few.summary.all.logMedian, all.summary.all.logMedian,
+                0.1 * all.summary.all.logMedian);
+    options.measured = 0;
+    EXPECT_THROW(fitMaterial(source, options), Error);
 }
 
 TEST(Fit, IsTheSameForTheSameSeedWhateverTheThreads)

@@ -142,6 +142,8 @@ void checkOptions(const FitOptions& options)
     if (options.terms < 1)
         throw Error(ErrorKind::usage, "terms",
                     Found(std::to_string(options.terms)).expected("at least 1"));
+    if (options.measured < 1)
+        throw Error(ErrorKind::usage, "measured", Found("0 samples").expected("at least 1"));
     if (!(options.seconds >= 0.0))
         throw Error(ErrorKind::usage, "seconds",
                     Found(numberText(options.seconds)).expected("at least 0"));

@@ -19,7 +19,6 @@ namespace fbrdf {
 namespace {
 
 constexpr size_t kFunctionSamples = 131072;  // drawn from a source that is only a function
-constexpr size_t kProbeSamples = 200000;     // that sample errors are computed on
 
 // The cost of the solution with the options of the context's last steps; of a stream on a part of
 // it.
@@ -140,7 +139,7 @@ LeastSquaresOptions problemOptions(const FitContext& context)
 
 std::vector<Sample> probeOf(const FitContext& context, const FoldChoice& choice)
 {
-    return someSamples(context.dataset, choice, kProbeSamples, context.options.seed,
+    return someSamples(context.dataset, choice, context.options.measured, context.options.seed,
                        context.options.threads);
 }
 

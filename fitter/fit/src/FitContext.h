@@ -59,7 +59,7 @@ Fitted fitForm(const FitContext& context, const Form& form, const Solution* star
 /// directions; for measurements, on folds that fits of the same form and smoothness leave out.
 SampleErrors heldOutErrors(const Source& source, const FitContext& context, const Fitted& fitted);
 
-/// At most kProbeSamples of the data, which errors are computed on.
+/// At most FitOptions::measured of the data, which errors are computed on.
 std::vector<Sample> probeOf(const FitContext& context,
                             const FoldChoice& choice = FoldChoice::all());
 

@@ -86,8 +86,10 @@ struct FitOptions {
     /// Strength relative to the data, > 0; unset: the one with the least held-out error.
     std::optional<double> smoothness;
     bool heldOut = true;  ///< measure held-out errors too: a fit of its own
-    uint64_t seed = 1;    ///< decides the held-out folds and the samples drawn from functions
-    int threads = 0;      ///< 0: one for each core
+    /// Errors are computed on at most so many samples, > 0. They take longer than a small fit.
+    size_t measured = 200000;
+    uint64_t seed = 1;  ///< decides the held-out folds and the samples drawn from functions
+    int threads = 0;    ///< 0: one for each core
     /// R, G and B share the shape of every map and differ by a scale: a third of the bytes.
     bool sharedShape = false;
     /// Scale the stored material down, all channels alike, so that no directional albedo exceeds 1.
