@@ -9,7 +9,6 @@
 #include "support/TemporaryDir.h"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace fbrdf::test {
 namespace {
@@ -80,20 +79,18 @@ std::optional<Vec3d> expectedAt(const Material& material, double x, double y)
 
 bool haveXvfb()
 {
-    return std::system("command -v xvfb-run >/dev/null 2>&1") == 0;
+    return std::system("command -v Xvfb >/dev/null 2>&1") == 0;
 }
 
 class Examples : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Examples, DrawWhatTheCpuComputes)
 {
-    if (!haveXvfb()) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
+    if (!haveXvfb()) GTEST_SKIP() << "needs Xvfb (Debian: xvfb)";
     const TemporaryDir folder;
     const Material material = glossy();
     writeMaterial(material, folder.file("glossy.fbrdf"));
-    const std::string server = "xvfb-run -a -n " +
-                               std::to_string(40400 + getpid() % 20000) +  // no other test's
-                               " -s '-screen 0 800x600x24' env -u WAYLAND_DISPLAY ";
+    const std::string server = "tests/support/with_x.sh env -u WAYLAND_DISPLAY ";
     const std::string command = server + GetParam() + " " + folder.file("glossy.fbrdf") + " 2 " +
                                 folder.file("picture.ppm");
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
@@ -127,8 +124,8 @@ TEST_P(Examples, RefuseWhatTheyCannotDo)
         return WEXITSTATUS(std::system((command + " >/dev/null 2>&1").c_str()));
     };
     EXPECT_EQ(exitCode(program), 2);
-    if (!haveXvfb()) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
-    const std::string server = "xvfb-run -a -n " + std::to_string(40400 + getpid() % 20000) + " ";
+    if (!haveXvfb()) GTEST_SKIP() << "needs Xvfb (Debian: xvfb)";
+    const std::string server = "tests/support/with_x.sh ";
     EXPECT_EQ(exitCode(server + program + " no-such-file"), 1);
 }
 

@@ -8,7 +8,6 @@
 #include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
 #include <support/TemporaryDir.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -60,11 +59,9 @@ class ViewerWindow : public Viewer {
 protected:
     void SetUp() override
     {
-        if (!hasCommand("xvfb-run")) GTEST_SKIP() << "needs xvfb-run (Debian: xvfb, xauth)";
+        if (!hasCommand("Xvfb")) GTEST_SKIP() << "needs Xvfb (Debian: xvfb)";
     }
-    const std::string xvfb_ = "xvfb-run -a -n " +
-                              std::to_string(20200 + getpid() % 20000) +  // no other test's
-                              " -s '-screen 0 1280x1024x24 -noreset' env -u WAYLAND_DISPLAY";
+    const std::string xvfb_ = "tests/support/with_x.sh env -u WAYLAND_DISPLAY";
 };
 
 }  // namespace fbrdf::scene

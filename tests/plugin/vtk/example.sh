@@ -10,7 +10,7 @@ cd "$work"
 "$fbrdf" fit lambert:albedo=0.5 -o grey.fbrdf --form io --quiet
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >triangle.obj
 echo 'no surface' >empty.stl
-draws() { "$here/with_x.sh" "$example" --off-screen "$@" >log 2>&1; }
+draws() { "$here/../../support/with_x.sh" "$example" --off-screen "$@" >log 2>&1; }
 fails() { local expected=$1 status=0; shift; draws "$@" || status=$?; [ $status -eq "$expected" ] || { echo "found status $status, expected $expected"; cat log; exit 1; }; }
 for mesh in '' triangle.obj; do
   draws picture.png grey.fbrdf $mesh || { cat log; exit 1; }

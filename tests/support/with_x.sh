@@ -5,7 +5,7 @@ set -euo pipefail
 folder=$(mktemp -d)
 trap 'kill "$server" 2>/dev/null || true; rm -rf "$folder"' EXIT
 mkfifo "$folder/display"
-Xvfb -displayfd 1 -screen 0 640x480x24 -nolisten tcp -noreset >"$folder/display" 2>/dev/null &
+Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp -noreset >"$folder/display" 2>/dev/null &
 server=$!
 read -r display <"$folder/display"
 DISPLAY=:$display "$@"
