@@ -163,6 +163,17 @@ TEST(LobeFit, BentNormalsFollowALongHighlight)
     EXPECT_EQ(other.spread, table.spread);
 }
 
+TEST(LobeFit, KIsSoManyTiltedLobesOrOneThreeOrSevenBentNormals)
+{
+    const std::pair<int, int> expected[] = {{1, 1}, {2, 3}, {3, 7}};
+    for (const auto& [lobes, normals] : expected) {
+        const LobeFitOptions options = lobeOptions(lobes);
+        EXPECT_EQ(options.lobes, lobes);
+        EXPECT_EQ(options.normals, normals);
+    }
+    EXPECT_EQ(LobeFitOptions().normals, lobeOptions(LobeFitOptions().lobes).normals);
+}
+
 TEST(LobeFit, BothSidesOfThePlaneOfIncidenceCount)
 {
     const auto f = [](const Vec3d& wo, const Vec3d& wi) {

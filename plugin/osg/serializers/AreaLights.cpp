@@ -16,7 +16,7 @@ using osgFbrdf::AreaLights;
 using Shape = AreaLight::Shape;
 
 // Longer lists can only be damage.
-constexpr unsigned int kMostLights = 1000000;
+constexpr unsigned int kMostLights = 1000000, kMostCorners = 1000000;
 
 bool checkLights(const AreaLights& node)
 {
@@ -57,9 +57,10 @@ bool readVertices(osgDB::InputStream& stream, AreaLight& light)
 {
     unsigned int count = 0;
     stream >> count;
-    if (count > static_cast<unsigned int>(fbrdf::kMostVertices)) {
+    // One of more than kMostVertices is not valid, but is kept as every other.
+    if (count > kMostCorners) {
         warn("an area light of " + std::to_string(count) + " vertices",
-             "at most " + std::to_string(fbrdf::kMostVertices));
+             "at most " + std::to_string(kMostCorners));
         return false;
     }
     for (unsigned int i = 0; i < count && !stream.getException(); ++i)

@@ -5,6 +5,7 @@
 #include "OgreHost.h"
 #include "XServer.h"
 
+#include "support/FrameTimes.h"
 #include "support/gl/Gl.h"
 #include "support/gl/Scenes.h"
 #include "support/TemporaryDir.h"
@@ -12,8 +13,6 @@
 #include <fbrdf/headless/Offscreen.h>
 #include <fbrdf/io/MaterialFile.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 namespace {
@@ -22,22 +21,6 @@ using namespace fbrdf;
 using namespace fbrdf::test;
 
 constexpr int kLights = 64, kFrames = 31, kSize = 64, kMaterials = 100;
-
-template <class Draw>
-double milliseconds(const GladGLContext& gl, Draw draw)
-{
-    const auto start = std::chrono::steady_clock::now();
-    draw();
-    gl.Finish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + kFrames / 2, values.end());
-    return values[kFrames / 2];
-}
 
 std::string script(const std::string& name)
 {
@@ -66,8 +49,8 @@ void compareFrames(const char* system, OgreHost& host, const GladGLContext& gl)
     Offscreen target(OgreHost::load, {kSize, kSize, OffscreenFormat::rgba32f, true});
     std::vector<double> ogre, runtime;
     for (int i = -3; i < kFrames; ++i) {  // three to warm up
-        const double a = milliseconds(gl, [&] { host.draw(); }),
-                     b = milliseconds(gl, [&] {
+        const double a = milliseconds(gl.Finish, [&] { host.draw(); }),
+                     b = milliseconds(gl.Finish, [&] {
                          target.clear();
                          renderer.draw({target.framebuffer(), kSize, kSize}, perspectiveView(),
                                        {{material.get(), gpuMesh.get(), glm::mat4(1.0f)}}, lights);
@@ -86,7 +69,7 @@ void startUp(const char* system, OgreHost& host, const GladGLContext& gl)
     host.addMesh("sphere", sphereMesh(8));
     host.setView(perspectiveView());
     host.addLight(testLights(1)[0]);
-    const double time = milliseconds(gl, [&] {
+    const double time = milliseconds(gl.Finish, [&] {
         for (int i = 0; i < kMaterials; ++i) {
             const std::string name = "m" + std::to_string(i);
             host.addScript(script(name));

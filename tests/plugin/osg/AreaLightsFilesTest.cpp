@@ -55,7 +55,7 @@ AreaLight tidied(const AreaLight& light)
     return tidy;
 }
 
-/// One of each shape, and one that is not valid: it is kept as it is.
+/// One of each shape, and two that are not valid: they are kept as they are.
 std::vector<AreaLight> allShapes()
 {
     std::vector<AreaLight> lights;
@@ -63,6 +63,8 @@ std::vector<AreaLight> allShapes()
     lights[2].twoSided = true;
     lights.push_back(tidied(areaLightOf(Shape::sphere)));
     lights.back().size = -1.0f;
+    lights.push_back(tidied(areaLightOf(Shape::polygon)));
+    lights.back().vertices.resize(static_cast<size_t>(kMostVertices) + 1);
     return lights;
 }
 
@@ -151,7 +153,7 @@ TEST_F(AreaLightsFiles, HostileNumbersAreNamed)
     } cases[] = {
         {"Lights 1 ", "Lights 4000000000 ", "found 4000000000 area lights, expected at most"},
         {"4 0 1 2 0.5 0", "9 0 1 2 0.5 0", "found an area light of shape 9, expected 0 to 4"},
-        {"  5 1.5 -1 1", "  70000 1.5 -1 1", "found an area light of 70000 vertices"},
+        {"  5 1.5 -1 1", "  7000000 1.5 -1 1", "found an area light of 7000000 vertices"},
     };
     for (const auto& [from, to, warning] : cases) {
         ASSERT_TRUE(osgDB::writeNodeFile(*osgAreaLights({areaLightOf(Shape::polygon)}),

@@ -3,10 +3,9 @@
 // ends each frame.
 #include "OsgScene.h"
 
+#include "support/FrameTimes.h"
 #include "support/gl/Scenes.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 namespace {
@@ -15,22 +14,6 @@ using namespace fbrdf;
 using namespace fbrdf::test;
 
 constexpr int kLights = 64, kFrames = 31;
-
-template <class Draw>
-double milliseconds(Draw draw)
-{
-    const auto start = std::chrono::steady_clock::now();
-    draw();
-    glFinish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + kFrames / 2, values.end());
-    return values[kFrames / 2];
-}
 
 }  // namespace
 
@@ -59,8 +42,8 @@ try {
         effect->selectTechnique(technique);
         std::vector<double> osg, runtime;
         for (int i = -3; i < kFrames; ++i) {  // three to warm up
-            const double a = milliseconds([&] { view.draw(); }),
-                         b = milliseconds([&] {
+            const double a = milliseconds(glFinish, [&] { view.draw(); }),
+                         b = milliseconds(glFinish, [&] {
                              target.clear();
                              renderer.draw({target.framebuffer(), kSize, kSize}, perspectiveView(),
                                            {{gpuMaterial.get(), gpuMesh.get(), glm::mat4(1.0f)}},

@@ -4,6 +4,7 @@
 // window does for a frame, such as asking the X server for its size, is not in the first.
 #include "VtkScene.h"
 
+#include "support/FrameTimes.h"
 #include "support/gl/Gl.h"
 #include "support/gl/Scenes.h"
 
@@ -11,7 +12,6 @@
 
 #include <vtkCommand.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -22,16 +22,6 @@ using namespace fbrdf;
 using namespace fbrdf::test;
 
 constexpr int kLights = 64, kFrames = 31, kMaterials = 100;
-
-template <class Draw>
-double milliseconds(const GladGLContext& gl, Draw draw)
-{
-    const auto start = std::chrono::steady_clock::now();
-    draw();
-    gl.Finish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
 
 /// Milliseconds that the last frame of a renderer took, from its StartEvent to its EndEvent.
 class FrameTimer {
@@ -57,12 +47,6 @@ private:
     double last_ = 0.0;
 };
 
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + kFrames / 2, values.end());
-    return values[kFrames / 2];
-}
-
 void compareFrames(const Material& material, int size)
 {
     const auto lights = vtkTestLights(kLights);
@@ -85,7 +69,7 @@ void compareFrames(const Material& material, int size)
     for (int i = -3; i < kFrames; ++i) {  // three to warm up
         view.window().Render();
         const double a = timer.last(),
-                     b = milliseconds(gl, [&] {
+                     b = milliseconds(gl.Finish, [&] {
                          target.clear();
                          renderer.draw({target.framebuffer(), size, size}, view.view,
                                        {{gpuMaterial.get(), gpuMesh.get(), glm::mat4(1.0f)}},
@@ -107,7 +91,7 @@ double firstFrame(bool hasMaterials)
     view.setLights(vtkTestLights(4));
     view.window().Render();
     const GladGLContext gl = loadGl(glxFunction);
-    return milliseconds(gl, [&] {
+    return milliseconds(gl.Finish, [&] {
         for (int i = 0; i < kMaterials; ++i) {
             const auto actor = vtkActorOf(vtkMesh(sphereMesh(12)));
             actor->SetScale(0.1);

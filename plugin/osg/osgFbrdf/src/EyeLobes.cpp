@@ -5,6 +5,8 @@
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <utility>
+
 namespace osgFbrdf {
 namespace {
 
@@ -74,10 +76,7 @@ EyeLobes lobesOf(const SceneLights& scene, const osg::Matrixd& toEye, const fbrd
     if (eye.light().isEmpty()) return eye;
     std::string whyNoLobes;
     eye.lobes = effect.getMaterial()->states()->lobes(environment.lobes, whyNoLobes);
-    if (!eye.lobes) {
-        eye.leaveOut(whyNoLobes);
-        eye.leaveOut(whyNoLobes);
-    }
+    while (!eye.lobes && !eye.light().isEmpty()) eye.leaveOut(whyNoLobes);
     return eye;
 }
 

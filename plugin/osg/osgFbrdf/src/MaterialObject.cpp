@@ -1,9 +1,9 @@
 #include <osgFbrdf/MaterialObject.h>
 
 #include "MaterialStates.h"
-#include "Vectors.h"
 
 namespace osgFbrdf {
+
 MaterialObject::MaterialObject() = default;
 MaterialObject::~MaterialObject() = default;
 

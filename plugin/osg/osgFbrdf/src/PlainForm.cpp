@@ -108,12 +108,6 @@ void replace(osg::Node& node, osg::Node& by)
     for (osg::Group* parent : parents) parent->replaceChild(&node, &by);
 }
 
-template <class... Nodes>
-bool isOneOf(const osg::Group& group)
-{
-    return (dynamic_cast<const Nodes*>(&group) || ...);
-}
-
 /// The valid lights of PointLights or AreaLights, as far as OpenGL can have them.
 std::vector<fbrdf::Light> lightsIn(const osg::Group& node)
 {
@@ -133,7 +127,8 @@ struct PartsOfScene : public osg::NodeVisitor {
     {
         std::string record;
         if (auto* effect = dynamic_cast<FactorizedBrdf*>(&group)) effects.emplace_back(effect);
-        if (isOneOf<PointLights, AreaLights>(group)) lights.emplace_back(&group);
+        if (dynamic_cast<PointLights*>(&group) || dynamic_cast<AreaLights*>(&group))
+            lights.emplace_back(&group);
         if (auto* node = dynamic_cast<EnvironmentLight*>(&group)) environments.emplace_back(node);
         if (group.getUserValue(kRecord, record)) records.emplace_back(&group);
         traverse(group);

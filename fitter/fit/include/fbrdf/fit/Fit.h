@@ -86,7 +86,7 @@ struct FitOptions {
     /// Strength relative to the data, > 0; unset: the one with the least held-out error.
     std::optional<double> smoothness;
     bool heldOut = true;  ///< measure held-out errors too: a fit of its own
-    /// Errors are computed on at most so many samples, > 0. They take longer than a small fit.
+    /// Errors are computed on at most so many samples, > 0.
     size_t measured = 200000;
     uint64_t seed = 1;  ///< decides the held-out folds and the samples drawn from functions
     int threads = 0;    ///< 0: one for each core

@@ -58,7 +58,8 @@ public:
     /// Multiplies the radiance of the picture; >= 0, or it lights nothing.
     void setIntensity(const osg::Vec3f& intensity) { intensity_ = intensity; }
     const osg::Vec3f& getIntensity() const { return intensity_; }
-    /// At most so many lobes of a material beside the cosine; 0: as many as it has.
+    /// 1 to 3: at most so many tilted lobes of a material beside the cosine, or 1, 3 or all bent
+    /// ones; 0: as many as it has.
     void setLobes(int lobes) { lobes_ = lobes > 0 ? lobes : 0; }
     int getLobes() const { return lobes_; }
     /// Texels on a side of a face of the cube map: a power of two from 8 to 4096, which others are
