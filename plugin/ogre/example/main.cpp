@@ -88,9 +88,9 @@ void addLights(Ogre::SceneManager& scene, int count)
         Ogre::Light* light = scene.createLight();
         light->setType(Ogre::Light::LT_POINT);
         Ogre::ColourValue hue;
-        hue.setHSB(static_cast<float>(i % 7) / 7.0f, 0.3f, 1.0f);
+        hue.setHSB(static_cast<float>(i % 7) / 7.0f, 0.1f, 1.0f);
         light->setDiffuseColour(hue);
-        light->setPowerScale((i % 8 == 0 ? 80.0f : 8.0f) / static_cast<float>(count));
+        light->setPowerScale((i % 8 == 0 ? 160.0f : 4.0f) / static_cast<float>(count));
         light->setAttenuation(100.0f, 0.0f, 0.0f, 1.0f);  // 1 / r^2
         scene.getRootSceneNode()
             ->createChildSceneNode(4.0f * Ogre::Vector3(r * std::cos(phi), r * std::sin(phi), z))
