@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 material() { # NAME SOURCE FORM
-  "$bin/fbrdf" fit "$2" -o "$work/$1.fbrdf" --form "$3" --quiet
+  "$bin/fbrdf" fit "$2" -o "$work/$1.fbrdf" --form "$3" --environment-lobes 3 --quiet
 }
 picture() { # NAME MESH: the full scene, as in the window
   "$bin/fbrdf-viewer" --headless --full --material "$work/$1.fbrdf" --mesh "$2" --technique two-lookup --size 480x480 \
