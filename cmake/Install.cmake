@@ -3,6 +3,7 @@
 # OpenSceneGraph, vtk VTK 9.1.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+include(cmake/ManPages.cmake)
 set(FBRDF_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fbrdf)
 
 # fbrdf_export(SET TARGET...): fbrdf_x becomes fbrdf::x in fbrdfSETTargets.cmake.
@@ -35,6 +36,9 @@ foreach(program fbrdf fbrdf-viewer)
   endif()
 endforeach()
 
+if(TARGET man)
+  install(DIRECTORY ${FBRDF_MAN_DIR}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN images EXCLUDE)

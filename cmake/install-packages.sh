@@ -7,12 +7,12 @@ purpose=${1:?$usage}
 log=${2:?$usage}
 
 packages=(
-  g++ cmake ninja-build pkg-config ccache python3 python3-glad
+  g++ cmake ninja-build pkg-config ccache python3 python3-glad help2man
   libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libpng-dev libopenexr-dev
   libglm-dev libglfw3-dev libimgui-dev libembree-dev libegl-dev libegl1 libgl1-mesa-dri libosmesa6-dev
 )
 if [ "$purpose" != build ]; then
-  packages+=(libgtest-dev libopenimageio-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph libvtk9-dev libogre-1.12-dev xdotool dpkg-dev file doxygen graphviz)
+  packages+=(libgtest-dev libopenimageio-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph libvtk9-dev libogre-1.12-dev xdotool dpkg-dev file doxygen graphviz groff-base)
 fi
 [ "$purpose" != builds ] || packages+=(clang)
 

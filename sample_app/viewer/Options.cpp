@@ -345,10 +345,8 @@ Options optionsFromArguments(int argc, const char* const* argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        options.help = sheet->parsed()       ? sheet->help()
-                       : turntable->parsed() ? turntable->help()
-                       : figures->parsed()   ? figures->help()
-                                             : app.help();
+        const auto used = app.get_subcommands();
+        options.help = used.empty() ? app.help() : used.front()->help(app.get_name());
         return options;
     } catch (const CLI::ParseError& error) {
         throw Error(ErrorKind::usage, "command line", error.what());
