@@ -10,11 +10,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
 namespace osgFbrdf {
 namespace {
+
+// More than any context has.
+constexpr int kMostTextureUnits = 1024;
 
 /// Names of techniques in options, with their indices: those of the runtime, and two of our own.
 std::vector<std::pair<std::string, int>> techniqueIndices()
@@ -65,6 +69,28 @@ bool integer(const std::string& text, int least, int& value)
     return !text.empty() && *end == '\0' && number >= least && number <= 1000000;
 }
 
+/// True for one unit, "3", or for several, "3-5".
+bool addUnits(const std::string& text, std::set<int>& units)
+{
+    const size_t dash = text.find('-');
+    int first = 0, last = 0;
+    if (!integer(text.substr(0, dash), 0, first)) return false;
+    if (!integer(dash == std::string::npos ? text : text.substr(dash + 1), first, last))
+        return false;
+    if (last >= kMostTextureUnits) return false;
+    for (int unit = first; unit <= last; ++unit) units.insert(unit);
+    return true;
+}
+
+/// True for units and ranges between commas, "0,11-14".
+bool parseUnits(const std::string& text, std::set<int>& units)
+{
+    std::istringstream ranges(text + ",");
+    for (std::string range; std::getline(ranges, range, ',');)
+        if (!addUnits(range, units)) return false;
+    return true;
+}
+
 /// True for names of others too.
 bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::string& text)
 {
@@ -84,6 +110,10 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
     } else if (name == "firstTextureUnit") {
         if (!integer(text, 0, number)) return false;
         effect.setFirstTextureUnit(number);
+    } else if (name == "freeTextureUnits") {
+        std::set<int> units;
+        if (!parseUnits(text, units)) return false;
+        effect.setFreeTextureUnits(units);
     } else if (name == "floatTarget" || name == "derivedTangents" || name == "preciseFiltering" ||
                name == "reload") {
         if (text != "0" && text != "1") return false;
@@ -165,6 +195,8 @@ std::vector<OptionText> optionTexts()
             {"lookupsPerPass=<n>",
              "The most texture look-ups in any pass; default 0: the limit of the technique"},
             {"firstTextureUnit=<n>", "The maps take this unit and those after it; default 0"},
+            {"freeTextureUnits=<n>-<n>,...",
+             "Units that the maps leave to others, such as 11-14; default none"},
             {"floatTarget=0|1", "1 where the colour buffer is RGBA32F; default 0"},
             {"derivedTangents=0|1", "1 derives tangents along texture coordinate s; default 0"},
             {"preciseFiltering=0|1", "1 filters maps in the shader, finer than a GPU; default 0"},

@@ -10,6 +10,9 @@
 #include <osgDB/ObjectWrapper>
 #include <osgDB/OutputStream>
 
+#include <set>
+#include <string>
+
 namespace {
 
 using osgFbrdf::FactorizedBrdf;
@@ -63,8 +66,9 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
 }
 
 // Binary files have all properties in a fixed order, so a property that is added later must belong
-// to a later format. Format 2 has materials in the scene itself, format 3 PreciseFiltering.
-constexpr int kEmbeddingFormat = 2, kFormat = 3;
+// to a later format. Format 2 has materials in the scene itself, format 3 PreciseFiltering, format
+// 4 FreeTextureUnits.
+constexpr int kEmbeddingFormat = 2, kPreciseFormat = 3, kFormat = 4;
 
 thread_local int formatBeingRead = 0;  ///< of the effect whose properties are read
 
@@ -89,10 +93,16 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
 
 /// The lowest format that can describe the effect, so that older readers give a warning only where
 /// they lose something.
+int formatOf(const FactorizedBrdf& effect)
+{
+    if (!effect.getFreeTextureUnits().empty()) return kFormat;
+    if (effect.getPreciseFiltering()) return kPreciseFormat;
+    return isEmbedded(effect) ? kEmbeddingFormat : 1;
+}
+
 bool writeFormat(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
 {
-    const int format = isEmbedded(effect) ? kEmbeddingFormat : 1;
-    stream << (effect.getPreciseFiltering() ? kFormat : format) << std::endl;
+    stream << formatOf(effect) << std::endl;
     return true;
 }
 
@@ -125,26 +135,56 @@ bool writeTransfer(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
     return true;
 }
 
-/// In binary files it exists only where it is true, and the format says so.
-class PreciseFiltering : public osgDB::PropByValSerializer<FactorizedBrdf, bool> {
+/// A property that binary files have from a format on.
+class FromFormat : public osgDB::BaseSerializer {
 public:
-    PreciseFiltering()
-        : PropByValSerializer("PreciseFiltering", false, &FactorizedBrdf::getPreciseFiltering,
-                              &FactorizedBrdf::setPreciseFiltering)
+    FromFormat(int format, osgDB::BaseSerializer* property)
+        : BaseSerializer(READ_WRITE_PROPERTY), format_(format), property_(property)
     {
     }
+    const std::string& getName() const override { return property_->getName(); }
     bool read(osgDB::InputStream& stream, osg::Object& object) override
     {
-        const bool exists = !stream.isBinary() || formatBeingRead >= kFormat;
-        return !exists || PropByValSerializer::read(stream, object);
+        const bool exists = !stream.isBinary() || formatBeingRead >= format_;
+        return !exists || property_->read(stream, object);
     }
     bool write(osgDB::OutputStream& stream, const osg::Object& object) override
     {
-        const auto& effect = static_cast<const FactorizedBrdf&>(object);
-        const bool exists = !stream.isBinary() || effect.getPreciseFiltering();
-        return !exists || PropByValSerializer::write(stream, object);
+        const bool exists =
+            !stream.isBinary() || formatOf(static_cast<const FactorizedBrdf&>(object)) >= format_;
+        return !exists || property_->write(stream, object);
     }
+
+private:
+    int format_;
+    osg::ref_ptr<osgDB::BaseSerializer> property_;
 };
+
+bool checkFreeTextureUnits(const FactorizedBrdf& effect)
+{
+    return !effect.getFreeTextureUnits().empty();
+}
+
+bool readFreeTextureUnits(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    int count = 0;
+    stream >> count;
+    std::set<int> units;
+    for (int i = 0, unit = 0; i < count && !stream.getException(); ++i) {
+        stream >> unit;
+        units.insert(unit);
+    }
+    effect.setFreeTextureUnits(units);
+    return true;
+}
+
+bool writeFreeTextureUnits(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    stream << static_cast<int>(effect.getFreeTextureUnits().size());
+    for (const int unit : effect.getFreeTextureUnits()) stream << unit;
+    stream << std::endl;
+    return true;
+}
 
 // A technique that the runtime gets later must not take this number, which is in scene files: it
 // needs a table from numbers of files to indices.
@@ -193,5 +233,15 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
     ADD_USER_SERIALIZER(Technique);
     ADD_USER_SERIALIZER(Transfer);
     ADD_BOOL_SERIALIZER(Reloading, false);
-    wrapper->addSerializer(new PreciseFiltering, osgDB::BaseSerializer::RW_BOOL);
+    using Precise = osgDB::PropByValSerializer<FactorizedBrdf, bool>;
+    wrapper->addSerializer(
+        new FromFormat(kPreciseFormat,
+                       new Precise("PreciseFiltering", false, &FactorizedBrdf::getPreciseFiltering,
+                                   &FactorizedBrdf::setPreciseFiltering)),
+        osgDB::BaseSerializer::RW_BOOL);
+    using FreeUnits = osgDB::UserSerializer<FactorizedBrdf>;
+    wrapper->addSerializer(
+        new FromFormat(kFormat, new FreeUnits("FreeTextureUnits", &checkFreeTextureUnits,
+                                              &readFreeTextureUnits, &writeFreeTextureUnits)),
+        osgDB::BaseSerializer::RW_USER);
 }

@@ -50,6 +50,7 @@ TEST(Options, AreAppliedOrRefusedByName)
                                        "exposure=2.5 technique=two-lookup lightsPerPass=4 "
                                        "lookupsPerPass=3 firstTextureUnit=2 floatTarget=1 "
                                        "transfer=tone-map reload=1 preciseFiltering=1 "
+                                       "freeTextureUnits=0,11-13 "
                                        "somebodyElses=1 word")
                     .empty());
     EXPECT_EQ(effect->getExposure(), 2.5f);
@@ -61,11 +62,13 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_EQ(effect->getTransfer(), Transfer::toneMap);
     EXPECT_TRUE(effect->getReloading());
     EXPECT_TRUE(effect->getPreciseFiltering());
+    EXPECT_EQ(effect->getFreeTextureUnits(), (std::set<int>{0, 11, 12, 13}));
     const std::string bad =
         "exposure=-1 exposure= technique=best lightsPerPass=0 "
         "lookupsPerPass=2x firstTextureUnit=-1 floatTarget=yes "
-        "transfer=gamma reload=2 preciseFiltering=on";
-    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 10u);
+        "transfer=gamma reload=2 preciseFiltering=on freeTextureUnits=14-11 "
+        "freeTextureUnits=-1 freeTextureUnits=1024 freeTextureUnits=3,";
+    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 14u);
     EXPECT_EQ(effect->getExposure(), 2.5f);
 }
 
@@ -332,24 +335,30 @@ TEST_P(RoundTrip, KeepsEverything)
     EXPECT_GT(meanOf(imageOf(node), 0), 0.01);
 }
 
-// Files have the property only where it is true, as files of older versions have none.
+// Files have these properties only where they differ from the default, as files of older versions
+// have none.
 TEST_P(RoundTrip, KeepsWhatAddsToTheFormat)
 {
-    for (const bool precise : {true, false}) {
-        const auto before = scene();
-        dynamic_cast<FactorizedBrdf&>(*before->getChild(0)).setPreciseFiltering(precise);
-        const std::string file = path(std::string("precise.") + GetParam());
-        ASSERT_TRUE(osgDB::writeNodeFile(*before, file));
-        const auto node = osgDB::readRefNodeFile(file);
-        ASSERT_TRUE(node);
-        ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
-        const auto* effect = dynamic_cast<FactorizedBrdf*>(node->asGroup()->getChild(0));
-        ASSERT_TRUE(effect && effect->getMaterial());
-        EXPECT_EQ(effect->getPreciseFiltering(), precise);
-        EXPECT_TRUE(effect->getReloading());
-        EXPECT_EQ(dynamic_cast<PointLights*>(node->asGroup()->getChild(1))->getLights().size(),
-                  testLights(64).size());
-    }
+    const std::set<int> units{11, 12, 14};
+    for (const bool precise : {true, false})
+        for (const bool keeps : {true, false}) {
+            const auto before = scene();
+            auto& written = dynamic_cast<FactorizedBrdf&>(*before->getChild(0));
+            written.setPreciseFiltering(precise);
+            if (keeps) written.setFreeTextureUnits(units);
+            const std::string file = path(std::string("precise.") + GetParam());
+            ASSERT_TRUE(osgDB::writeNodeFile(*before, file));
+            const auto node = osgDB::readRefNodeFile(file);
+            ASSERT_TRUE(node);
+            ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
+            const auto* effect = dynamic_cast<FactorizedBrdf*>(node->asGroup()->getChild(0));
+            ASSERT_TRUE(effect && effect->getMaterial());
+            EXPECT_EQ(effect->getPreciseFiltering(), precise);
+            EXPECT_EQ(effect->getFreeTextureUnits(), keeps ? units : std::set<int>());
+            EXPECT_TRUE(effect->getReloading());
+            EXPECT_EQ(dynamic_cast<PointLights*>(node->asGroup()->getChild(1))->getLights().size(),
+                      testLights(64).size());
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, ::testing::Values("osgt", "osgb", "osgx"));

@@ -48,10 +48,11 @@ TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
     const auto first = states->passes(usual, {});
     for (size_t i = 0; i < requests.size(); ++i)
         EXPECT_NE(states->passes(requests[i], {}, &lobes), first) << "request " << i;
-    std::vector<PassInputs> inputs(3);
-    inputs[0].firstTextureUnit = 2;
+    std::vector<PassInputs> inputs(4);
+    inputs[0].units = osgFbrdf::TextureUnits(2, {});
     inputs[1].derivedTangents = true;
     inputs[2].attenuated = true;
+    inputs[3].units = osgFbrdf::TextureUnits(0, {0});
     for (size_t i = 0; i < inputs.size(); ++i) {
         const auto other = states->passes(usual, inputs[i]);
         ASSERT_EQ(other->states.size(), first->states.size());
@@ -94,6 +95,17 @@ TEST(MaterialStates, GivesNothingOfAnEnvironmentWithoutOne)
     EXPECT_GT(counts[0], 0u);  // passes that add lights
     EXPECT_EQ(counts[1], 2u);  // three look-ups, two in a pass
     for (const auto& state : before->states) EXPECT_FALSE(state->getUniform("fbrdfLobes"));
+}
+
+TEST(TextureUnits, AreThoseThatOthersLeave)
+{
+    const osgFbrdf::TextureUnits units(1, {0, 2, 3, 11});
+    for (const auto& [texture, unit] :
+         std::vector<std::pair<int, int>>{{0, 1}, {1, 4}, {7, 10}, {8, 12}})
+        EXPECT_EQ(units[texture], unit) << texture;
+    EXPECT_EQ(units.needed(0), 1);
+    EXPECT_EQ(units.needed(9), 13);
+    EXPECT_EQ(osgFbrdf::TextureUnits(3, {})[5], 8);
 }
 
 // Lights come into reach and go: the plans of long ago are dropped, and made again when asked for.

@@ -20,6 +20,7 @@
 #include <osgViewer/CompositeViewer>
 
 #include <cstdlib>
+#include <utility>
 
 namespace fbrdf::test {
 namespace {
@@ -321,6 +322,53 @@ TEST_F(RealScenes, TooFewTextureUnitsAreRefusedWithTheFallback)
     effect_->setFirstTextureUnit(3);
     view_->frame();
     EXPECT_EQ(view_->frame(), alone_);
+}
+
+/// Counts the draws during which units 0 and 2 have the textures of the host.
+class HostsTextures : public osg::Drawable::DrawCallback {
+public:
+    void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override
+    {
+        const auto kept = [&](unsigned int unit) {
+            return info.getState()->getLastAppliedTextureAttribute(
+                       unit, osg::StateAttribute::TEXTURE) == texture;
+        };
+        ++(kept(0) && kept(2) ? keptInDraws : lostInDraws);
+        drawable->drawImplementation(info);
+    }
+    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    mutable int keptInDraws = 0, lostInDraws = 0;
+};
+
+// SimGear keeps the lists of its lights in units 11 to 14.
+TEST_F(RealScenes, UnitsThatOthersKeepAreLeftToThem)
+{
+    const osg::ref_ptr<HostsTextures> host = new HostsTextures;
+    osg::ref_ptr<osg::Group> above = new osg::Group;
+    for (const unsigned int unit : {0u, 2u})
+        above->getOrCreateStateSet()->setTextureAttribute(unit, host->texture);
+    above->addChild(effect_);
+    beside(above);
+    effect_->getChild(0)->asDrawable()->setDrawCallback(host);
+    view_->frame();
+    EXPECT_EQ(std::exchange(host->lostInDraws, 0), 1);
+    effect_->setFreeTextureUnits({0, 2});
+    for (const int technique : {osgFbrdf::kSinglePass, osgFbrdf::kTwoLookups})
+        for (const bool surfaces : {false, true}) {
+            effect_->selectTechnique(technique);
+            effect_->setFloatTarget(!surfaces);
+            EXPECT_LT(compareImages(view_->frame(), alone_).maxRelative, 1e-4);
+            EXPECT_EQ(effect_->lastReport().reason, "");
+        }
+    EXPECT_EQ(host->lostInDraws, 0);
+    EXPECT_GT(host->keptInDraws, 20);
+    std::set<int> all;
+    for (int unit = 0; unit < 500; ++unit) all.insert(unit);
+    effect_->setFreeTextureUnits(all);
+    const Notices notices;
+    for (int frame = 0; frame < 2; ++frame) EXPECT_GT(meanOf(view_->frame(), 3), 0.3);
+    EXPECT_EQ(effect_->lastReport().technique, "diffuse fallback");
+    EXPECT_NE(notices.text().find("others keep 500"), std::string::npos) << notices.text();
 }
 
 TEST_F(RealScenes, WithoutShadersTheFallbackIsDrawn)

@@ -52,7 +52,7 @@ std::string refusalBy(osg::State& state, const ContextNeeds& needs)
     if (!extensions->isFrameBufferObjectSupported && !needs.withoutSurfaces.empty())
         return needs.withoutSurfaces;
     if (const int limit = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS); needs.textureUnits > limit)
-        return tooFew("texture units", needs.textureUnits, limit);
+        return tooFew(needs.unitsDescription, needs.textureUnits, limit);
     const int limit = limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
     return needs.uniformComponents <= limit
                ? ""

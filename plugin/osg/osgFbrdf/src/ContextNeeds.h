@@ -40,6 +40,7 @@ struct ContextNeeds {
     /// Why a context without framebuffer objects cannot draw; empty: it can.
     std::string withoutSurfaces;
     int textureUnits = 0;
+    std::string unitsDescription = "texture units";  ///< for a refusal
     int uniformComponents = 0;
 };
 

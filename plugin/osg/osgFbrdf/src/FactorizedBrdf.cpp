@@ -77,6 +77,7 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
       lightsPerPass_(other.lightsPerPass_),
       lookupsPerPass_(other.lookupsPerPass_),
       firstTextureUnit_(other.firstTextureUnit_),
+      freeTextureUnits_(other.freeTextureUnits_),
       floatTarget_(other.floatTarget_),
       derivedTangents_(other.derivedTangents_),
       preciseFiltering_(other.preciseFiltering_),
@@ -155,6 +156,12 @@ void FactorizedBrdf::setLookupsPerPass(int lookups)
 void FactorizedBrdf::setFirstTextureUnit(int unit)
 {
     firstTextureUnit_ = std::max(0, unit);
+    changed();
+}
+
+void FactorizedBrdf::setFreeTextureUnits(const std::set<int>& units)
+{
+    freeTextureUnits_ = units;
     changed();
 }
 

@@ -75,7 +75,8 @@ osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuatio
 }  // namespace
 
 FrameStates::FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
-                         EyeLights lights, const EyeLobes& lobes, Surfaces* surfaces)
+                         EyeLights lights, const EyeLobes& lobes, Surfaces* surfaces,
+                         const TextureUnits& units)
     : lights_(std::move(lights)),
       attenuations_(lights_.attenuations.empty() ? nullptr
                                                  : attenuationUniform(lights_.attenuations)),
@@ -83,7 +84,7 @@ FrameStates::FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& proje
       areas_(lobes.areas),
       surfaces_(surfaces),
       effect_(effect),
-      readUnit_(effect.getFirstTextureUnit() + effect.getMaterial()->states()->textureUnits()),
+      units_(units),
       eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
 {
     if (environment_) {
@@ -126,8 +127,7 @@ void FrameStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const
     if (pass.lobes.areaCount > 0) state.addUniform(areaUniform(areas_, pass.lobes));
     if (!pass.lobes.environment) return;
     FBRDF_ASSERT(environment_.valid(), ==, true);
-    const int unit =
-        effect_.getMaterial()->states()->environmentUnit(pass, effect_.getFirstTextureUnit());
+    const int unit = effect_.getMaterial()->states()->environmentUnit(pass, units_);
     state.setTextureAttribute(static_cast<unsigned int>(unit), environment_, kOurs);
     state.addUniform(toEnvironment_);
     state.addUniform(environmentScale_);
@@ -136,9 +136,9 @@ void FrameStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const
 void FrameStates::addSurface(osg::StateSet& state, fbrdf::Surface surface) const
 {
     FBRDF_ASSERT(surfaces_.valid(), ==, true);
-    state.setTextureAttribute(static_cast<unsigned int>(readUnit_), surfaces_->texture(surface),
-                              kOurs);
-    state.addUniform(new osg::Uniform("fbrdfRead", readUnit_));
+    const int unit = units_[effect_.getMaterial()->states()->textureUnits()];
+    state.setTextureAttribute(static_cast<unsigned int>(unit), surfaces_->texture(surface), kOurs);
+    state.addUniform(new osg::Uniform("fbrdfRead", unit));
     state.addUniform(new osg::Uniform("fbrdfReadScale",
                                       osg::Vec2f(1.0f / static_cast<float>(surfaces_->width()),
                                                  1.0f / static_cast<float>(surfaces_->height()))));

@@ -4,6 +4,7 @@
 #include "EyeLights.h"
 #include "EyeLobes.h"
 #include "Surfaces.h"
+#include "TextureUnits.h"
 
 #include <fbrdf/plan/Plan.h>
 
@@ -19,7 +20,7 @@ class FrameStates {
 public:
     /// surfaces: null where no pass reads one.
     FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
-                const EyeLobes& lobes, Surfaces* surfaces);
+                const EyeLobes& lobes, Surfaces* surfaces, const TextureUnits& units);
 
     /// The uniforms of the pass and the surface that it reads; MaterialStates has the rest.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const;
@@ -36,7 +37,7 @@ private:
     std::vector<fbrdf::AreaVectors> areas_;
     osg::ref_ptr<Surfaces> surfaces_;
     const FactorizedBrdf& effect_;
-    int readUnit_;
+    TextureUnits units_;
     osg::ref_ptr<osg::Uniform> eye_;
     std::vector<osg::ref_ptr<osg::Uniform>> scales_;
 };

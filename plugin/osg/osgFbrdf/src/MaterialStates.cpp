@@ -83,7 +83,7 @@ constexpr size_t kMostPlans = 32;
 
 std::string keyOf(const PassInputs& inputs)
 {
-    return std::to_string(inputs.firstTextureUnit) + (inputs.derivedTangents ? "t" : "") +
+    return inputs.units.key() + (inputs.derivedTangents ? "t" : "") +
            (inputs.preciseFiltering ? "p" : "") + (inputs.attenuated ? "a" : "");
 }
 
@@ -229,7 +229,7 @@ osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& s
 void MaterialStates::addMaps(osg::StateSet& state, const PassInputs& inputs) const
 {
     for (size_t i = 0; i < textures_.size(); ++i) {
-        const int unit = inputs.firstTextureUnit + static_cast<int>(i);
+        const int unit = inputs.units[static_cast<int>(i)];
         const Map& map = maps_[textures_[i]];
         state.setTextureAttribute(static_cast<unsigned int>(unit),
                                   inputs.preciseFiltering ? map.unfiltered : map.texture, kOurs);
@@ -254,9 +254,8 @@ void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
     if (lobes.axes == fbrdf::LobeAxes::bent)
         state.addUniform(new osg::Uniform("fbrdfLobeBend", osg::Vec2f(bend.x, bend.y)), kOurs);
     if (!pass.lobes.environment) return;
-    state.addUniform(
-        new osg::Uniform("fbrdfEnvironment", environmentUnit(pass, inputs.firstTextureUnit)),
-        kOurs);
+    state.addUniform(new osg::Uniform("fbrdfEnvironment", environmentUnit(pass, inputs.units)),
+                     kOurs);
     state.setAttribute(new SeamlessCubes(true), kOurs);
 }
 
@@ -272,7 +271,8 @@ ContextLimits MaterialStates::neededBy(const fbrdf::Pass& pass, const PassInputs
     const int vectors = assumed.maxUniformVectors - fbrdf::freeUniformVectors(form_, assumed) +
                         fbrdf::kVectorsPerLight * lights + attenuated + pass.lobes.vectors();
     const bool cube = pass.lobes.environment;
-    return {environmentUnit(pass, inputs.firstTextureUnit) + (cube ? 1 : 0), 4 * vectors, cube};
+    const int textures = textureUnits() + (pass.reads ? 1 : 0) + (cube ? 1 : 0);
+    return {inputs.units.needed(textures), 4 * vectors, cube};
 }
 
 /// The caller has the lock.

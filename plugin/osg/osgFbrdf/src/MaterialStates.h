@@ -3,6 +3,7 @@
 #pragma once
 #include "ContextNeeds.h"
 #include "LobesOfMaterial.h"
+#include "TextureUnits.h"
 
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/shaders/ShaderSource.h>
@@ -27,7 +28,7 @@ fbrdf::Capabilities assumedCapabilities(bool attenuated = false);
 
 /// What an effect decides of its passes beside the plan.
 struct PassInputs {
-    int firstTextureUnit = 0;
+    TextureUnits units;
     bool derivedTangents = false;
     bool preciseFiltering = false;  ///< in the shader
     bool attenuated = false;        ///< some lights are, by attenuation.glsl (OsgLights.h)
@@ -50,9 +51,9 @@ public:
     int textureUnits() const { return static_cast<int>(textures_.size()); }
     /// The unit of the environment's cube map in a pass that adds lobes: after the maps and the
     /// surface that the pass reads.
-    int environmentUnit(const fbrdf::Pass& pass, int firstTextureUnit) const
+    int environmentUnit(const fbrdf::Pass& pass, const TextureUnits& units) const
     {
-        return firstTextureUnit + textureUnits() + (pass.reads ? 1 : 0);
+        return units[textureUnits() + (pass.reads ? 1 : 0)];
     }
     /// See LobesOfMaterial::find.
     LobesOfMaterial::Table lobes(int most, std::string& whyNot)

@@ -171,10 +171,10 @@ bool PassTechnique::mayDraw(osg::State& state) const
     // next frame, which has a reason.
     const int known = static_cast<int>(state.getMaxTextureUnits());
     const int limit = known > 1 ? known : assumedCapabilities().maxTextureUnits;
-    const int units =
-        effect_.getFirstTextureUnit() + effect_.getMaterial()->states()->textureUnits();
-    if (units <= limit) return true;
-    internals_.choice->refuse(known > 1 ? tooFew("texture units", units, limit) : "");
+    const TextureUnits units = textureUnits();
+    const int needed = units.needed(effect_.getMaterial()->states()->textureUnits());
+    if (needed <= limit) return true;
+    internals_.choice->refuse(known > 1 ? tooFew(units.description(), needed, limit) : "");
     return false;
 }
 
@@ -192,7 +192,9 @@ ContextNeeds PassTechnique::needs() const
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     needs.refusal = several.reason;
     needs.withoutSurfaces = states.plan(request(2, false, {}), false).reason;
-    needs.textureUnits = effect_.getFirstTextureUnit() + states.textureUnits() + (reads ? 1 : 0);
+    const TextureUnits units = textureUnits();
+    needs.textureUnits = units.needed(states.textureUnits() + (reads ? 1 : 0));
+    needs.unitsDescription = units.description();
     needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
     return needs;
 }
@@ -214,10 +216,15 @@ fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen, const EyeL
     return request;
 }
 
+TextureUnits PassTechnique::textureUnits() const
+{
+    return TextureUnits(effect_.getFirstTextureUnit(), effect_.getFreeTextureUnits());
+}
+
 PassInputs PassTechnique::inputs(bool attenuated) const
 {
     PassInputs inputs;
-    inputs.firstTextureUnit = effect_.getFirstTextureUnit();
+    inputs.units = textureUnits();
     inputs.derivedTangents = effect_.getDerivedTangents();
     inputs.preciseFiltering = effect_.getPreciseFiltering();
     inputs.attenuated = attenuated;
@@ -331,7 +338,7 @@ void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, E
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
     const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), lobes,
-                            drawing.surfaces);
+                            drawing.surfaces, textureUnits());
     const auto cullUnder = [&](osg::StateSet* state, osg::StateSet* varying) {
         visitor.pushStateSet(state);
         visitor.pushStateSet(varying);

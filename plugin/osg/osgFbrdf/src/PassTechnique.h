@@ -40,6 +40,7 @@ private:
     };
     /// offscreen: Surfaces can be used.
     fbrdf::PlanRequest request(int lights, bool offscreen, const EyeLobes& lobes) const;
+    TextureUnits textureUnits() const;
     /// attenuated: some lights are, by attenuation.glsl.
     PassInputs inputs(bool attenuated) const;
 

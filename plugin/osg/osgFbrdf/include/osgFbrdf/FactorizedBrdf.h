@@ -29,6 +29,7 @@
 #include <osgFX/Effect>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,9 @@ public:
     /// The maps take this texture unit and those after it.
     void setFirstTextureUnit(int unit);
     int getFirstTextureUnit() const { return firstTextureUnit_; }
+    /// Units that no texture of the effect takes, as others have theirs there.
+    void setFreeTextureUnits(const std::set<int>& units);
+    const std::set<int>& getFreeTextureUnits() const { return freeTextureUnits_; }
     /// False: tangents are vertex attribute kTangentAttribute, and the frame is arbitrary where
     /// the model has none. True: derived per pixel, towards increasing s of texture coordinates 0.
     void setDerivedTangents(bool derived) { derivedTangents_ = derived; }
@@ -154,6 +158,7 @@ private:
     osg::ref_ptr<MaterialObject> material_;
     float exposure_ = 1.0f;
     int lightsPerPass_ = 8, lookupsPerPass_ = 0, firstTextureUnit_ = 0;
+    std::set<int> freeTextureUnits_;
     bool floatTarget_ = false, derivedTangents_ = false, preciseFiltering_ = false,
          reloading_ = false;
     fbrdf::Transfer transfer_ = fbrdf::Transfer::linear;
