@@ -58,6 +58,27 @@ TEST_P(EnvironmentFault, MakingPutsBackWhatItFindsAndIsNotDisturbedByIt)
     }
 }
 
+TEST_P(EnvironmentFault, RefiningPutsBackWhatItFindsAndIsNotDisturbedByIt)
+{
+    constexpr int kFine = 64;
+    gl::EnvironmentOptions options{kFine, false};
+    const auto expected =
+        readCube(gl(), *renderer_->createEnvironment(testPanorama(16), options)).levels[0];
+    options.gradual = true;
+    for (unsigned seed = 0; seed < 4; ++seed) {
+        const auto environment = renderer_->createEnvironment(testPanorama(16), options);
+        bool isFinished = false;
+        while (!isFinished) {
+            scrambler_->scramble(seed);
+            const StateSnapshot before = now();
+            isFinished = renderer_->refine(*environment, 10000);
+            EXPECT_EQ(difference(before, now()), "") << "seed " << seed;
+            scrambler_->setDefaults();
+        }
+        ASSERT_EQ(readCube(gl(), *environment).levels[0], expected) << "seed " << seed;
+    }
+}
+
 TEST_P(EnvironmentFault, DrawingPutsBackWhatItFindsAndIsNotDisturbedByIt)
 {
     const auto mesh = renderer_->createMesh(sphereMesh(8));

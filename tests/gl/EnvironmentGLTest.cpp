@@ -114,6 +114,30 @@ TEST_P(Environment, OfOneEverywhereShowsTheAlbedo)
     }
 }
 
+// Levels that are not drawn yet are not looked up: sharp lobes look as in a smaller environment.
+TEST_P(Environment, BeforeItIsFinishedIsASmallerOne)
+{
+    const auto material = withLobes(testMaterials()[0], testLobes(LobeAxes::tilted, 2));
+    gl::EnvironmentOptions options{2 * kCube, true};
+    const auto finished = renderer_->createEnvironment(testPanorama(64), options);
+    options.gradual = true;
+    const auto begun = renderer_->createEnvironment(testPanorama(64), options);
+    CubeImage smaller = readCube(gl(), *finished);
+    smaller.size = kCube;
+    smaller.levels.erase(smaller.levels.begin());
+    const auto small = renderer_->createEnvironment(smaller, {0, true});
+    const auto picture = [&](const gl::GpuEnvironment& map) {
+        gl::DrawOptions drawing = optionsOf(Technique::single);
+        drawing.environment.map = &map;
+        return drawn(material, {}, drawing).pixels;
+    };
+    const auto whole = picture(*finished), first = picture(*begun);
+    EXPECT_LT(compareImages(first, picture(*small), 1.0).maxRelative, emulation());
+    EXPECT_GT(compareImages(first, whole, 1.0).maxRelative, 10 * emulation());
+    EXPECT_TRUE(renderer_->refine(*begun, 6LL * 2 * kCube * 2 * kCube));
+    EXPECT_EQ(picture(*begun), whole);
+}
+
 TEST_P(Environment, TurnedByAQuarterIsTheTurnedPanorama)
 {
     // The cells of a lobe are turned in another way: without a lamp hardly anything depends on

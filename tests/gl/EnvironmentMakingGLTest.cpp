@@ -220,6 +220,39 @@ TEST_P(EnvironmentMaking, TakesACubeThatIsPrefiltered)
     expectError(ErrorKind::input, "texels", [&] { renderer_->createEnvironment(broken); });
 }
 
+TEST_P(EnvironmentMaking, GraduallyIsBitEqualInTheEnd)
+{
+    const Panorama panorama = testPanorama(64);
+    for (const long long texels : {1LL, 5000LL, 100000LL}) {
+        gl::EnvironmentOptions options{64, true};
+        options.gradual = true;
+        const auto environment = renderer_->createEnvironment(panorama, options);
+        EXPECT_FALSE(environment->isFinished());
+        int steps = 1;
+        while (!renderer_->refine(*environment, texels)) ASSERT_LT(++steps, 1000);
+        EXPECT_TRUE(environment->isFinished());
+        // The faces with 64 texels on a side are left to it, and it draws whole rows.
+        const long long left = 6 * 64 * 64;
+        EXPECT_EQ(steps, texels == 1 ? 64 : steps);
+        EXPECT_LE(steps, (left + texels - 1) / texels);
+        expectSame(readCube(gl(), *environment), readCube(gl(), *made(panorama, 64)), 1e-30);
+        EXPECT_TRUE(renderer_->refine(*environment, texels));  // nothing is left
+    }
+    EXPECT_TRUE(log.empty()) << log[0];
+}
+
+TEST_P(EnvironmentMaking, OnlyWhatADrawerAskedForComesGradually)
+{
+    EXPECT_TRUE(made(testPanorama(16))->isFinished());
+    gl::EnvironmentOptions small{kCube, true};
+    small.gradual = true;  // all of its levels are drawn at once
+    const auto environment = renderer_->createEnvironment(testPanorama(16), small);
+    EXPECT_TRUE(environment->isFinished());
+    expectError(ErrorKind::usage, "found 0 texels", [&] { renderer_->refine(*environment, 0); });
+    gl::Renderer other(rendererOptions());
+    expectError(ErrorKind::usage, "another renderer", [&] { other.refine(*environment, 1); });
+}
+
 INSTANTIATE_TEST_SUITE_P(Backends, EnvironmentMaking, ::testing::ValuesIn(allVariants()),
                          variantName);
 

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Parallel.h>
 #include <fbrdf/environment/Sky.h>
 
 #include <algorithm>
@@ -30,7 +31,8 @@ template <class Radiance>
 void addRadiance(Panorama& panorama, int firstRow, int endRow, const Radiance& radiance)
 {
     constexpr int kTexelSamples = kSkySamples * kSkySamples;
-    for (int y = firstRow; y < endRow; ++y)
+    parallelTasks(static_cast<size_t>(endRow - firstRow), 0, [&](size_t row) {
+        const int y = firstRow + static_cast<int>(row);
         for (int x = 0; x < panorama.width; ++x) {
             Vec3d sum(0.0);
             for (int i = 0; i < kTexelSamples; ++i)
@@ -40,6 +42,7 @@ void addRadiance(Panorama& panorama, int firstRow, int endRow, const Radiance& r
             panorama.texels[static_cast<size_t>(y) * static_cast<size_t>(panorama.width) +
                             static_cast<size_t>(x)] += Vec3f(sum / double(kTexelSamples));
         }
+    });
 }
 
 Panorama blackPanorama(int width)

@@ -51,19 +51,21 @@ void CubePainter::setSampler(const Object& program, const char* name, int unit) 
                           device_->firstTextureUnit + unit);
 }
 
-void CubePainter::draw(const Object& program, GLuint cube, int level, int size, float largest)
+void CubePainter::draw(const Object& program, GLuint cube, const CubeRows& rows, float largest)
 {
     const Functions& gl = device_->gl;
     const auto at = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
     Target target;
     target.framebuffer = framebuffer_.name();
-    target.width = target.height = size;
+    target.width = target.height = rows.size;
     state_.setTarget(target);
-    gl.Uniform1f(at("fbrdfFaceSize"), static_cast<GLfloat>(size));
+    const PixelRect box{0, rows.first, rows.size, rows.count};
+    state_.setScissor(rows.count < rows.size ? &box : nullptr);
+    gl.Uniform1f(at("fbrdfFaceSize"), static_cast<GLfloat>(rows.size));
     gl.Uniform1f(at("fbrdfLargest"), largest);
     for (GLenum face = 0; face < 6; ++face) {
         gl.FramebufferTexture2D(gl.drawFramebuffer(), GL_COLOR_ATTACHMENT0,
-                                GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, cube, level);
+                                GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, cube, rows.level);
         if (gl.CheckFramebufferStatus(gl.drawFramebuffer()) != GL_FRAMEBUFFER_COMPLETE)
             throw Error(
                 ErrorKind::gl, "environment",

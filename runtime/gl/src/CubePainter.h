@@ -8,6 +8,12 @@ namespace fbrdf::gl {
 /// One triangle that covers all of a target.
 MeshData coveringTriangle();
 
+/// Rows of a level of a cube map, of all faces.
+struct CubeRows {
+    int level, size;  ///< size: texels on a side of a face of the level
+    int first, count;
+};
+
 class CubePainter {
 public:
     /// triangle: bound by the caller. Sets up blending and depth.
@@ -17,9 +23,9 @@ public:
     Object programOf(const std::string& fragment, const std::string& name) const;
     /// unit: from the device's first. The program must be current.
     void setSampler(const Object& program, const char* name, int unit) const;
-    /// Draws all faces of a level with the current program (PrefilterSource.h). Throws Error(gl)
-    /// where they cannot be drawn to.
-    void draw(const Object& program, GLuint cube, int level, int size, float largest);
+    /// Draws rows with the current program (PrefilterSource.h). Throws Error(gl) where they cannot
+    /// be drawn to.
+    void draw(const Object& program, GLuint cube, const CubeRows& rows, float largest);
 
 private:
     DevicePtr device_;

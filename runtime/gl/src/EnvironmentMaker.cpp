@@ -16,8 +16,9 @@
 namespace fbrdf::gl {
 namespace {
 
-constexpr float kMostOfHalf = 65504.0f;
 constexpr float kMostOfFloat = std::numeric_limits<float>::max();
+// Texels on a side of the finest level that is drawn at once where the others may come gradually.
+constexpr int kGradualSize = 32;
 
 /// Why the GPU cannot draw cubes of floats; "" where it can.
 std::string whyNotDrawn(const Device& device)
@@ -63,28 +64,14 @@ Object emptyCube(const DevicePtr& device, StateGuard& state, int size, int level
     return cube;
 }
 
-/// The cells of a lobe as a row of texels: see PrefilterSource.h.
-Object cellTexture(const DevicePtr& device, StateGuard& state, const std::vector<LobeCell>& cells,
-                   int sourceSize)
-{
-    std::vector<glm::vec4> texels(kMostCells, glm::vec4(0.0f));
-    for (size_t i = 0; i < cells.size(); ++i)
-        texels[i] =
-            glm::vec4(cells[i].direction.x, cells[i].direction.y, cells[i].weight,
-                      levelOfCell(double(cells[i].solidAngle), {0.0, 0.0, 1.0}, sourceSize));
-    Object texture = createObject(device, ObjectKind::texture);
-    state.bindTexture(1, GL_TEXTURE_2D, texture.name());
-    setSampling(device->gl, GL_TEXTURE_2D, false);
-    device->gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kMostCells, 1, 0, GL_RGBA, GL_FLOAT,
-                          texels.data());
-    return texture;
-}
-
 /// Draws the cube that is convolved, and its mipmaps.
-Object sourceCube(const DevicePtr& device, StateGuard& state, CubePainter& painter,
-                  const RadianceSource& source, int size)
+Object sourceCube(const DevicePtr& device, StateGuard& state, const RadianceSource& source,
+                  int size)
 {
     const Functions& gl = device->gl;
+    const MeshResources triangle(device, coveringTriangle());
+    const MeshBinding binding(triangle);
+    CubePainter painter(device, state, triangle);
     const int levels = 1 + static_cast<int>(std::lround(std::log2(size)));
     Object cube = emptyCube(device, state, size, levels, true);
     const Object program = painter.programOf(
@@ -96,53 +83,27 @@ Object sourceCube(const DevicePtr& device, StateGuard& state, CubePainter& paint
     if (sourceSize >= 0)
         gl.Uniform2f(sourceSize, static_cast<GLfloat>(source.width),
                      static_cast<GLfloat>(source.height));
-    painter.draw(program, cube.name(), 0, size, kMostOfFloat);
+    painter.draw(program, cube.name(), {0, size, 0, size}, kMostOfFloat);
     state.bindTexture(0, GL_TEXTURE_CUBE_MAP, cube.name());
     gl.GenerateMipmap(GL_TEXTURE_CUBE_MAP);
     return cube;
-}
-
-void drawLevels(const DevicePtr& device, StateGuard& state, CubePainter& painter,
-                const Object& source, const Object& result, const EnvironmentFormat& format)
-{
-    const Functions& gl = device->gl;
-    const Object program =
-        painter.programOf(prefilterLobeFragment(device->capabilities.glsl), "environment lobe");
-    state.bindTexture(0, GL_TEXTURE_CUBE_MAP, source.name());
-    state.filterAcrossEdges();
-    painter.setSampler(program, "fbrdfRadiance", 0);
-    painter.setSampler(program, "fbrdfCells", 1);
-    gl.Uniform1f(gl.GetUniformLocation(program.name(), "fbrdfCellRoom"),
-                 static_cast<GLfloat>(kMostCells));
-    for (int level = 0; level < format.levels(); ++level) {
-        const auto cells = lobeCells(kLobeLevels - format.levels() + level);
-        const Object row = cellTexture(device, state, cells, format.size);
-        gl.Uniform1i(gl.GetUniformLocation(program.name(), "fbrdfCellCount"),
-                     static_cast<GLint>(cells.size()));
-        painter.draw(program, result.name(), level, format.size >> level,
-                     format.floats ? kMostOfFloat : kMostOfHalf);
-    }
 }
 
 /// Throws Error(gl).
 EnvironmentPtr drawnEnvironment(const DevicePtr& device, const RadianceSource& source,
                                 const EnvironmentFormat& format)
 {
-    const MeshResources triangle(device, coveringTriangle());
     const UploadGuard upload(*device);
     StateGuard state(*device);
     // A clip control of the host could turn the picture upside down.
     state.setDepth({});
-    const MeshBinding binding(triangle);
-    CubePainter painter(device, state, triangle);
     Object result = emptyCube(device, state, format.size, format.levels(), format.floats);
-    Object cube = sourceCube(device, state, painter, source, format.size);
-    drawLevels(device, state, painter, cube, result, format);
+    LobeLevels levels(device, state, sourceCube(device, state, source, format.size), format);
+    levels.drawUpTo(state, result.name(), format.gradual ? kGradualSize : format.size);
     label(*device, ObjectKind::texture, result, "environment");
     checkErrors(*device, "environment");
-    const auto made = std::make_shared<EnvironmentResources>(device, std::move(result), format);
-    if (format.unfiltered) made->keepUnfiltered(std::move(cube));
-    return made;
+    return std::make_shared<EnvironmentResources>(device, std::move(result), format,
+                                                  std::move(levels));
 }
 
 EnvironmentPtr drawnPanorama(const DevicePtr& device, const Panorama& panorama,

@@ -6,7 +6,7 @@
 
 namespace fbrdf::gl {
 
-using EnvironmentPtr = std::shared_ptr<const EnvironmentResources>;
+using EnvironmentPtr = std::shared_ptr<EnvironmentResources>;
 
 /// Where the GPU cannot, the CPU makes it, and a note is logged. Throws Error(gl) where GL cannot
 /// store it.

@@ -12,13 +12,7 @@
 namespace fbrdf::gl {
 namespace {
 
-constexpr int kUsualSize = 512, kSoftwareSize = 256;
 constexpr float kLargestHalf = 65504.0f;
-
-bool isPowerOfTwo(int value)
-{
-    return value > 0 && (value & (value - 1)) == 0;
-}
 
 GLenum faceOf(size_t face)
 {
@@ -66,32 +60,6 @@ void checkCube(const CubeImage& cube, const EnvironmentFormat& format)
 }
 
 }  // namespace
-
-EnvironmentFormat environmentFormat(const Device& device, const EnvironmentOptions& options)
-{
-    const Capabilities& c = device.capabilities;
-    const int usual = std::min(c.softwareSampling ? kSoftwareSize : kUsualSize, c.maxCubeSize);
-    const EnvironmentFormat format{options.size == 0 ? usual : options.size, options.floats,
-                                   options.unfiltered};
-    if (!isPowerOfTwo(format.size) || format.size < kSmallestFace)
-        throw Error(ErrorKind::usage, "environment",
-                    Found(std::to_string(format.size) + " texels on a side of a face")
-                        .expected("a power of two from " + std::to_string(kSmallestFace) + " on"));
-    if (format.size > c.maxCubeSize)
-        throw Error(ErrorKind::gl, "environment",
-                    Found(std::to_string(format.size) + " texels on a side of a face")
-                        .expected("at most " + std::to_string(c.maxCubeSize)));
-    if ((options.floats || options.unfiltered) && device.gl.es != 0 &&
-        !device.gl.hasExtension("GL_OES_texture_float_linear"))
-        throw Error(ErrorKind::gl, "environment",
-                    Found("float textures that are not filtered").expected("filtered ones"));
-    if (device.gl.es != 0 && device.gl.es < 30)
-        throw Error(ErrorKind::gl, "environment", Found("OpenGL ES 2.0").expected("3.0 or newer"));
-    if (!c.floatTextures)
-        throw Error(ErrorKind::gl, "environment",
-                    Found("a context without half float textures").expected("them"));
-    return format;
-}
 
 void allocateCube(const Functions& gl, int size, int levels, bool floats)
 {
@@ -142,9 +110,37 @@ EnvironmentResources::EnvironmentResources(DevicePtr device, const CubeImage& pr
 }
 
 EnvironmentResources::EnvironmentResources(DevicePtr device, Object cube,
-                                           const EnvironmentFormat& format)
-    : device_(std::move(device)), format_(format), cube_(std::move(cube))
+                                           const EnvironmentFormat& format, LobeLevels levels)
+    : device_(std::move(device)),
+      format_(format),
+      cube_(std::move(cube)),
+      unfinished_(std::move(levels))
 {
+    if (unfinished_->isFinished()) finish();
+}
+
+/// The cube that was convolved is kept only where it is looked up too.
+void EnvironmentResources::finish()
+{
+    if (format_.unfiltered) unfiltered_ = unfinished_->takeSource();
+    unfinished_.reset();
+}
+
+GLuint EnvironmentResources::unfiltered() const
+{
+    return unfinished_ && format_.unfiltered ? unfinished_->source() : unfiltered_.name();
+}
+
+void EnvironmentResources::refine(long long texels)
+{
+    if (!unfinished_) return;
+    const UploadGuard upload(*device_);
+    StateGuard state(*device_);
+    // A clip control of the host could turn the picture upside down.
+    state.setDepth({});
+    unfinished_->draw(state, cube_.name(), texels);
+    checkErrors(*device_, "environment");
+    if (unfinished_->isFinished()) finish();
 }
 
 void EnvironmentResources::keepUnfiltered(const CubeImage& cube)
@@ -171,6 +167,11 @@ uint32_t GpuEnvironment::texture() const
 uint32_t GpuEnvironment::unfilteredTexture() const
 {
     return resources_->unfiltered();
+}
+
+bool GpuEnvironment::isFinished() const
+{
+    return resources_->isFinished();
 }
 
 const std::string& GpuEnvironment::whyNotOnGpu() const

@@ -92,6 +92,21 @@ std::shared_ptr<GpuEnvironment> Renderer::createEnvironment(const CubeImage& pre
         std::make_shared<EnvironmentResources>(state_->device, prefiltered, format, ""));
 }
 
+bool Renderer::refine(GpuEnvironment& environment, long long texels)
+{
+    state_->checkAlive();
+    EnvironmentResources& resources = environment.resources();
+    if (resources.device() != state_->device.get())
+        throw Error(ErrorKind::usage, "environment",
+                    Found("one of another renderer").expected("one of this renderer"));
+    if (texels < 1)
+        throw Error(ErrorKind::usage, "environment",
+                    Found(std::to_string(texels) + " texels to refine").expected("at least 1"));
+    discardHostErrors(*state_->device);
+    resources.refine(texels);
+    return resources.isFinished();
+}
+
 std::shared_ptr<GpuHooks> Renderer::createHooks(const Hooks& hooks)
 {
     state_->checkAlive();

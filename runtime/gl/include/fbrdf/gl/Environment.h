@@ -28,6 +28,10 @@ struct EnvironmentOptions {
     /// Keeps the cube that was not prefiltered as well, with all levels, which
     /// EnvironmentLight::samples needs: RGBA32F, 32 MiB where faces have 512 texels.
     bool unfiltered = false;
+    /// Leaves levels of more than 32 texels on a side to Renderer::refine: the environment can be
+    /// drawn with at once, what reflects sharply looks blurred at first, and no frame waits for
+    /// all. Without effect where a CPU makes the environment, or gives it prefiltered.
+    bool gradual = false;
 };
 
 /// Radiance in a texture of the host, linear Rec. 709. It is read while the environment is made.
@@ -41,7 +45,7 @@ struct HostEnvironment {
 /// An environment on the GPU. Lifetime and threads are those of Handles.h.
 class GpuEnvironment {
 public:
-    explicit GpuEnvironment(std::shared_ptr<const EnvironmentResources> resources)
+    explicit GpuEnvironment(std::shared_ptr<EnvironmentResources> resources)
         : resources_(std::move(resources))
     {
     }
@@ -54,13 +58,16 @@ public:
     uint32_t texture() const;
     /// That of the cube that was not prefiltered; 0 without EnvironmentOptions::unfiltered.
     uint32_t unfilteredTexture() const;
+    /// False while levels are left to Renderer::refine.
+    bool isFinished() const;
     /// Why the CPU made it; empty where the GPU did.
     const std::string& whyNotOnGpu() const;
 
     const EnvironmentResources& resources() const { return *resources_; }  ///< for the renderer
+    EnvironmentResources& resources() { return *resources_; }              ///< the same
 
 private:
-    std::shared_ptr<const EnvironmentResources> resources_;
+    std::shared_ptr<EnvironmentResources> resources_;
 };
 
 /// What a draw takes from an environment.

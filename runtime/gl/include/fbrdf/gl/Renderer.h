@@ -111,6 +111,12 @@ public:
     std::shared_ptr<GpuEnvironment> createEnvironment(const CubeImage& prefiltered,
                                                       const EnvironmentOptions& options = {});
 
+    /// Draws about `texels` (>= 1) texels more of an environment that was created to come
+    /// gradually, its sharpest lobes last, and returns whether it is finished. All of one with
+    /// faces of N texels are 8 N^2, and each costs hundreds of look-ups. Throws Error(usage) for an
+    /// environment of another renderer, Error(gl) where GL fails.
+    bool refine(GpuEnvironment& environment, long long texels);
+
     /// Throws Error(input) for hooks that do not compile, with the compiler's words.
     std::shared_ptr<GpuHooks> createHooks(const Hooks& hooks);
 
