@@ -1,5 +1,6 @@
 // fbrdf-viewer: shows factored materials, and what they are judged by. See README.md.
 #include "viewer/CommandLine.h"
+#include "viewer/CompareDrawing.h"
 #include "viewer/CpuDrawing.h"
 #include "viewer/Figures.h"
 #include "viewer/Headless.h"
@@ -39,7 +40,7 @@ int run(int argc, char** argv)
     viewer::World world;
     viewer::loadWorld(options, world);
 
-    // 3. Several pictures: in one sheet, or turning.
+    // 3. Several pictures: in one sheet, turning, or two that are compared.
     if (options.command == viewer::Command::turntable) {
         viewer::writeTurntable(options, world);
         return 0;
@@ -47,6 +48,11 @@ int run(int argc, char** argv)
     if (options.command == viewer::Command::sheet) {
         writeImage(viewer::drawSheet(options, world), options.out, options.exposure,
                    transferOf(options));
+        return 0;
+    }
+
+    if (!options.compare.empty() && options.headless) {
+        viewer::writeComparison(options, world);
         return 0;
     }
 

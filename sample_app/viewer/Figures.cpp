@@ -1,15 +1,13 @@
 #include "Figures.h"
 
+#include "ComparePicture.h"
 #include "CpuDrawing.h"
 #include "Headless.h"
 #include "HeatScale.h"
 #include "NewFolder.h"
 
 #include <fbrdf/base/OutputFile.h>
-#include <fbrdf/metrics/StandardSphere.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace fbrdf::viewer {
 namespace {
@@ -44,21 +42,6 @@ scene::Image drawn(Options options, World& world, scene::ViewTechnique technique
     return (isOnCpu(technique) ? drawOnCpu(options, world) : drawHeadless(options, world)).image;
 }
 
-/// As imageErrors takes it: exposed and clamped.
-SphereImage shownOf(const scene::Image& image, float exposure)
-{
-    SphereImage shown;
-    shown.size = image.width;
-    for (size_t i = 0; i < image.rgba.size(); i += 4) {
-        const auto value = [&](size_t c) {
-            return std::clamp(exposure * image.rgba[i + c], 0.0f, 1.0f);
-        };
-        shown.radiance.emplace_back(value(0), value(1), value(2));
-        shown.covered.push_back(image.rgba[i + 3] > 0.0f);
-    }
-    return shown;
-}
-
 /// Collects files and numbers.
 class FigureFiles {
 public:
@@ -73,8 +56,8 @@ public:
     {
         add(name, image);
         addFile(name + "-error", heatMap(image, reference, options_.exposure), 1.0f);
-        const ImageErrors errors =
-            imageErrors(shownOf(image, options_.exposure), shownOf(reference, options_.exposure));
+        const ImageErrors errors = imageErrors(shownImage(image, {options_.exposure}),
+                                               shownImage(reference, {options_.exposure}));
         numbers_[name] = {{"psnr_linear", errors.psnrLinear},
                           {"psnr_srgb", errors.psnrSrgb},
                           {"ssim", errors.ssim},

@@ -2,10 +2,8 @@
 
 #include "LabelFont.h"
 
-#include <fbrdf/plan/Transfer.h>
-
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 namespace fbrdf::viewer {
 namespace {
@@ -17,12 +15,6 @@ constexpr Vec3f kStops[] = {{0.0f, 0.0f, 0.0f},
                             {1.0f, 1.0f, 0.8f}};
 constexpr int kBarWidth = 128, kBarHeight = 8, kMargin = 8;
 
-/// As the window and files have it.
-float shown(float radiance, float exposure)
-{
-    return static_cast<float>(scene::srgbCode(exposure * radiance)) / 255.0f;
-}
-
 void setPixel(scene::Image& image, int x, int y, const Vec3f& colour)
 {
     float* const pixel = image.pixel(x, y);
@@ -32,7 +24,8 @@ void setPixel(scene::Image& image, int x, int y, const Vec3f& colour)
 
 void drawScale(scene::Image& image)
 {
-    if (image.width < 2 * kBarWidth || image.height < 8 * kBarHeight) return;
+    if (!LabelFont::isThere() || image.width < 2 * kBarWidth || image.height < 8 * kBarHeight)
+        return;
     const LabelFont font(1);
     const int top = image.height - kMargin - font.height() - kBarHeight;
     for (int x = 0; x < kBarWidth; ++x)
@@ -55,16 +48,24 @@ Vec3f heatColour(float share)
     return glm::mix(kStops[step], kStops[step + 1], place - static_cast<float>(step));
 }
 
-scene::Image heatMap(const scene::Image& image, const scene::Image& reference, float exposure)
+scene::Image heatMap(const scene::Image& image, const scene::Image& reference, float exposure,
+                     Transfer transfer)
 {
-    scene::Image map(image.width, image.height);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            float largest = 0.0f;
-            for (int c = 0; c < 3; ++c)
-                largest = std::max(largest, std::abs(shown(image.pixel(x, y)[c], exposure) -
-                                                     shown(reference.pixel(x, y)[c], exposure)));
-            setPixel(map, x, y, heatColour(largest / kHottest));
+    return heatMap(image.width, image.height, srgbCodes(image, exposure, transfer),
+                   srgbCodes(reference, exposure, transfer));
+}
+
+scene::Image heatMap(int width, int height, const std::vector<uint8_t>& image,
+                     const std::vector<uint8_t>& reference)
+{
+    scene::Image map(width, height);
+    size_t i = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x, i += 3) {
+            int largest = 0;
+            for (size_t c = 0; c < 3; ++c)
+                largest = std::max(largest, std::abs(image[i + c] - reference[i + c]));
+            setPixel(map, x, y, heatColour(static_cast<float>(largest) / 255.0f / kHottest));
         }
     drawScale(map);
     return map;

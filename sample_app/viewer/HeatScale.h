@@ -12,8 +12,13 @@ constexpr float kHottest = 0.1f;
 /// lightness rises evenly.
 Vec3f heatColour(float share);
 
-/// The largest difference of the three channels of sRGB at an exposure, as colours, with the scale
-/// in the lower left corner of pictures that have room for it. Both have one size.
-scene::Image heatMap(const scene::Image& image, const scene::Image& reference, float exposure);
+/// The largest difference of the three channels of the sRGB codes that are shown at an exposure, as
+/// colours, with the scale in the lower left corner of pictures that have room for it. Both have
+/// one size. See scene::srgbCodes.
+scene::Image heatMap(const scene::Image& image, const scene::Image& reference, float exposure,
+                     Transfer transfer = Transfer::srgb);
+/// The same of codes, height x width x 3.
+scene::Image heatMap(int width, int height, const std::vector<uint8_t>& image,
+                     const std::vector<uint8_t>& reference);
 
 }  // namespace fbrdf::viewer

@@ -15,6 +15,7 @@ struct LabelPlace {
 
 class LabelFont {
 public:
+    static bool isThere();  ///< in builds with Dear ImGui
     /// scale: 1 for letters of 13 pixels, 2 for 26, ... Throws Error(usage) without Dear ImGui.
     explicit LabelFont(int scale);
     ~LabelFont();

@@ -29,6 +29,11 @@ struct LabelFont::State {
                    float radiance) const;
 };
 
+bool LabelFont::isThere()
+{
+    return true;
+}
+
 LabelFont::LabelFont(int scale) : state_(std::make_unique<State>())
 {
     ImFontConfig config;

@@ -7,6 +7,11 @@ namespace fbrdf::viewer {
 
 struct LabelFont::State {};
 
+bool LabelFont::isThere()
+{
+    return false;
+}
+
 LabelFont::LabelFont(int)
 {
     throw Error(ErrorKind::usage, "labels",

@@ -19,6 +19,12 @@ MaterialSlot::MaterialSlot(const std::string& spec, FitOptions options)
 }
 
 MaterialSlot::MaterialSlot(const std::string& spec, std::shared_ptr<const Source> source,
+                           FitOptions options)
+    : name_(spec), options_(std::move(options)), source_(std::move(source))
+{
+}
+
+MaterialSlot::MaterialSlot(const std::string& spec, std::shared_ptr<const Source> source,
                            Material material)
 {
     replace(spec, std::move(source), std::move(material));

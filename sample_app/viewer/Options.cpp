@@ -1,6 +1,7 @@
 #include "Options.h"
 
 #include "CommandLine.h"
+#include "CompareSide.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
@@ -31,7 +32,7 @@ constexpr int kWindowWidth = 1280, kWindowHeight = 800;
 
 /// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
-    std::string backend, device, technique, lookUp, camera, size, background;
+    std::string backend, device, technique, lookUp, camera, size, background, compareMode;
     bool plain = false, full = false;
     std::optional<float> exposure;
 };
@@ -145,6 +146,26 @@ void describePicture(CLI::App& app, Options& options, Texts& texts)
         ->check(CLI::Range(1, 1000000));
 }
 
+void describeComparison(CLI::App& app, Options& options, Texts& texts)
+{
+    app.add_option("--compare", options.compare,
+                   "Two pictures of the material in one, each " + compareSideHelp() +
+                       ". Functions are drawn as --technique reference, with an environment as "
+                       "path without bounces; --stats has PSNR, FLIP and Delta E")
+        ->expected(2)
+        ->type_name("A B");
+    app.add_option("--compare-mode", texts.compareMode,
+                   "How: split (default) at a line, wipe of that line (a film to FILE.gif or "
+                   "FILE.webp), flip (side by side, or a film), difference of the sRGB codes, or "
+                   "heat, its colours with a scale")
+        ->type_name("MODE");
+    app.add_option("--compare-at", options.compareAt,
+                   "Share of the width that A has in a split (default: 0.5)")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--compare-gain", options.compareGain, "Factor of a difference (default: 8)")
+        ->check(CLI::Range(double(scene::kLeastGain), double(scene::kMostGain)));
+}
+
 void describeMaterials(CLI::App& command, Options& options)
 {
     command.fallthrough();  // the options of pictures are those of sheets, too
@@ -214,6 +235,24 @@ void checkEnvironment(const CLI::App& app, const Options& options)
                     Found("environment without one").expected("--environment as well"));
 }
 
+/// Throws Error(usage) for a comparison that cannot be.
+void checkComparison(const CLI::App& app, const Options& options)
+{
+    for (const std::string& side : options.compare) compareSideFromName(side);
+    if (options.compare.empty())
+        for (const char* option : {"--compare-mode", "--compare-at", "--compare-gain"})
+            if (app.count(option) > 0)
+                throw Error(ErrorKind::usage, option,
+                            Found("nothing to compare").expected("--compare A B as well"));
+    if (options.compare.empty()) return;
+    if (options.command != Command::view)
+        throw Error(ErrorKind::usage, "--compare",
+                    Found("it with a subcommand").expected("it with a single picture"));
+    if (options.headless && options.materials.size() > 1)
+        throw Error(ErrorKind::usage, "--compare",
+                    Found(std::to_string(options.materials.size()) + " materials").expected("one"));
+}
+
 /// Fills in what the full scene has and nobody asked for otherwise.
 void completeScene(const Texts& texts, Options& options)
 {
@@ -245,6 +284,9 @@ void checkOut(const Options& options)
         throw Error(ErrorKind::usage, "-o",
                     Found("'" + options.out + "'").expected("a folder without a dot"));
     }
+    if (options.command == Command::view && options.comparesMoving() &&
+        isAnimationPath(options.out))
+        return requirePictureModule(ErrorKind::output, options.out);
     if (options.command != Command::turntable) return scene::checkImagePath(options.out);
     if (!isFolder && !isAnimationPath(options.out))
         throw Error(ErrorKind::usage, "-o",
@@ -299,6 +341,8 @@ void understand(const Texts& texts, Options& options)
         throw Error(ErrorKind::usage, "--device",
                     Found("it without --headless, or with osmesa").expected("both, with egl"));
     if (!texts.technique.empty()) options.technique = scene::viewTechniqueFromName(texts.technique);
+    if (!texts.compareMode.empty())
+        options.compareMode = scene::compareModeFromName(texts.compareMode);
     checkPath(options);
     if (!texts.lookUp.empty()) options.lookUp = lookUpFromName(texts.lookUp);
     if (!texts.camera.empty()) options.camera = scene::cameraFromText(texts.camera);
@@ -337,6 +381,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
         "fbrdf-viewer");
     describeScene(app, options, texts);
     describePicture(app, options, texts);
+    describeComparison(app, options, texts);
     const auto* devices =
         app.add_subcommand("list-devices", "Prints what --device can choose, a line each");
     const auto* sheet = describeSheet(app, options);
@@ -358,6 +403,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
     if (options.command != Command::view) options.headless = true;
     understand(texts, options);
     checkEnvironment(app, options);
+    checkComparison(app, options);
     return options;
 }
 

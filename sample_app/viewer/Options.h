@@ -3,6 +3,7 @@
 #include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/headless/Context.h>
 #include <fbrdf/scene/Camera.h>
+#include <fbrdf/scene/CompareView.h>
 #include <fbrdf/scene/Controls.h>
 #include <fbrdf/scene/Environment.h>
 
@@ -46,9 +47,18 @@ struct Options {
     std::optional<scene::Camera> camera;
     int width = 512, height = 512;  ///< of a window unless told: 1280 x 800
     float exposure = 1.0f;
-    std::string out, stats;  ///< paths; empty: nothing is written
+    std::vector<std::string> compare;  ///< two sides (CompareSide.h), or none
+    scene::CompareMode compareMode = scene::CompareMode::split;
+    double compareAt = 0.5, compareGain = 8.0;  ///< of split and wipe, and of difference
+    std::string out, stats;                     ///< paths; empty: nothing is written
     /// Unset: 1 headless, until closed in a window; of a turntable kTurntableFrames.
     std::optional<int> frames;
+    /// A comparison that can be a film.
+    bool comparesMoving() const
+    {
+        return !compare.empty() &&
+               (compareMode == scene::CompareMode::flip || compareMode == scene::CompareMode::wipe);
+    }
     std::string help;  ///< not empty: --help was asked for, and this is the answer
 };
 

@@ -45,6 +45,20 @@ TEST(ImageErrors, IdenticalPicturesArePerfect)
     EXPECT_EQ(errors.flip, 0.0);
 }
 
+TEST(ImageErrors, PicturesNeedNotBeSquareAndWhatIsNotCoveredDoesNotCount)
+{
+    ShownImage image{32, 8, std::vector<Vec3f>(256, Vec3f(0.5f)), std::vector<bool>(256, true)};
+    ShownImage reference = image;
+    for (Vec3f& value : reference.radiance) value = Vec3f(0.4f);
+    EXPECT_NEAR(imageErrors(image, reference).psnrLinear, 20.0, kDecibel);
+    for (size_t i = 0; i < 256; i += 2) {
+        image.covered[i] = false;
+        image.radiance[i] = Vec3f(1.0f);
+    }
+    EXPECT_NEAR(imageErrors(image, reference).psnrLinear, 20.0, kDecibel);
+    EXPECT_GT(imageErrors(image, reference).flip, 0.0);
+}
+
 TEST(ImageErrors, PsnrOfKnownOffsets)
 {
     EXPECT_NEAR(imageErrors(grey(0.5), grey(0.4)).psnrLinear, 20.0, kDecibel);

@@ -16,12 +16,12 @@ double psnrFromMse(double mse)
     return mse > 0.0 ? -10.0 * std::log10(mse) : std::numeric_limits<double>::infinity();
 }
 
-RgbPlanes planesOf(const SphereImage& image)
+RgbPlanes planesOf(const ShownImage& image)
 {
     RgbPlanes planes;
     for (int c = 0; c < 3; ++c) {
         Plane& plane = planes[static_cast<size_t>(c)];
-        plane = Plane(image.size, image.size);
+        plane = Plane(image.width, image.height);
         for (size_t i = 0; i < plane.values.size(); ++i) plane.values[i] = image.radiance[i][c];
     }
     return planes;
@@ -98,18 +98,29 @@ double ssim(const Plane& a, const Plane& b, const std::vector<bool>& covered)
     });
 }
 
-double meanDeltaEItp(const SphereImage& a, const SphereImage& b)
+double meanDeltaEItp(const ShownImage& a, const ShownImage& b)
 {
     return meanOver(a.covered, [&](size_t i) {
         return deltaEItp(itpFromLinear(Vec3d(a.radiance[i])), itpFromLinear(Vec3d(b.radiance[i])));
     });
 }
 
+ShownImage shownOf(const SphereImage& sphere)
+{
+    return {sphere.size, sphere.size, sphere.radiance, sphere.covered};
+}
+
 }  // namespace
 
 ImageErrors imageErrors(const SphereImage& image, const SphereImage& reference)
 {
-    FBRDF_ASSERT(image.size, ==, reference.size);
+    return imageErrors(shownOf(image), shownOf(reference));
+}
+
+ImageErrors imageErrors(const ShownImage& image, const ShownImage& reference)
+{
+    FBRDF_ASSERT(image.width, ==, reference.width);
+    FBRDF_ASSERT(image.height, ==, reference.height);
     const RgbPlanes linearA = planesOf(image), linearB = planesOf(reference);
     const RgbPlanes srgbA = encoded(linearA), srgbB = encoded(linearB);
     const Plane flip = flipMap(linearA, linearB);

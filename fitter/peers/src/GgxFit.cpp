@@ -220,6 +220,7 @@ GgxModel fitLobes(const std::vector<Sample>& samples, const GgxFitOptions& optio
     double bestCost = kUnusable;
     for (const double f0 : {0.05, 0.7})
         for (const auto& alphas : startRoughness(Lobes)) {
+            options.watch.check();
             Parameters p = startAt(alphas, f0, low);
             const double cost = descend<Lobes>(samples, stride, kStartSteps, options, p);
             if (cost < bestCost) {

@@ -15,6 +15,7 @@
 #include <fbrdf/sources/Model.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -28,12 +29,23 @@ std::string pathIn(const PeerContext& context, const char* relative)
     return (std::filesystem::path(context.dataDir) / relative).string();
 }
 
-BrdfFunction shaderFunction(Material material)
+BrdfFunction shaderFunction(std::shared_ptr<const Material> material)
 {
-    const auto shared = std::make_shared<const Material>(std::move(material));
-    return [shared](const Vec3d& wo, const Vec3d& wi) {
-        return Vec3d(evaluate<float>(*shared, Vec3f(wo), Vec3f(wi)));
+    return [material = std::move(material)](const Vec3d& wo, const Vec3d& wi) {
+        return Vec3d(evaluate<float>(*material, Vec3f(wo), Vec3f(wi)));
     };
+}
+
+/// All but its seconds.
+PeerFit fitOf(Material material)
+{
+    PeerFit fit;
+    fit.material = std::make_shared<const Material>(std::move(material));
+    fit.brdf = shaderFunction(fit.material);
+    fit.bytes = materialBytes(*fit.material);
+    fit.lookups = lookupsPerLight(fit.material->form);
+    fit.note = describe(fit.material->form);
+    return fit;
 }
 
 // What peers that have a choice choose by: a small standard sphere where there is a function, else
@@ -90,6 +102,8 @@ std::optional<PeerFit> fitGgxLobes(const Source& source, const PeerContext& cont
     options.lobes = lobes;
     options.isotropic = source.isotropic;
     options.threads = context.threads;
+    options.watch = context.watch;
+    context.watch.say("fitting " + std::string(lobes == 1 ? "a GGX lobe" : "two GGX lobes"));
     const GgxModel model = bestGgx(source, context, options);
     PeerFit fit;
     fit.seconds = clock.seconds();
@@ -172,13 +186,10 @@ std::optional<PeerFit> madeForm(const Source& source, const PeerContext& context
     options.form = form;
     options.heldOut = false;
     options.threads = context.threads;
+    options.watch = context.watch;
     FitResult result = fitMaterial(source, options);
-    PeerFit fit;
+    PeerFit fit = fitOf(std::move(result.material));
     fit.seconds = result.summary.seconds;
-    fit.bytes = materialBytes(result.material);
-    fit.lookups = lookupsPerLight(result.material.form);
-    fit.note = describe(result.material.form);
-    fit.brdf = shaderFunction(std::move(result.material));
     return fit;
 }
 
@@ -199,20 +210,17 @@ std::optional<PeerFit> mapsOf2001(const Source& source, const PeerContext& conte
     options.smoothness = kSmoothness;
     options.heldOut = false;
     options.threads = context.threads;
+    options.watch = context.watch;
     Source samples = source;
     samples.samples = peerSamples(source, kSamples, context);
     samples.stream = {};
     samples.evaluate = {};
     const Choice choice(source, context);
-    Material maps = linearMaps(fitMaterial(samples, options).material, [&](const Material& scaled) {
-        return choice.error(shaderFunction(scaled));
-    });
-    PeerFit fit;
+    PeerFit fit = fitOf(linearMaps(fitMaterial(samples, options).material, [&](const Material& m) {
+        context.watch.say("scaling the maps of 2001");
+        return choice.error(shaderFunction(std::make_shared<const Material>(m)));
+    }));
     fit.seconds = clock.seconds();
-    fit.bytes = materialBytes(maps);
-    fit.lookups = 2;
-    fit.note = describe(maps.form);
-    fit.brdf = shaderFunction(std::move(maps));
     return fit;
 }
 
@@ -221,27 +229,41 @@ std::optional<PeerFit> writtenDown(const Source& source, const PeerContext& cont
     return madeForm(source, context, "analytic");
 }
 
+const char* const kAny = "samples or a function";
+const char* const kPublished =
+    "a material of MERL by its name, and its parameters in FBRDF_DATA_DIR";
+
 }  // namespace
+
+std::string publishedDataDir()
+{
+    const char* folder = std::getenv("FBRDF_DATA_DIR");
+    return folder && *folder ? folder : "../shared/data";
+}
 
 const std::vector<Peer>& peers()
 {
     static const std::vector<Peer> all{
 #ifdef FBRDF_HAVE_CERES
         {"ggx", "GGX + Lambert",
-         "Walter et al. 2007; fitted here by least squares (Ceres) from several starts", fitGgxOne},
-        {"ggx2", "two GGX lobes + Lambert", "the same with a second lobe", fitGgxTwo},
+         "Walter et al. 2007; fitted here by least squares (Ceres) from several starts", kAny,
+         fitGgxOne},
+        {"ggx2", "two GGX lobes + Lambert", "the same with a second lobe", kAny, fitGgxTwo},
 #endif
         {"sgd", "shifted gamma distribution", "Bagher et al. 2012; parameters as published",
-         publishedSgd},
-        {"abc", "ABC microfacets", "Low et al. 2012; parameters as published", publishedAbc},
-        {"npf", "non-parametric factors", "Bagher et al. 2016; tables as published", publishedNpf},
+         kPublished, publishedSgd},
+        {"abc", "ABC microfacets", "Low et al. 2012; parameters as published", kPublished,
+         publishedAbc},
+        {"npf", "non-parametric factors", "Bagher et al. 2016; tables as published", kPublished,
+         publishedNpf},
         {"svd", "singular values, 4 terms",
          "Kautz and McCool 1999: resampled on a regular grid, signed terms u(h) v(d)",
-         resampledSvd},
+         "a function, or isotropic samples", resampledSvd},
         {"pqp-2001", "maps of 2001",
-         "McCool, Ang, Ahmad 2001: p(wo) q(h) p(wi) in linear 8-bit maps", mapsOf2001},
+         "McCool, Ang, Ahmad 2001: p(wo) q(h) p(wi) in linear 8-bit maps", kAny, mapsOf2001},
         {"analytic", "factors written down",
-         "after McCool 2002: Ward's and Ashikhmin and Shirley's models, no fit", writtenDown},
+         "after McCool 2002: Ward's and Ashikhmin and Shirley's models, no fit",
+         "one of these models", writtenDown},
     };
     return all;
 }

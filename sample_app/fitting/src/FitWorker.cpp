@@ -1,5 +1,4 @@
 #include <fbrdf/base/Error.h>
-#include <fbrdf/environment/LobeFit.h>
 #include <fbrdf/fit/Clock.h>
 #include <fbrdf/fitting/FitWorker.h>
 
@@ -99,6 +98,7 @@ FitWatch FitWorker::watch()
 // Read once for all orders of the same source: a slider asks for it again and again.
 std::shared_ptr<const Source> FitWorker::sourceOf(const FitOrder& order)
 {
+    if (order.opened) return order.opened;
     const std::string key = keyOf(order);
     if (!source_ || sourceKey_ != key) {
         source_.reset();
@@ -111,23 +111,13 @@ std::shared_ptr<const Source> FitWorker::sourceOf(const FitOrder& order)
 FitReply FitWorker::fit(Numbered& numbered)
 {
     FitReply reply;
-    reply.number = numbered.number;
     const Clock clock;
     FitOrder& order = numbered.order;
     try {
         order.fit.watch = watch();
         order.fit.cache = cache_;
         order.fit.watch.say("opening " + order.source);
-        reply.source = sourceOf(order);
-        FitResult result = fitMaterial(*reply.source, order.fit);
-        if (order.lobes > 0) {
-            order.fit.watch.say("fitting lobes");
-            LobeFitOptions lobes = lobeOptions(order.lobes);
-            lobes.threads = order.fit.threads;
-            result.material.lobes = fitLobes(result.material, lobes);
-        }
-        reply.material = std::make_shared<const Material>(std::move(result.material));
-        reply.summary = std::move(result.summary);
+        reply = fitted(order, sourceOf(order));
     } catch (const FitStopped& stopped) {
         reply.isStopped = true;
         reply.error = stopped.what();
@@ -136,6 +126,7 @@ FitReply FitWorker::fit(Numbered& numbered)
     } catch (const std::bad_alloc&) {
         reply.error = order.source + ": found too little memory, expected more";
     }
+    reply.number = numbered.number;
     reply.seconds = clock.seconds();
     return reply;
 }

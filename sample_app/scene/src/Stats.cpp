@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fbrdf::scene {
 namespace {
@@ -38,6 +39,33 @@ OrderedJson environmentJson(const Stats& stats)
             {"why_not_sampled", textOrNull(stats.whyNotSampled)}};
 }
 
+OrderedJson sideJson(const CompareSideStats& side)
+{
+    return {{"name", side.name},   {"technique", side.technique}, {"note", textOrNull(side.note)},
+            {"bytes", side.bytes}, {"samples", side.samples},     {"fit_seconds", side.fitSeconds}};
+}
+
+OrderedJson finiteOrNull(double number)
+{
+    return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr);
+}
+
+OrderedJson compareJson(const Stats& stats)
+{
+    if (!stats.compare) return nullptr;
+    const CompareNumbers& n = stats.compare->numbers;
+    return {{"a", sideJson(stats.compare->a)},
+            {"b", sideJson(stats.compare->b)},
+            {"mode", stats.compare->mode},
+            {"pixels", n.pixels},
+            {"psnr_linear", finiteOrNull(n.psnrLinear)},
+            {"psnr_srgb", finiteOrNull(n.psnrSrgb)},
+            {"ssim", n.ssim},
+            {"delta_e_itp", n.deltaEItp},
+            {"flip", n.flip},
+            {"largest", n.largest}};
+}
+
 OrderedJson pathJson(const Stats& stats)
 {
     if (!stats.path) return nullptr;
@@ -63,6 +91,7 @@ std::string statsToJson(const Stats& stats)
         {"error_bound", {{"relative", stats.errorRelative}, {"absolute", stats.errorAbsolute}}},
         {"environment", environmentJson(stats)},
         {"path", pathJson(stats)},
+        {"compare", compareJson(stats)},
         {"mesh", stats.mesh},
         {"materials", stats.materials},
         {"evaluated", stats.evaluated},

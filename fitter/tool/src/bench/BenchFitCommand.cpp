@@ -15,7 +15,6 @@
 #include <fbrdf/sources/OpenSource.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 
 namespace fbrdf::tool {
@@ -29,12 +28,6 @@ struct BenchFitCommand {
     BenchOptions options;
     bool resume = false, json = false, robustness = false, sampling = false, areaLights = false;
 };
-
-std::string defaultDataDir()
-{
-    const char* folder = std::getenv("FBRDF_DATA_DIR");
-    return folder && *folder ? folder : "../shared/data";
-}
 
 std::vector<std::string> expanded(const std::vector<std::string>& sources)
 {
@@ -168,7 +161,7 @@ void addBenchFitCommand(CLI::App& app, Action& action)
     CLI::App* sub =
         app.add_subcommand("bench-fit", "compare forms and other representations on many sources");
     const auto command = std::make_shared<BenchFitCommand>();
-    command->options.peers.dataDir = defaultDataDir();
+    command->options.peers.dataDir = publishedDataDir();
     sub->add_option("SOURCES", command->sources,
                     "files or models; a collection FILE or FILE#set stands for all its materials")
         ->required();

@@ -5,6 +5,7 @@
 // nothing. The exposure is such that a Lambertian of albedo 1/2 averages 0.4. Only numbers from
 // this scene compare with each other.
 #pragma once
+#include <fbrdf/metrics/ImageErrors.h>
 #include <fbrdf/sources/Source.h>
 
 #include <vector>
@@ -32,17 +33,7 @@ struct SphereTerm {
 /// picture. Precondition: size > 0.
 std::vector<SphereTerm> standardSphereTerms(int size);
 
-/// Differences of two pictures of the standard sphere, over its covered pixels.
-struct ImageErrors {
-    double psnrLinear = 0;  ///< dB, peak 1
-    double psnrSrgb = 0;    ///< dB, peak 1, of sRGB-encoded values
-    /// Wang et al. 2004 on sRGB luma, 11 x 11 Gaussian of 1.5, mean over covered pixels.
-    double ssim = 0;
-    /// ITU-R BT.2124: 720 sqrt(dI^2 + (dT/2)^2 + dP^2), mean; white at 203 cd/m2 (BT.2408).
-    double deltaEItp = 0;
-    double flip = 0;  ///< Andersson et al. 2020 (LDR), 67 pixels a degree, mean
-};
-
+/// Differences of two pictures of the standard sphere, over its disc.
 /// Precondition: both have one size.
 ImageErrors imageErrors(const SphereImage& image, const SphereImage& reference);
 

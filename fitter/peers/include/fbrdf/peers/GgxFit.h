@@ -6,8 +6,7 @@
 // or the cube root: both weigh errors as a rendering shows them (Bieron and Peers 2020 compare such
 // metrics). Several starts over the roughness; the best on few samples is refined on all.
 #pragma once
-#include <fbrdf/metrics/StandardSphere.h>
-#include <fbrdf/sources/Source.h>
+#include <fbrdf/fit/Fit.h>
 
 #include <string>
 #include <vector>
@@ -33,10 +32,11 @@ struct GgxFitOptions {
     bool isotropic = true;  ///< alphaX = alphaY
     GgxMetric metric = GgxMetric::cubeRoot;
     int threads = 0;
+    FitWatch watch;
 };
 
 /// The best fit of all starts. Negative values of samples count as 0. Throws Error(fit) without
-/// samples, Error(usage) for another number of lobes.
+/// samples, Error(usage) for another number of lobes, FitStopped where the watch is stopped.
 GgxModel fitGgx(const std::vector<Sample>& samples, const GgxFitOptions& options);
 
 /// f(wo, wi); 0 below the horizon.

@@ -4,9 +4,7 @@
 // already: while a slider is dragged the newest position counts, and every fit that has begun is
 // finished, so that there is always a next picture.
 #pragma once
-#include <fbrdf/brdf/Material.h>
-#include <fbrdf/fit/Fit.h>
-#include <fbrdf/sources/OpenSource.h>
+#include <fbrdf/fitting/FitOrder.h>
 
 #include <condition_variable>
 #include <memory>
@@ -17,25 +15,6 @@
 
 namespace fbrdf::fitting {
 
-/// What is to be fitted. `fit`: its watch and cache are the worker's own.
-struct FitOrder {
-    std::string source;  ///< as openSource takes it
-    SourceOptions sourceOptions;
-    FitOptions fit;
-    int lobes = 2;  ///< lobes that the material gets (lobeOptions, LobeFit.h); 0: none
-};
-
-struct FitReply {
-    int number = 0;  ///< of the order, see FitWorker::order
-    /// Null where it failed, and `error` has the sentence that the tool prints, or was stopped.
-    std::shared_ptr<const Material> material;
-    std::shared_ptr<const Source> source;  ///< that it was fitted to
-    std::string error;
-    bool isStopped = false;
-    FitSummary summary;
-    double seconds = 0.0;  ///< from the beginning of the fit to its end; reading included
-};
-
 /// All functions return at once, and are called from one thread.
 class FitWorker {
 public:
@@ -45,8 +24,8 @@ public:
     FitWorker(const FitWorker&) = delete;
     FitWorker& operator=(const FitWorker&) = delete;
 
-    /// Begins the order, or leaves it to wait. Returns its number, from 1 up; orders whose place
-    /// was taken get no reply.
+    /// Begins the order, whose watch and cache the worker sets, or leaves it to wait. Returns its
+    /// number, from 1 up; orders whose place was taken get no reply.
     int order(FitOrder order);
     /// Forgets what waits, and stops what is being fitted: its reply says so.
     void stop();

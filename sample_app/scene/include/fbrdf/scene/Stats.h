@@ -18,6 +18,30 @@ struct PathStats {
     double noise = 0.0;  ///< estimated error over radiance (noiseOf in fbrdf/truth/PathTracer.h)
 };
 
+/// How far two pictures are from each other as they are shown: exposed, and with the tone curve
+/// where there is one. See ImageErrors.h.
+struct CompareNumbers {
+    int pixels = 0;                           ///< that either covers; the others do not count
+    double psnrLinear = 0.0, psnrSrgb = 0.0;  ///< dB; infinite for pictures that are equal
+    double ssim = 1.0, deltaEItp = 0.0, flip = 0.0;
+    double largest = 0.0;  ///< difference of a channel, linear
+};
+
+/// One side of a comparison.
+struct CompareSideStats {
+    std::string name, technique;  ///< as it was asked for, and how it was drawn
+    std::string note;             ///< parameters, or what was made of the source; may be empty
+    size_t bytes = 0;             ///< of its maps; 0: it has none
+    int samples = 0;              ///< a pixel
+    double fitSeconds = 0.0;
+};
+
+struct CompareStats {
+    CompareSideStats a, b;
+    std::string mode;
+    CompareNumbers numbers;
+};
+
 struct Stats {
     std::string backend;  ///< "egl", "osmesa", "window"; "cpu" for techniques without GL
     std::string glRenderer, glVersion;  ///< empty without GL
@@ -42,7 +66,8 @@ struct Stats {
     int drawCalls = 0;  ///< of all objects
     int lightsGiven = 0, lightsUsed = 0, lightsDropped = 0;
     int maxLookups = 0;  ///< texture look-ups in any pass, counted from the linked programs
-    std::optional<PathStats> path;     ///< nothing for other techniques
+    std::optional<PathStats> path;  ///< nothing for other techniques
+    std::optional<CompareStats> compare;
     std::string accumulation;          ///< "RGBA32F", ...; "double" on the CPU
     std::vector<double> milliseconds;  ///< one a frame: wall clock, from nothing to finished pixels
 };
@@ -50,7 +75,9 @@ struct Stats {
 /// A JSON object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
 /// look_up, technique_drawn, why_replaced (null where there is none), error_bound
 /// {relative, absolute}, environment {name, note, error, why_not} (null where there is none), path
-/// {samples, bounces, noise} (null for other techniques), evaluated, size, samples, ground,
+/// {samples, bounces, noise} (null for other techniques), compare {a, b {name, technique, note,
+/// bytes, samples, fit_seconds}, mode, pixels, psnr_linear, psnr_srgb (null where infinite), ssim,
+/// delta_e_itp, flip, largest} (null for a single picture), evaluated, size, samples, ground,
 /// shadows, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
 /// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
