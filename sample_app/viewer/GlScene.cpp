@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace fbrdf::viewer {
@@ -30,7 +33,9 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
 GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
     : renderer_(rendererOptions(load)),
       uploaded_{options.lookUp, 0, options.precise},
-      groundPass_(load)
+      groundPass_(load),
+      gradual_(!options.headless && !options.frames),
+      refineTimer_(load)
 {
     environmentLight_.lobes = options.environmentLobes;
     environmentLight_.samples = options.environmentSamples;
@@ -77,8 +82,8 @@ void GlScene::replaceEnvironment(const scene::EnvironmentLight* light)
     environment_.reset();
     skyIrradiance_ = Vec3d(0.0);
     if (!light) return;
-    environment_ =
-        renderer_.createEnvironment(light->panorama, {0, false, environmentLight_.samples > 0});
+    environment_ = renderer_.createEnvironment(light->panorama,
+                                               {0, false, environmentLight_.samples > 0, gradual_});
     environmentLight_.map = environment_.get();
     turnEnvironment(*light, environmentLight_.lobes);
 }
@@ -89,6 +94,25 @@ void GlScene::turnEnvironment(const scene::EnvironmentLight& light, int lobes)
     environmentLight_.intensity = Vec3f(static_cast<float>(light.intensity));
     environmentLight_.lobes = lobes;
     skyIrradiance_ = light.upwardIrradiance();
+}
+
+bool GlScene::refineEnvironment(double milliseconds)
+{
+    if (!environment_ || environment_->isFinished()) return false;
+    constexpr double kFirstTexels = 2048.0, kFastest = 0.1;
+    refinedTexels_ = std::max(refinedTexels_, kFirstTexels);
+    refineTimer_.begin();
+    const bool isFinished = renderer_.refine(*environment_, std::llround(refinedTexels_));
+    const double taken = std::max(kFastest, refineTimer_.end());
+    refinedTexels_ *= std::clamp(milliseconds / taken, 0.5, 2.0);
+    return isFinished;
+}
+
+bool GlScene::finishEnvironment()
+{
+    constexpr long long kAll = std::numeric_limits<long long>::max() / 2;
+    if (!environment_ || environment_->isFinished()) return false;
+    return renderer_.refine(*environment_, kAll);
 }
 
 void GlScene::prepare(Technique technique, const World& world)

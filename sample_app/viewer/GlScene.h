@@ -1,5 +1,6 @@
 // GlScene.h - a world uploaded to the current GL context and drawn with the runtime.
 #pragma once
+#include "FrameTimer.h"
 #include "GroundPass.h"
 #include "ShadowMaps.h"
 #include "World.h"
@@ -38,6 +39,11 @@ public:
     void replaceEnvironment(const scene::EnvironmentLight* light);
     /// Follows rotation and intensity of the environment that is there.
     void turnEnvironment(const scene::EnvironmentLight& light, int lobes);
+    /// Goes on with an environment of a window, which comes gradually, for about so long. True
+    /// where it has become sharper.
+    bool refineEnvironment(double milliseconds);
+    /// All of it at once; true where something was left.
+    bool finishEnvironment();
     /// Compiles what drawing the world will need.
     void prepare(Technique technique, const World& world);
     /// Draws the ground, where it is seen, and the objects. The stats are those of the objects, but
@@ -56,6 +62,9 @@ private:
     GroundPass groundPass_;
     std::shared_ptr<gl::GpuEnvironment> environment_;
     gl::EnvironmentLight environmentLight_;
+    const bool gradual_;          ///< environments come gradually
+    double refinedTexels_ = 0.0;  ///< of the last step
+    FrameTimer refineTimer_;
     Vec3d skyIrradiance_{0.0};  ///< of the environment on an open ground
     std::vector<std::shared_ptr<gl::GpuMaterial>> materials_;
     std::shared_ptr<gl::GpuMaterial> groundMaterial_;

@@ -115,10 +115,14 @@ bool GlfwWindow::shouldClose() const
     return glfwWindowShouldClose(window_) || state_.close;
 }
 
-void GlfwWindow::present()
+void GlfwWindow::present(bool isStill)
 {
+    constexpr double kStillSeconds = 1.0 / 60.0;
     glfwSwapBuffers(window_);
-    glfwPollEvents();
+    if (isStill)
+        glfwWaitEventsTimeout(kStillSeconds);
+    else
+        glfwPollEvents();
 }
 
 }  // namespace fbrdf::viewer

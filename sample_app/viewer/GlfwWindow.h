@@ -33,8 +33,8 @@ public:
     };
     Size framebufferSize() const;  ///< pixels, >= 1
     bool shouldClose() const;
-    /// Shows what was drawn and handles input.
-    void present();
+    /// Shows what was drawn and handles input. isStill: waits for some of it, a short while.
+    void present(bool isStill);
 
 private:
     void installCallbacks();

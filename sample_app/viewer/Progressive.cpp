@@ -13,9 +13,11 @@ namespace {
 // While the view changes, the CPU draws one pixel in 4 x 4, so that the mouse stays responsive.
 constexpr int kCoarseStep = 4;
 // As many samples are drawn in a frame as this allows: 40 frames a second, or one sample. Where one
-// takes much longer, as without a GPU, the runtime draws one pixel in 2 x 2 while things change.
+// takes much longer, as without a GPU, the runtime draws one pixel in 2 x 2, or in 4 x 4, while
+// things change.
 constexpr double kFrameMilliseconds = 25.0, kSlowMilliseconds = 80.0;
-constexpr int kSlowStep = 2;
+constexpr int kLeastStep = 2, kMostStep = 4;
+constexpr double kRefineMilliseconds = 15.0;  // of a frame, while an environment comes
 
 }  // namespace
 
@@ -32,8 +34,11 @@ bool Shown::operator==(const Shown& o) const
 
 Progressive::Progressive(gl::LoadFunction load, const Options& options, World& world,
                          GlScene& scene)
-    : options_(options), world_(world), scene_(scene), sum_(load), timer_(load)
+    : options_(options), world_(world), scene_(scene), sum_(load), timer_(load), step_(kLeastStep)
 {
+    // What draws on the processor is slow until it has shown that it is not.
+    if (scene.renderer().capabilities().softwareSampling)
+        sampleMilliseconds_ = 2.0 * kSlowMilliseconds;
     if (!isOnCpu(options.technique)) scene_.prepare(runtimeTechnique(options.technique), world);
 }
 
@@ -43,11 +48,13 @@ int Progressive::samples() const
     return coarse_ || !cpu_ ? 0 : cpu_->samples();
 }
 
-std::optional<double> Progressive::draw(const Shown& wanted, scene::Stats& stats)
+std::optional<double> Progressive::draw(const Shown& wanted, bool isBusy, scene::Stats& stats)
 {
     // Lobes that are still being fitted change the picture when they are there.
     const bool waits = !isOnCpu(wanted.technique) && !stats.whyNoEnvironment.empty();
-    const bool changed = !shown_ || !(*shown_ == wanted) || waits;
+    const bool sharpened =
+        shown_ && !isOnCpu(wanted.technique) && scene_.refineEnvironment(kRefineMilliseconds);
+    const bool changed = !shown_ || !(*shown_ == wanted) || waits || sharpened;
     shown_ = wanted;
     const auto start = std::chrono::steady_clock::now();
     if (isOnCpu(wanted.technique)) {
@@ -56,9 +63,10 @@ std::optional<double> Progressive::draw(const Shown& wanted, scene::Stats& stats
             std::chrono::steady_clock::now() - start;
         return time.count();
     }
+    const bool isSlow = sampleMilliseconds_ > kSlowMilliseconds;
+    if (isBusy && isSlow && !changed && !options_.frames) return std::nullopt;
     // A counted frame is drawn even where it shows the same, and is worth its full size.
-    if (changed || coarse_ || options_.frames)
-        restartSum(changed && !options_.frames && sampleMilliseconds_ > kSlowMilliseconds);
+    if (changed || coarse_ || options_.frames) restartSum(changed && !options_.frames && isSlow);
     const int missing = wantedSamples() - sum_.count();
     if (missing <= 0) return std::nullopt;
     const int affordable =
@@ -67,14 +75,16 @@ std::optional<double> Progressive::draw(const Shown& wanted, scene::Stats& stats
     timer_.begin();
     drawByRuntime(count, stats);
     const double milliseconds = timer_.end();
-    sampleMilliseconds_ = milliseconds / count * (coarse_ ? kSlowStep * kSlowStep : 1);
+    sampleMilliseconds_ = milliseconds / count * (coarse_ ? step_ * step_ : 1);
+    if (coarse_ && milliseconds > kSlowMilliseconds) step_ = std::min(step_ + 1, kMostStep);
+    if (coarse_ && milliseconds < 0.25 * kSlowMilliseconds) step_ = std::max(step_ - 1, kLeastStep);
     return milliseconds;
 }
 
 void Progressive::restartSum(bool coarse)
 {
     coarse_ = coarse;
-    const int step = coarse ? kSlowStep : 1;
+    const int step = coarse ? step_ : 1;
     sum_.restart(std::max(1, shown_->width / step), std::max(1, shown_->height / step));
 }
 
@@ -123,7 +133,7 @@ bool Progressive::drawByCpu(bool changed, scene::Stats& stats)
 scene::Image Progressive::finishedImage()
 {
     if (!isOnCpu(shown_->technique)) {
-        if (coarse_) restartSum(false);
+        if (coarse_ || scene_.finishEnvironment()) restartSum(false);
         drawByRuntime(wantedSamples() - sum_.count(), spare_);
         return sum_.mean();
     }

@@ -33,7 +33,8 @@ public:
     /// Goes on with the picture, or begins it anew where something has changed: as many samples as
     /// are done in a short frame, or, where frames are counted, all. Returns the milliseconds that
     /// took, nothing where the picture was finished. Fills the fields of the stats that say how.
-    std::optional<double> draw(const Shown& wanted, scene::Stats& stats);
+    /// isBusy: something else needs the processor; a slow picture then stays coarse.
+    std::optional<double> draw(const Shown& wanted, bool isBusy, scene::Stats& stats);
 
     const Shown& shown() const { return *shown_; }  ///< expects draw() before
     int samples() const;                            ///< of each pixel, so far
@@ -59,6 +60,7 @@ private:
     FrameTimer timer_;
     std::optional<Shown> shown_;
     double sampleMilliseconds_ = 0.0;  ///< of the runtime, in full size; 0: not known yet
+    int step_;                         ///< one pixel in step x step is drawn while things change
     bool coarse_ = false, hasNewImage_ = false;
     std::unique_ptr<CpuDrawing> cpu_;
     scene::Stats spare_;  ///< of samples that nobody asks about

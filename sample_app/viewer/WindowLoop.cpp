@@ -270,11 +270,14 @@ void WindowLoop::drawFrame()
         state_.camera = framed(state_.camera, scene::boundsOf(world_.mesh),
                                static_cast<double>(size.width) / size.height);
     state_.frame = false;
-    if (const auto milliseconds = progressive_.draw(wanted(size), stats_)) {
+    bool isStill = true;
+    if (const auto milliseconds =
+            progressive_.draw(wanted(size), !facts_.fit.doing.empty(), stats_)) {
         std::vector<double>& times = stats_.milliseconds;
         if (!options_.frames && times.size() == kKeptTimes) times.erase(times.begin());
         times.push_back(*milliseconds);
         facts_.milliseconds = scene::spreadOf(times).median;
+        isStill = false;
     }
     facts_.passes = stats_.passes;
     facts_.maxLookups = stats_.maxLookups;
@@ -283,7 +286,7 @@ void WindowLoop::drawFrame()
     show(size);
     panel_.draw(state_, facts_, editor_.fields(static_cast<size_t>(state_.material)));
     if (state_.screenshot) saveScreenshot();
-    window_.present();
+    window_.present(isStill);
 }
 
 void WindowLoop::show(GlfwWindow::Size size)

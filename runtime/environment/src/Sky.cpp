@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kNames[] = {"studio", "overcast", "clear"};
 constexpr int kMostWidth = 16384;
-constexpr int kSkySamples = 4;  // of a texel, on a side
+constexpr int kSkySamples = 2, kSunSamples = 4;  // of a texel, on a side
 constexpr double kGroundAlbedo = 0.2;
 const Vec3d kLuminanceOf(0.2126, 0.7152, 0.0722);  // Rec. 709
 
@@ -26,21 +26,20 @@ constexpr double kSunRadius = 0.9 * kDegree, kLimb = 0.6;
 /// The sun is drawn at least so large, in texels: smaller ones would flicker as a panorama turns.
 constexpr double kSunTexels = 1.5;
 
-/// Means over the texels of rows from `firstRow` on, of radiance by direction.
+/// Means over the texels of rows from `firstRow` on, of radiance by direction. side: samples on a
+/// side of a texel.
 template <class Radiance>
-void addRadiance(Panorama& panorama, int firstRow, int endRow, const Radiance& radiance)
+void addRadiance(Panorama& panorama, int firstRow, int endRow, int side, const Radiance& radiance)
 {
-    constexpr int kTexelSamples = kSkySamples * kSkySamples;
     parallelTasks(static_cast<size_t>(endRow - firstRow), 0, [&](size_t row) {
         const int y = firstRow + static_cast<int>(row);
         for (int x = 0; x < panorama.width; ++x) {
             Vec3d sum(0.0);
-            for (int i = 0; i < kTexelSamples; ++i)
-                sum += radiance(panoramaDirection(
-                    (x + (i % kSkySamples + 0.5) / kSkySamples) / panorama.width,
-                    (y + (i / kSkySamples + 0.5) / kSkySamples) / panorama.height));
+            for (int i = 0; i < side * side; ++i)
+                sum += radiance(panoramaDirection((x + (i % side + 0.5) / side) / panorama.width,
+                                                  (y + (i / side + 0.5) / side) / panorama.height));
             panorama.texels[static_cast<size_t>(y) * static_cast<size_t>(panorama.width) +
-                            static_cast<size_t>(x)] += Vec3f(sum / double(kTexelSamples));
+                            static_cast<size_t>(x)] += Vec3f(sum / double(side * side));
         }
     });
 }
@@ -63,7 +62,7 @@ void addSun(Panorama& panorama, const Vec3d& irradiance)
 {
     const double radius = std::max(kSunRadius, kSunTexels * 2.0 * kPi / panorama.width);
     Panorama sun = blackPanorama(panorama.width);
-    addRadiance(sun, 0, panorama.height / 2,
+    addRadiance(sun, 0, panorama.height / 2, kSunSamples,
                 [&](const Vec3d& w) { return Vec3d(sunDisc(w, radius)); });
     double energy = 0.0;
     for (int y = 0; y < panorama.height / 2; ++y)
@@ -86,14 +85,15 @@ Panorama unscaled(const std::string& name, int width)
     Panorama panorama = blackPanorama(width);
     const int horizon = panorama.height / 2;
     if (name == "studio") {
-        addRadiance(panorama, 0, panorama.height, studioRadiance);
+        addRadiance(panorama, 0, panorama.height, kSkySamples, studioRadiance);
     } else if (name == "overcast") {
-        addRadiance(panorama, 0, horizon,
+        addRadiance(panorama, 0, horizon, kSkySamples,
                     [](const Vec3d& w) { return Vec3d(overcastLuminance(w)); });
         addGround(panorama);
     } else {
         const ClearSky sky{kToSun, 3.0};
-        addRadiance(panorama, 0, horizon, [&](const Vec3d& w) { return sky.radiance(w); });
+        addRadiance(panorama, 0, horizon, kSkySamples,
+                    [&](const Vec3d& w) { return sky.radiance(w); });
         addSun(panorama, sky.sunIrradiance());
         addGround(panorama);
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace fbrdf {
 namespace {
@@ -29,17 +30,29 @@ double smooth(double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
+/// Where a box stands, found once for millions of directions.
+struct BoxFrame {
+    explicit BoxFrame(const SoftBox& box)
+        : distance(glm::length(box.centre)),
+          normal(box.centre / distance),
+          right(glm::normalize(glm::cross(Vec3d(0.0, 1.0, 0.0), normal))),
+          up(glm::cross(normal, right))
+    {
+    }
+    double distance;  ///< of its middle from the origin
+    Vec3d normal, right, up;
+};
+const BoxFrame kBoxFrames[] = {BoxFrame(kSoftBoxes[0]), BoxFrame(kSoftBoxes[1]),
+                               BoxFrame(kSoftBoxes[2]), BoxFrame(kSoftBoxes[3])};
+
 /// How much of a box is seen in a direction, 0 to 1.
-double boxIn(const SoftBox& box, const Vec3d& direction)
+double boxIn(const SoftBox& box, const BoxFrame& frame, const Vec3d& direction)
 {
-    const double distance = glm::length(box.centre);
-    const Vec3d normal = box.centre / distance;
-    const double towards = glm::dot(direction, normal);
+    const double towards = glm::dot(direction, frame.normal);
     if (!(towards > 0.0)) return 0.0;
-    const Vec3d right = glm::normalize(glm::cross(Vec3d(0.0, 1.0, 0.0), normal));
-    const Vec3d up = glm::cross(normal, right), point = direction * (distance / towards);
-    const double x = std::abs(glm::dot(point, right)) / box.halfWidth,
-                 y = std::abs(glm::dot(point, up)) / box.halfHeight;
+    const Vec3d point = direction * (frame.distance / towards);
+    const double x = std::abs(glm::dot(point, frame.right)) / box.halfWidth,
+                 y = std::abs(glm::dot(point, frame.up)) / box.halfHeight;
     if (x >= 1.0 || y >= 1.0) return 0.0;
     const double edge = smooth((1.0 - x) * box.halfWidth / kSoftEdge) *
                         smooth((1.0 - y) * box.halfHeight / kSoftEdge);
@@ -61,7 +74,8 @@ double roomIn(const Vec3d& direction)
 Vec3d studioRadiance(const Vec3d& direction)
 {
     Vec3d sum(roomIn(direction));
-    for (const SoftBox& box : kSoftBoxes) sum += boxIn(box, direction) * box.radiance;
+    for (size_t i = 0; i < std::size(kSoftBoxes); ++i)
+        sum += boxIn(kSoftBoxes[i], kBoxFrames[i], direction) * kSoftBoxes[i].radiance;
     return sum;
 }
 
