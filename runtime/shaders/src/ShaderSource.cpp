@@ -61,10 +61,11 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     return text + joined(files);
 }
 
-const char* vertexInputs(const SurfaceInputs& inputs)
+std::string vertexInputs(const SurfaceInputs& inputs)
 {
-    if (inputs.builtIns) return "inputs_built_in.glsl";
-    return inputs.instanced ? "inputs_instanced.glsl" : "inputs_uniform.glsl";
+    if (!inputs.vertexInputs.empty()) return inputs.vertexInputs;
+    if (inputs.builtIns) return joined({"inputs_built_in.glsl"});
+    return joined({inputs.instanced ? "inputs_instanced.glsl" : "inputs_uniform.glsl"});
 }
 
 /// What the look-ups of a form need beside FBRDF_TEXTURE2 and the like.
@@ -151,7 +152,7 @@ ProgramSpec programSpec(const Pass& pass, int maxLights)
 std::string vertexSource(int glsl, const SurfaceInputs& inputs)
 {
     return assembled(glsl, inputs, {"version.glsl"}) + inputs.vertexHook + "\n" +
-           joined({vertexInputs(inputs), "surface.vert"});
+           vertexInputs(inputs) + joined({"surface.vert"});
 }
 
 std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& encodings,

@@ -9,7 +9,8 @@
 
 namespace fbrdf::test {
 
-EglWindow::EglWindow(int size, EglWindow* sharedWith) : sharedWith_(sharedWith)
+EglWindow::EglWindow(int size, EglWindow* sharedWith, Profile profile)
+    : sharedWith_(sharedWith), profile_(profile)
 {
     _traits = new osg::GraphicsContext::Traits;
     _traits->width = _traits->height = size;
@@ -24,7 +25,8 @@ EglWindow::EglWindow(int size, EglWindow* sharedWith) : sharedWith_(sharedWith)
 
 bool EglWindow::realizeImplementation()
 {
-    HeadlessOptions options{Backend::egl, HeadlessOptions::Profile::compatibility, 2, 1, false};
+    const bool core = profile_ == Profile::core;
+    HeadlessOptions options{Backend::egl, profile_, core ? 3 : 2, core ? 3 : 1, false};
     options.sharedWith = sharedWith_.valid() ? sharedWith_->context_.get() : nullptr;
     context_ = std::make_unique<HeadlessContext>(options);
     offscreen_ = std::make_unique<Offscreen>(

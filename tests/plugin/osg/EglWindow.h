@@ -17,8 +17,10 @@ namespace fbrdf::test {
 
 class EglWindow : public osgViewer::GraphicsWindow {
 public:
+    using Profile = HeadlessOptions::Profile;
     /// sharedWith: the window whose OpenGL objects and OSG context number this one has too.
-    explicit EglWindow(int size, EglWindow* sharedWith = nullptr);
+    explicit EglWindow(int size, EglWindow* sharedWith = nullptr,
+                       Profile profile = Profile::compatibility);
 
     /// The picture of the frame-th swap, counted from 0: RGBA, rows from the bottom. Waits for it.
     std::vector<float> picture(size_t frame);
@@ -39,6 +41,7 @@ protected:
 
 private:
     osg::observer_ptr<EglWindow> sharedWith_;
+    Profile profile_;
     std::unique_ptr<HeadlessContext> context_;
     std::unique_ptr<Offscreen> offscreen_;
     std::mutex mutex_;

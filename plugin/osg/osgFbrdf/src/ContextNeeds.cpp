@@ -1,5 +1,8 @@
 #include "ContextNeeds.h"
 
+#include "CoreProfile.h"
+#include "VersionedProgram.h"
+
 #include <fbrdf/base/Found.h>
 
 #include <osg/GLExtensions>
@@ -25,7 +28,8 @@ std::string tooFew(const std::string& what, int needed, int limit)
 ContextLimits limitsOf(osg::State& state)
 {
     return {limitOf(GL_MAX_TEXTURE_IMAGE_UNITS), limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
-            osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod")};
+            hasOsgInputs(state) ||
+                osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod")};
 }
 
 std::string refusalBy(const ContextLimits& context, const ContextLimits& needed)
@@ -46,6 +50,7 @@ std::string refusalBy(osg::State& state, const ContextNeeds& needs)
     if (!needs.refusal.empty()) return needs.refusal;
     const auto* extensions = state.get<osg::GLExtensions>();
     if (!extensions->isGlslSupported || extensions->glslLanguageVersion < 1.2f) return noGlsl();
+    if (const std::string reason = whyNothingIsDrawn(state); !reason.empty()) return reason;
     if (extensions->glVersion < 3.0f &&
         !osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float"))
         return fbrdf::Found("no float textures").expected("OpenGL 3.0 or GL_ARB_texture_float");

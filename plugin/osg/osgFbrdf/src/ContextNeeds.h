@@ -14,7 +14,7 @@ namespace osgFbrdf {
 struct ContextLimits {
     int textureUnits = 0;
     int uniformComponents = 0;
-    bool choosesLevels = false;  ///< of cube maps, in fragment shaders of GLSL 1.20
+    bool choosesLevels = false;  ///< of cube maps, in fragment shaders
 };
 
 inline ContextLimits larger(const ContextLimits& a, const ContextLimits& b)

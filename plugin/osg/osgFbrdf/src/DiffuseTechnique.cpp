@@ -2,10 +2,13 @@
 
 #include "EffectInternals.h"
 #include "EyeLights.h"
+#include "FogPass.h"
 #include "GlLights.h"
 #include "InheritedState.h"
+#include "NestedBin.h"
 #include "PassState.h"
 #include "Vectors.h"
+#include "VersionedProgram.h"
 #include "ViewState.h"
 
 #include <osgFbrdf/FactorizedBrdf.h>
@@ -47,13 +50,12 @@ size_t placeableLights(const SceneLights& scene)
     return scene.lights.size() + scene.areaLights.size();
 }
 
-/// Lights of PointLights and AreaLights become OpenGL's, the strongest at `centre` first: once a
-/// frame, as OpenGL has one set for all objects.
-void placeLights(const EffectCull& cull, const osg::Vec3d& centre)
+/// Lights of PointLights and AreaLights as OpenGL's in eye space, those that are the strongest at
+/// `centre`, as many as there are free numbers.
+std::vector<osg::ref_ptr<osg::Light>> strongestLights(const SceneLights& scene,
+                                                      const osg::Matrixd& toEye,
+                                                      const osg::Vec3d& centre)
 {
-    if (!cull.view.claimsGlLights()) return;
-    const SceneLights& scene = cull.view.lights();
-    const osg::Matrixd toEye = worldToEye(cull.visitor);
     auto lights = pointLightsInEye(scene, toEye);
     for (const fbrdf::AreaLight& light : scene.areaLights)
         lights.push_back(pointLightOf(moved(light, toEye)));
@@ -62,25 +64,45 @@ void placeLights(const EffectCull& cull, const osg::Vec3d& centre)
         return irradianceAt(a, place) > irradianceAt(b, place);
     });
     const auto numbers = freeNumbers(scene);
+    std::vector<osg::ref_ptr<osg::Light>> found;
     for (size_t i = 0; i < std::min(numbers.size(), lights.size()); ++i)
-        cull.visitor.addPositionedAttribute(nullptr, glLight(lights[i], numbers[i]).get());
+        found.push_back(glLight(lights[i], numbers[i]));
+    return found;
 }
 
-osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const SceneLights& scene,
-                                         const InheritedState& inherited)
+/// The sources that are on and have one of OpenGL's numbers.
+std::vector<PlacedOsgLight> sourcesThatShine(const SceneLights& scene,
+                                             const InheritedState& inherited)
+{
+    std::vector<PlacedOsgLight> shining;
+    for (const PlacedOsgLight& source : scene.sources)
+        if (source.light->getLightNum() < kMostGlLights && isOn(source, inherited))
+            shining.push_back(source);
+    return shining;
+}
+
+DiffuseSurface surfaceOf(const FactorizedBrdf& effect, const SceneLights& scene)
+{
+    DiffuseSurface surface{{0.5f, 0.5f, 0.5f}, {}, {}};
+    if (effect.getMaterial()) surface.albedo = effect.getMaterial()->albedo();
+    surface.albedo *= effect.getExposure();
+    if (!scene.environment.cube) return surface;
+    surface.ambient = surface.albedo;
+    surface.surrounding = meanOf(scene.environment);
+    return surface;
+}
+
+osg::ref_ptr<osg::StateSet> fixedState(const DiffuseSurface& surface, const SceneLights& scene,
+                                       const InheritedState& inherited)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    osg::Vec3f albedo(0.5f, 0.5f, 0.5f);
-    if (effect.getMaterial()) albedo = effect.getMaterial()->albedo();
-    albedo *= effect.getExposure();
     osg::ref_ptr<osg::Material> material = new osg::Material;
     material->setColorMode(osg::Material::OFF);
-    material->setAmbient(osg::Material::FRONT_AND_BACK, {0.0f, 0.0f, 0.0f, 1.0f});
-    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
+    material->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4f(surface.ambient, 1.0f));
+    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(surface.albedo, 1.0f));
     if (scene.environment.cube) {
-        material->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
         osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
-        model->setAmbientIntensity(osg::Vec4f(meanOf(scene.environment), 1.0f));
+        model->setAmbientIntensity(osg::Vec4f(surface.surrounding, 1.0f));
         state->setAttribute(model, kOurs);
     }
     state->setAttributeAndModes(material, kOurs);
@@ -88,10 +110,38 @@ osg::ref_ptr<osg::StateSet> diffuseState(const FactorizedBrdf& effect, const Sce
     const auto numbers = freeNumbers(scene);
     for (size_t i = 0; i < std::min(numbers.size(), placeableLights(scene)); ++i)
         state->setMode(GL_LIGHT0 + static_cast<GLenum>(numbers[i]), kOurs);
-    for (const PlacedOsgLight& source : scene.sources)
-        if (source.light->getLightNum() < kMostGlLights && isOn(source, inherited))
-            state->setMode(GL_LIGHT0 + static_cast<GLenum>(source.light->getLightNum()), kOurs);
+    for (const PlacedOsgLight& source : sourcesThatShine(scene, inherited))
+        state->setMode(GL_LIGHT0 + static_cast<GLenum>(source.light->getLightNum()), kOurs);
     return state;
+}
+
+/// By fixed function. Lights are OpenGL's: once a frame, as there is one set for all objects.
+void cullFixed(const EffectCull& cull, const InheritedState& inherited, const osg::Vec3d& centre)
+{
+    const SceneLights& scene = cull.view.lights();
+    if (cull.view.claimsGlLights())
+        for (const auto& light : strongestLights(scene, worldToEye(cull.visitor), centre))
+            cull.visitor.addPositionedAttribute(nullptr, light.get());
+    const auto state = fixedState(surfaceOf(cull.effect, scene), scene, inherited);
+    cull.visitor.pushStateSet(state);
+    cull.effect.inherited_traverse(cull.visitor);
+    cull.visitor.popStateSet();
+}
+
+/// By a program.
+void cullShaded(const EffectCull& cull, const InheritedState& inherited, const osg::Vec3d& centre)
+{
+    const SceneLights& scene = cull.view.lights();
+    const osg::Matrixd toEye = worldToEye(cull.visitor);
+    auto lights = sourcesThatShine(scene, inherited);
+    for (const auto& light : strongestLights(scene, toEye, centre))
+        lights.push_back({light, osg::Matrixd(), true});
+    const auto frame = DiffuseShader::frameState(surfaceOf(cull.effect, scene), lights, toEye);
+    const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
+    const DiffuseShader& shader = *cull.internals.diffuse;
+    const NestedBin effectBin(cull.visitor, kEffectBin);
+    cullUnder(cull, shader.state(), frame);
+    if (fog) cullUnder(cull, shader.fogState(), fog);
 }
 
 }  // namespace
@@ -100,22 +150,33 @@ void cullDiffuse(const EffectCull& cull, const std::string& reason)
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
     FactorizedBrdf& effect = cull.effect;
+    const osg::State* context = visitor.getState();
+    DrawReport report{"diffuse fallback", reason};
+    if (context) report.reason = cull.internals.choice->whyNothing(context->getContextID());
+    if (!report.reason.empty()) {
+        report.technique = "nothing";
+        return cull.internals.log.report(effect, report);
+    }
     const SceneLights& scene = cull.view.lights();
-    placeLights(cull, osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix());
+    const InheritedState inherited(visitor);
     const int given = static_cast<int>(placeableLights(scene));
     const int used = std::min(given, static_cast<int>(freeNumbers(scene).size()));
-    const InheritedState inherited(visitor);
     const auto sources =
         std::count_if(scene.sources.begin(), scene.sources.end(),
                       [&](const PlacedOsgLight& source) { return isOn(source, inherited); });
-    cull.internals.log.report(
-        effect,
-        {"diffuse fallback", reason, 1, used + static_cast<int>(sources),
-         scene.dropped + given - used, 0, 0, "", scene.environment.leftOut, scene.whyInvalid});
-    const auto state = diffuseState(effect, scene, inherited);
-    visitor.pushStateSet(state);
-    effect.inherited_traverse(visitor);
-    visitor.popStateSet();
+    report.reason = reason;
+    report.passes = 1;
+    report.lightsUsed = used + static_cast<int>(sources);
+    report.lightsDropped = scene.dropped + given - used;
+    report.environmentsLeftOut = scene.environment.leftOut;
+    report.whyLightsInvalid = scene.whyInvalid;
+    cull.internals.log.report(effect, report);
+    const osg::Vec3d centre =
+        osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix();
+    if (context && hasOsgInputs(*context))
+        cullShaded(cull, inherited, centre);
+    else
+        cullFixed(cull, inherited, centre);
 }
 
 void DiffuseTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)

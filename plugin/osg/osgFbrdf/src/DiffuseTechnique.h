@@ -1,6 +1,6 @@
-// DiffuseTechnique.h - the fallback, which draws wherever OSG draws: fixed function with a diffuse
-// colour as bright as the material, under the brightest lights. An environment is as bright from
-// all sides there as it is on average.
+// DiffuseTechnique.h - the fallback, which draws wherever OSG draws: by fixed function, or a
+// program in its place (DiffuseShader.h), with a diffuse colour as bright as the material, under
+// the brightest lights. An environment is as bright from all sides there as it is on average.
 #pragma once
 #include "EffectCull.h"
 
@@ -10,7 +10,8 @@
 
 namespace osgFbrdf {
 
-/// Culls the children of the effect diffusely and reports why.
+/// Culls the children of the effect diffusely and reports why; or does not, where nothing can be
+/// drawn, and reports that.
 void cullDiffuse(const EffectCull& cull, const std::string& reason);
 
 class DiffuseTechnique : public osgFX::Technique {
@@ -21,10 +22,7 @@ public:
     }
 
     const char* techniqueName() override { return "diffuse fallback"; }
-    const char* techniqueDescription() override
-    {
-        return "Fixed function: diffuse, eight lights at most.";
-    }
+    const char* techniqueDescription() override { return "Diffuse, eight lights at most."; }
     bool validate(osg::State&) const override { return true; }
     void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
 

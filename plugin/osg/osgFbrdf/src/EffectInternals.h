@@ -1,6 +1,7 @@
 // EffectInternals.h - what the techniques of an effect keep with it and users of the effect do not
 // see. Every member is safe to use from several threads at once.
 #pragma once
+#include "DiffuseShader.h"
 #include "DrawLog.h"
 #include "GlObjectsInUse.h"
 #include "TechniqueChoice.h"
@@ -12,6 +13,7 @@ public:
     DrawLog log;
     GlObjectsInUse objects;
     const osg::ref_ptr<TechniqueChoice> choice = new TechniqueChoice;
+    const osg::ref_ptr<DiffuseShader> diffuse = new DiffuseShader;
 
 protected:
     ~EffectInternals() override = default;

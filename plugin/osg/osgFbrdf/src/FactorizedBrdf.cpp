@@ -240,12 +240,14 @@ void FactorizedBrdf::resizeGLObjectBuffers(unsigned int maxSize)
 {
     Effect::resizeGLObjectBuffers(maxSize);
     if (material_) material_->resizeGLObjectBuffers(maxSize);
+    internals_->diffuse->resizeGLObjectBuffers(maxSize);
 }
 
 void FactorizedBrdf::releaseGLObjects(osg::State* state) const
 {
     Effect::releaseGLObjects(state);
     if (material_) material_->releaseGLObjects(state);
+    internals_->diffuse->releaseGLObjects(state);
     state ? internals_->choice->forget(state->getContextID()) : internals_->choice->forget();
     internals_->objects.release(state);
 }

@@ -11,14 +11,12 @@
 
 namespace osgFbrdf {
 
-osg::ref_ptr<osg::Program> fogProgram(osg::Shader* vertex)
+osg::ref_ptr<osg::Program> fogProgram(const VersionedShader& vertex)
 {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("fbrdf fog");
-    program->addShader(vertex);
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, std::string(fbrdf::osgFbrdfShader("fog.frag"))));
-    return program;
+    return new VersionedProgram(
+        "fbrdf fog", vertex, versionedShader(osg::Shader::FRAGMENT, [](int glsl) {
+            return shaderHead(glsl) + std::string(fbrdf::osgFbrdfShader("fog.frag"));
+        }));
 }
 
 osg::ref_ptr<osg::StateSet> fogState(osg::Program* program, int bin)
@@ -34,13 +32,20 @@ osg::ref_ptr<osg::StateSet> fogState(osg::Program* program, int bin)
 osg::ref_ptr<osg::StateSet> fogOfScene(const InheritedState& inherited)
 {
     if (!inherited.mode(GL_FOG).value_or(false)) return nullptr;
-    const auto* fog = dynamic_cast<const osg::Fog*>(inherited.attribute(osg::StateAttribute::FOG));
-    const osg::Fog::Mode mode = fog ? fog->getMode() : osg::Fog::EXP;  // OpenGL's default
+    osg::ref_ptr<const osg::Fog> fog =
+        dynamic_cast<const osg::Fog*>(inherited.attribute(osg::StateAttribute::FOG));
+    if (!fog) fog = new osg::Fog;  // OpenGL's
+    const osg::Fog::Mode mode = static_cast<osg::Fog::Mode>(fog->getMode());
+    const osg::Vec4f& colour = fog->getColor();
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->addUniform(
+        new osg::Uniform("osgFbrdfFogColour", osg::Vec3f(colour.r(), colour.g(), colour.b())));
+    state->addUniform(new osg::Uniform(
+        "osgFbrdfFogRange", osg::Vec3f(fog->getDensity(), fog->getStart(), fog->getEnd())));
     state->addUniform(new osg::Uniform("osgFbrdfFogMode", mode == osg::Fog::LINEAR ? 0
                                                           : mode == osg::Fog::EXP  ? 1
                                                                                    : 2));
-    state->addUniform(new osg::Uniform("osgFbrdfFogRadial", fog && fog->getUseRadialFog()));
+    state->addUniform(new osg::Uniform("osgFbrdfFogRadial", fog->getUseRadialFog()));
     return state;
 }
 

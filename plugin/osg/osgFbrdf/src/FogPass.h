@@ -2,7 +2,8 @@
 // the passes of the plan left, whatever their number and transfer. So fog is applied once, and
 // last, as it is for objects beside the effect.
 #pragma once
-#include <osg/Program>
+#include "VersionedProgram.h"
+
 #include <osg/StateSet>
 
 namespace osgFbrdf {
@@ -13,7 +14,7 @@ class InheritedState;
 osg::ref_ptr<osg::StateSet> fogState(osg::Program* program, int bin);
 
 /// vertex: the shader of the other passes, so that depths are equal.
-osg::ref_ptr<osg::Program> fogProgram(osg::Shader* vertex);
+osg::ref_ptr<osg::Program> fogProgram(const VersionedShader& vertex);
 
 /// What depends on the fog of the scene; null where there is none.
 osg::ref_ptr<osg::StateSet> fogOfScene(const InheritedState& state);

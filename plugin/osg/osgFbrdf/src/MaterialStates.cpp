@@ -139,10 +139,13 @@ void setBlend(osg::StateSet& state, fbrdf::Blend blend)
         kOurs);
 }
 
-osg::Shader* vertexShader(bool derivesTangents)
+VersionedShader vertexShader(bool derivesTangents)
 {
-    return new osg::Shader(osg::Shader::VERTEX, fbrdf::vertexSource(assumedCapabilities().glsl,
-                                                                    {true, derivesTangents}));
+    return versionedShader(osg::Shader::VERTEX, [derivesTangents](int glsl) {
+        fbrdf::SurfaceInputs inputs = surfaceInputs(glsl);
+        inputs.derivedTangent = derivesTangents;
+        return fbrdf::vertexSource(glsl, inputs);
+    });
 }
 
 }  // namespace
@@ -208,21 +211,20 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
 osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec,
                                                      const PassInputs& inputs)
 {
-    fbrdf::SurfaceInputs surface;
-    surface.builtIns = true;
-    surface.derivedTangent = inputs.derivedTangents;
-    if (inputs.attenuated) surface.shadowHook = fbrdf::osgFbrdfShader("attenuation.glsl");
     std::vector<fbrdf::TableEncoding> encodings = encodings_;
     for (const size_t i : textures_) encodings[i].precise = inputs.preciseFiltering;
-    const std::string fragment =
-        fbrdf::fragmentSource(form_, encodings, spec, assumedCapabilities().glsl, surface);
-    osg::ref_ptr<osg::Program>& program = programs_[fragment + (inputs.derivedTangents ? "t" : "")];
+    const auto fragment = versionedShader(osg::Shader::FRAGMENT, [&](int glsl) {
+        fbrdf::SurfaceInputs surface = surfaceInputs(glsl);
+        surface.derivedTangent = inputs.derivedTangents;
+        if (inputs.attenuated) surface.shadowHook = fbrdf::osgFbrdfShader("attenuation.glsl");
+        return fbrdf::fragmentSource(form_, encodings, spec, glsl, surface);
+    });
+    osg::ref_ptr<VersionedProgram>& program =
+        programs_[fragment[0]->getShaderSource() + (inputs.derivedTangents ? "t" : "")];
     if (program) return program;
-    program = new osg::Program;
-    program->setName("fbrdf " + name_);
-    program->addShader(inputs.derivedTangents ? derivingVertex_ : vertex_);
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
-    program->addBindAttribLocation("fbrdfVertexTangent", kTangentAttribute);
+    program = new VersionedProgram("fbrdf " + name_,
+                                   inputs.derivedTangents ? derivingVertex_ : vertex_, fragment);
+    program->bindAttribute("fbrdfVertexTangent", kTangentAttribute);
     return program;
 }
 

@@ -4,11 +4,11 @@
 #include "ContextNeeds.h"
 #include "LobesOfMaterial.h"
 #include "TextureUnits.h"
+#include "VersionedProgram.h"
 
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
-#include <osg/Program>
 #include <osg/StateSet>
 #include <osg/Texture>
 
@@ -100,9 +100,9 @@ private:
     std::vector<fbrdf::TableEncoding> encodings_;
     std::vector<Map> maps_;         ///< one a table
     std::vector<size_t> textures_;  ///< maps with a texture, in the order of their units
-    osg::ref_ptr<osg::Shader> vertex_, derivingVertex_;
-    OpenThreads::Mutex mutex_;                                    ///< guards what follows
-    std::map<std::string, osg::ref_ptr<osg::Program>> programs_;  ///< by fragment shader
+    VersionedShader vertex_, derivingVertex_;
+    OpenThreads::Mutex mutex_;                                        ///< guards what follows
+    std::map<std::string, osg::ref_ptr<VersionedProgram>> programs_;  ///< by fragment shader
     osg::ref_ptr<osg::Program> fog_;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> states_;
     std::map<std::string, std::shared_ptr<const PlannedPasses>> planned_;

@@ -5,6 +5,7 @@
 #include "FogPass.h"
 #include "FrameStates.h"
 #include "InheritedState.h"
+#include "NestedBin.h"
 #include "PassState.h"
 #include "Vectors.h"
 #include "ViewState.h"
@@ -26,29 +27,6 @@ namespace {
 // Room for all uniforms but lights, attenuations and knots: as many as the planner leaves.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
-// Outside every pass bin; after the opaque bin 0, before the transparent bin 10.
-constexpr int kEffectBin = 1;
-
-/// What is culled while this lives goes into a bin of its own within the current one.
-class NestedBin {
-public:
-    NestedBin(osgUtil::CullVisitor& visitor, int number) : visitor_(visitor)
-    {
-        setBin(*state_, number);
-        visitor_.pushStateSet(state_);
-    }
-    ~NestedBin() { visitor_.popStateSet(); }
-    NestedBin(const NestedBin&) = delete;
-    NestedBin& operator=(const NestedBin&) = delete;
-    void setDrawCallback(osgUtil::RenderBin::DrawCallback* callback)
-    {
-        visitor_.getCurrentRenderBin()->setDrawCallback(callback);
-    }
-
-private:
-    osgUtil::CullVisitor& visitor_;
-    osg::ref_ptr<osg::StateSet> state_ = new osg::StateSet;
-};
 
 /// Makes OSG dispatch the arrays of the model anew (GlObjectsInUse::arraysReleased).
 class ForgetArrays : public osgUtil::RenderBin::DrawCallback {
@@ -339,16 +317,9 @@ void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, E
     osgUtil::CullVisitor& visitor = cull.visitor;
     const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), lobes,
                             drawing.surfaces, textureUnits());
-    const auto cullUnder = [&](osg::StateSet* state, osg::StateSet* varying) {
-        visitor.pushStateSet(state);
-        visitor.pushStateSet(varying);
-        effect_.inherited_traverse(visitor);
-        visitor.popStateSet();
-        visitor.popStateSet();
-    };
     const auto& passes = drawing.passes->plan.passes;
     const auto cullPass = [&](size_t i) {
-        cullUnder(drawing.passes->states[i], frame.stateOf(passes[i]));
+        cullUnder(cull, drawing.passes->states[i], frame.stateOf(passes[i]));
     };
 
     NestedBin effectBin(visitor, kEffectBin);
@@ -361,7 +332,7 @@ void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, E
     else
         for (size_t i = 0; i < passes.size(); ++i) cullPass(i);
     const int fogBin = static_cast<int>(passes.size()) + 1;
-    if (fog) cullUnder(effect_.getMaterial()->states()->fogStateOf(fogBin), fog);
+    if (fog) cullUnder(cull, effect_.getMaterial()->states()->fogStateOf(fogBin), fog);
 }
 
 }  // namespace osgFbrdf

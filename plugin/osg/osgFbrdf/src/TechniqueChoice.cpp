@@ -1,5 +1,7 @@
 #include "TechniqueChoice.h"
 
+#include "CoreProfile.h"
+
 #include <OpenThreads/ScopedLock>
 
 #include <algorithm>
@@ -89,6 +91,13 @@ void TechniqueChoice::forget(unsigned int contextId)
     answers_.erase(contextId);
 }
 
+std::string TechniqueChoice::whyNothing(unsigned int contextId) const
+{
+    const Lock lock(mutex_);
+    const auto answer = answers_.find(contextId);
+    return answer == answers_.end() ? "" : answer->second.whyNothing;
+}
+
 bool TechniqueChoice::asked(unsigned int contextId) const
 {
     const Lock lock(mutex_);
@@ -116,6 +125,7 @@ void TechniqueChoice::ask(osg::State& state, const std::vector<ContextNeeds>& ne
 void TechniqueChoice::ask(osg::State& state, unsigned int round,
                           const std::vector<ContextNeeds>& needs)
 {
+    prepareCoreProfile(state);
     std::string refusal;
     int index = 0;
     for (const ContextNeeds& each : needs) {
@@ -124,10 +134,10 @@ void TechniqueChoice::ask(osg::State& state, unsigned int round,
         refusal = reason;
         ++index;
     }
-    const ContextLimits limits = limitsOf(state);
+    const Answer answer{index, limitsOf(state), whyNothingIsDrawn(state)};
     const Lock lock(mutex_);
     if (round != round_) return;
-    answers_[state.getContextID()] = {index, limits};
+    answers_[state.getContextID()] = answer;
     if (!refusal.empty()) refusal_ = refusal;
 }
 

@@ -29,6 +29,8 @@ public:
     void forget();
     void forget(unsigned int contextId);
 
+    /// Why nothing can be drawn in the context; empty where something can, or it was not asked.
+    std::string whyNothing(unsigned int contextId) const;
     /// What every context that was asked has; more than anything needs where none was.
     ContextLimits limits() const;
     bool asked(unsigned int contextId) const;
@@ -50,6 +52,7 @@ private:
     struct Answer {
         int index;
         ContextLimits limits;
+        std::string whyNothing;
     };
     std::map<unsigned int, Answer> answers_;  ///< by context
     std::string refusal_;

@@ -53,8 +53,9 @@ enum TechniqueIndex {
 
 /// What the last cull of an effect did.
 struct DrawReport {
-    std::string technique;  ///< techniqueName() of what was drawn
-    std::string reason;     ///< why that is not the one selected; empty when it is
+    /// techniqueName() of what was drawn; "nothing" in a core profile without OSG's inputs.
+    std::string technique;
+    std::string reason;  ///< why that is not the one selected; empty when it is
     int passes = 0;
     int lightsUsed = 0;     ///< area lights included, as in what follows
     int lightsDropped = 0;  ///< lights that are not valid, or too many for what was drawn

@@ -91,6 +91,9 @@ struct SurfaceInputs {
     ///     float fbrdfShadow(int light, vec3 position, vec3 toLight)   (or a vec3)
     /// in eye space, toLight being unit.
     std::string vertexHook = {}, shadowHook = {};
+    /// GLSL of the host that defines what inputs_uniform.glsl does, in its place: where vertices
+    /// and matrices come from under other names. "": the fields above say so.
+    std::string vertexInputs = {};
 };
 
 /// Versions of GLSL that programs are written in; 100 and 300 are those of OpenGL ES.
