@@ -46,8 +46,8 @@ int run(int argc, char** argv)
         return 0;
     }
     if (options.command == viewer::Command::sheet) {
-        writeImage(viewer::drawSheet(options, world), options.out, options.exposure,
-                   transferOf(options));
+        writeImage(viewer::drawSheet(options, world), options.out, options.document.exposure,
+                   transferOf(options.document));
         return 0;
     }
 
@@ -60,7 +60,7 @@ int run(int argc, char** argv)
     viewer::Picture picture;
     if (!options.headless)
         picture = viewer::runWindow(options, world);
-    else if (isOnCpu(options.technique))
+    else if (isOnCpu(options.document.technique))
         picture = viewer::drawOnCpu(options, world);
     else
         picture = viewer::drawHeadless(options, world);
@@ -69,7 +69,8 @@ int run(int argc, char** argv)
     picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
     viewer::addBackground(options, world, picture.view, picture.image);
     if (!options.out.empty())
-        writeImage(picture.image, options.out, options.exposure, transferOf(options));
+        writeImage(picture.image, options.out, options.document.exposure,
+                   transferOf(options.document));
     if (!options.stats.empty()) writeFile(options.stats, scene::statsToJson(picture.stats));
     return 0;
 }

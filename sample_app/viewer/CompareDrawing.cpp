@@ -56,14 +56,15 @@ DrawnSide drawn(const CompareSide& side, Options options, World& world)
     const bool isMade = !made.empty();
     if (isMade) std::swap(world.materials, made);
     MaterialSlot& slot = world.materials.front();
-    const SideDrawing how = drawingOf(side, slot, options.technique, world.environment.has_value());
-    options.technique = how.technique;
+    const SideDrawing how =
+        drawingOf(side, slot, options.document.technique, world.environment.has_value());
+    options.document.technique = how.technique;
     if (!how.bounces) options.bounces = 0;
     drawn.picture =
         isOnCpu(how.technique) ? drawOnCpu(options, world) : drawHeadless(options, world);
     stats.name = side.name;
     stats.technique = viewTechniqueName(how.technique);
-    stats.samples = samplesOf(options, how.technique);
+    stats.samples = samplesOf(options.document, how.technique);
     if (!isOnCpu(how.technique)) {
         stats.bytes = materialBytes(slot.material());
         if (stats.note.empty()) stats.note = describe(slot.material().form);
@@ -113,7 +114,7 @@ void writeComparison(const Options& options, World& world)
     const CompareSide a = compareSideFromName(options.compare[0]),
                       b = compareSideFromName(options.compare[1]);
     DrawnSide drawnA = drawn(a, options, world), drawnB = drawn(b, options, world);
-    const Exposing exposing{options.exposure, transferOf(options)};
+    const Exposing exposing{options.document.exposure, transferOf(options.document)};
     scene::Stats stats = drawnA.picture.stats;
     stats.coveredPixels = coveredPixels(drawnA.picture.image);
     stats.compare = {drawnA.stats, drawnB.stats, compareModeName(options.compareMode),

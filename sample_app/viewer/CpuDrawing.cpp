@@ -45,7 +45,7 @@ truth::PathOptions pathOptionsOf(const Options& options, const CpuRequest& reque
     truth::PathOptions path;
     path.picture = {request.width, request.height};
     path.bounces = options.bounces.value_or(path.bounces);
-    path.spread = options.samples || options.full;
+    path.spread = options.document.spread;
     return path;
 }
 
@@ -71,10 +71,10 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 CpuDrawing::CpuDrawing(const Options& options, World& world, CpuRequest request)
     : request_(std::move(request)), scene_(sceneOf(world, request_))
 {
-    left_ = samplesOf(options, request_.technique);
+    left_ = samplesOf(options.document, request_.technique);
     if (request_.technique != scene::ViewTechnique::path) {
         sum_ = scene::Image(request_.width, request_.height);
-        if (options.shadows) occluders_.emplace(request_.instances);
+        if (options.document.shadows) occluders_.emplace(request_.instances);
         return;
     }
     const truth::PathOptions path = pathOptionsOf(options, request_);
@@ -119,7 +119,7 @@ Picture drawOnCpu(const Options& options, World& world)
     for (int frame = 0; frame < options.frames.value_or(1); ++frame) {
         const auto start = std::chrono::steady_clock::now();
         CpuDrawing drawing(options, world,
-                           {options.technique, world.instances, viewOf(options, world),
+                           {options.document.technique, world.instances, viewOf(options, world),
                             options.width, options.height});
         while (!drawing.isFinished()) drawing.goOn();
         picture.image = drawing.image();

@@ -24,21 +24,24 @@ constexpr const char* kMaterials[] = {
     "ward-white-ceramic-tile",
     "disney:baseColor=0.03/0.2/0.08,roughness=0.9,sheen=1,sheenTint=1"};
 
-Options sceneOf(const Options& options, std::vector<std::string> materials, int lights)
+/// form: of the fits; empty: the one that is asked for.
+Options sceneOf(const Options& options, const std::vector<std::string>& materials, int lights,
+                std::string form = "")
 {
     Options scene = options;
     scene.command = Command::view;
-    scene.materials = std::move(materials);
-    if (scene.form == "auto") scene.form = "io+pqpr";  // auto would search for a minute
-    scene.mesh = "knot";
-    scene.lightCount = lights;
-    scene.samples = kSamples;
+    // auto would search for a minute.
+    if (form.empty()) form = scene.figureForm == "auto" ? "io+pqpr" : scene.figureForm;
+    for (const std::string& source : materials) scene.document.materials.push_back({source, form});
+    scene.document.mesh = "knot";
+    scene.document.lights.made = lights;
+    scene.document.samples = kSamples;
     return scene;
 }
 
 scene::Image drawn(Options options, World& world, scene::ViewTechnique technique)
 {
-    options.technique = technique;
+    options.document.technique = technique;
     return (isOnCpu(technique) ? drawOnCpu(options, world) : drawHeadless(options, world)).image;
 }
 
@@ -49,15 +52,15 @@ public:
 
     void add(const std::string& name, const scene::Image& image)
     {
-        addFile(name, image, options_.exposure);
+        addFile(name, image, options_.document.exposure);
     }
     /// A picture, its error map and its numbers.
     void add(const std::string& name, const scene::Image& image, const scene::Image& reference)
     {
         add(name, image);
-        addFile(name + "-error", heatMap(image, reference, options_.exposure), 1.0f);
-        const ImageErrors errors = imageErrors(shownImage(image, {options_.exposure}),
-                                               shownImage(reference, {options_.exposure}));
+        addFile(name + "-error", heatMap(image, reference, options_.document.exposure), 1.0f);
+        const ImageErrors errors = imageErrors(shownImage(image, {options_.document.exposure}),
+                                               shownImage(reference, {options_.document.exposure}));
         numbers_[name] = {{"psnr_linear", errors.psnrLinear},
                           {"psnr_srgb", errors.psnrSrgb},
                           {"ssim", errors.ssim},
@@ -84,8 +87,7 @@ private:
 
 void addFigure1(const Options& given, FigureFiles& files)
 {
-    Options options = sceneOf(given, {kSatin}, 4);
-    options.form = "pqp";
+    const Options options = sceneOf(given, {kSatin}, 4, "pqp");
     World world;
     loadWorld(options, world);
     const scene::Image reference = drawn(options, world, scene::ViewTechnique::reference);

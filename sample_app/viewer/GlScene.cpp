@@ -32,24 +32,47 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
 
 GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
     : renderer_(rendererOptions(load)),
-      uploaded_{options.lookUp, 0, options.precise},
+      uploaded_{options.document.lookUp, 0, options.document.precise},
+      load_(load),
+      limits_(options.document.limits),
       groundPass_(load),
       gradual_(!options.headless && !options.frames),
       refineTimer_(load)
 {
-    environmentLight_.lobes = options.environmentLobes;
-    environmentLight_.samples = options.environmentSamples;
-    if (options.shadows) {
-        shadowMaps_ = std::make_unique<ShadowMaps>(load);
-        hooks_ = renderer_.createHooks(shadowMaps_->hooks());
-    }
+    environmentLight_.lobes = options.document.environment.lobes;
+    environmentLight_.samples = options.document.environment.samples;
     if (world.environment) replaceEnvironment(&*world.environment);
     for (MaterialSlot& slot : world.materials) setMaterial(materials_.size(), slot.material());
     replaceMesh(world.mesh);
-    if (!world.ground) return;
-    groundMaterial_ = renderer_.createMaterial(scene::Ground::material(), uploaded_);
-    groundMesh_ = renderer_.createMesh(*world.ground->object(0).mesh);
-    replaceGround(*world.ground);
+    setShadows(options.document.shadows, world.mesh);
+    if (world.ground) replaceGround(*world.ground);
+}
+
+void GlScene::setShadows(bool shadows, const scene::Mesh& mesh)
+{
+    hooks_.reset();
+    shadowMaps_.reset();
+    if (!shadows) return;
+    shadowMaps_ = std::make_unique<ShadowMaps>(load_);
+    shadowMaps_->setMesh(mesh);
+    hooks_ = renderer_.createHooks(shadowMaps_->hooks());
+}
+
+void GlScene::setUpload(LookUp lookUp, bool precise, World& world)
+{
+    uploaded_.lookUp = lookUp;
+    uploaded_.precise = precise;
+    groundMaterial_.reset();
+    for (size_t i = 0; i < materials_.size(); ++i) setMaterial(i, world.materials[i].material());
+    if (world.ground) replaceGround(*world.ground);
+}
+
+void GlScene::replaceGround(const scene::Ground& ground)
+{
+    if (!groundMaterial_)
+        groundMaterial_ = renderer_.createMaterial(scene::Ground::material(), uploaded_);
+    groundMesh_ = renderer_.createMesh(*ground.object(0).mesh);
+    groundPass_.setVisibility(ground.visibility());
 }
 
 gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet& lights) const
@@ -58,6 +81,9 @@ gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet&
     options.technique = technique;
     options.environment = environmentLight_;
     options.areaLights = lights.areaLights;
+    options.maxLookups = limits_.lookups;
+    options.maxLights = limits_.lights;
+    options.lightsPerPass = limits_.lightsPerPass;
     return options;
 }
 
@@ -86,6 +112,11 @@ void GlScene::replaceEnvironment(const scene::EnvironmentLight* light)
                                                {0, false, environmentLight_.samples > 0, gradual_});
     environmentLight_.map = environment_.get();
     turnEnvironment(*light, environmentLight_.lobes);
+}
+
+void GlScene::setEnvironmentSamples(int samples)
+{
+    environmentLight_.samples = samples;
 }
 
 void GlScene::turnEnvironment(const scene::EnvironmentLight& light, int lobes)

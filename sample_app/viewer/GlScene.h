@@ -29,11 +29,15 @@ public:
     void replaceMesh(const scene::Mesh& mesh);
     /// Takes another material in the place of one, or one more where `index` is their number.
     void setMaterial(size_t index, const Material& material);
-    /// Takes what the objects hide of the sky above the ground.
-    void replaceGround(const scene::Ground& ground)
-    {
-        groundPass_.setVisibility(ground.visibility());
-    }
+    /// Takes the plane of a ground, and what the objects hide of the sky above it.
+    void replaceGround(const scene::Ground& ground);
+    /// Casts shadows from the next draw on, or none.
+    void setShadows(bool shadows, const scene::Mesh& mesh);
+    void setLimits(const scene::DrawLimits& limits) { limits_ = limits; }
+    /// Uploads all materials again, with maps of another kind.
+    void setUpload(LookUp lookUp, bool precise, World& world);
+    /// Directions of the environment to draw; it has to be replaced afterwards.
+    void setEnvironmentSamples(int samples);
     /// Takes another environment, or none. What is drawn of it at most are so many lobes, or all
     /// that a material has (0).
     void replaceEnvironment(const scene::EnvironmentLight* light);
@@ -57,8 +61,10 @@ private:
 
     gl::Renderer renderer_;
     gl::MaterialOptions uploaded_;
+    gl::LoadFunction load_;
     std::unique_ptr<ShadowMaps> shadowMaps_;  ///< null: no shadows
     std::shared_ptr<gl::GpuHooks> hooks_;     ///< of the shadows
+    scene::DrawLimits limits_;
     GroundPass groundPass_;
     std::shared_ptr<gl::GpuEnvironment> environment_;
     gl::EnvironmentLight environmentLight_;

@@ -12,6 +12,8 @@
 namespace fbrdf::viewer {
 namespace {
 
+constexpr double kScrollPause = 0.4;  // seconds after which turns of the wheel have ended
+
 [[noreturn]] void fail(const char* step)
 {
     const char* description = nullptr;
@@ -71,13 +73,18 @@ void GlfwWindow::installCallbacks()
     glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned code) {
         GlfwWindow& self = *windowOf(handle);
         const bool taken = self.filter_.takesKeys && self.filter_.takesKeys();
-        if (!taken && code < 128)
-            applyKey(self.state_, static_cast<char>(std::tolower(static_cast<int>(code))));
+        if (!taken && code < 128) self.key(static_cast<char>(std::tolower(static_cast<int>(code))));
     });
-    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int) {
+    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int mods) {
+        if (action == GLFW_RELEASE) return;
+        GlfwWindow& self = *windowOf(handle);
+        const bool taken = self.filter_.takesKeys && self.filter_.takesKeys();
+        const char* const name = glfwGetKeyName(key, code);  // by the layout
+        if (!taken && name && (mods & GLFW_MOD_CONTROL) != 0)
+            self.controlKey(name[0], (mods & GLFW_MOD_SHIFT) != 0);
         if (action != GLFW_PRESS) return;
-        if (key == GLFW_KEY_ESCAPE) applyKey(windowOf(handle)->state_, 27);
-        if (key == GLFW_KEY_F1) applyKey(windowOf(handle)->state_, 'h');
+        if (key == GLFW_KEY_ESCAPE) self.key(27);
+        if (key == GLFW_KEY_F1) self.key('h');
     });
     glfwSetCursorPosCallback(
         window_, [](GLFWwindow* handle, double x, double y) { windowOf(handle)->drag(x, y); });
@@ -87,7 +94,7 @@ void GlfwWindow::installCallbacks()
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* handle, double, double steps) {
         GlfwWindow& self = *windowOf(handle);
-        if (!self.filter_.takesMouse || !self.filter_.takesMouse()) applyScroll(self.state_, steps);
+        if (!self.filter_.takesMouse || !self.filter_.takesMouse()) self.scroll(steps);
     });
 }
 
@@ -101,6 +108,29 @@ void GlfwWindow::drag(double x, double y)
     }
     lastX_ = x;
     lastY_ = y;
+}
+
+void GlfwWindow::key(char key)
+{
+    if (applyKey(state_, key) && filter_.afterKey) filter_.afterKey();
+}
+
+void GlfwWindow::controlKey(char key, bool withShift)
+{
+    if (applyControlKey(state_, key, withShift) && filter_.afterKey) filter_.afterKey();
+}
+
+void GlfwWindow::scroll(double steps)
+{
+    applyScroll(state_, steps);
+    lastScroll_ = glfwGetTime();
+}
+
+bool GlfwWindow::isHeld() const
+{
+    for (const int button : {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT})
+        if (glfwGetMouseButton(window_, button) == GLFW_PRESS) return true;
+    return lastScroll_ && glfwGetTime() - *lastScroll_ < kScrollPause;
 }
 
 GlfwWindow::Size GlfwWindow::framebufferSize() const

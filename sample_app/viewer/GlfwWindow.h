@@ -4,15 +4,17 @@
 #include <fbrdf/scene/Controls.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 struct GLFWwindow;
 
 namespace fbrdf::viewer {
 
-/// Whether something else (the panel) wants the input.
+/// Who else is interested in the input.
 struct InputFilter {
-    std::function<bool()> takesMouse, takesKeys;
+    std::function<bool()> takesMouse, takesKeys;  ///< true: something else (the panel) wants it
+    std::function<void()> afterKey;  ///< a key has changed the state; several may come in a frame
 };
 
 class GlfwWindow {
@@ -32,18 +34,24 @@ public:
         int width, height;
     };
     Size framebufferSize() const;  ///< pixels, >= 1
+    /// True while a button is down or the wheel turns: what that changes is one change.
+    bool isHeld() const;
     bool shouldClose() const;
     /// Shows what was drawn and handles input. isStill: waits for some of it, a short while.
     void present(bool isStill);
 
 private:
     void installCallbacks();
+    void key(char key);
+    void controlKey(char key, bool withShift);
     void drag(double x, double y);
+    void scroll(double steps);
 
     GLFWwindow* window_ = nullptr;
     scene::ViewState& state_;
     InputFilter filter_;
     double lastX_ = 0.0, lastY_ = 0.0;
+    std::optional<double> lastScroll_;  ///< seconds of GLFW's clock
 };
 
 }  // namespace fbrdf::viewer

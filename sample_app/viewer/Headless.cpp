@@ -46,10 +46,11 @@ Picture drawHeadless(const Options& options, World& world)
 {
     Picture picture{{}, statsOf(options, world), viewOf(options, world)};
     HeadlessDrawing drawing(options, world);
-    drawing.scene().prepare(runtimeTechnique(options.technique), world);
+    drawing.scene().prepare(runtimeTechnique(options.document.technique), world);
     // Frame 0 is not timed: drivers compile what they need while they draw it.
     for (int frame = 0; frame <= options.frames.value_or(1); ++frame) {
-        const int samples = frame == 0 ? 1 : samplesOf(options, options.technique);
+        const int samples =
+            frame == 0 ? 1 : samplesOf(options.document, options.document.technique);
         picture.image = drawing.draw(requestOf(options, world), samples);
         if (frame > 0) picture.stats.milliseconds.push_back(drawing.milliseconds());
     }

@@ -50,7 +50,7 @@ scene::Image HeadlessDrawing::draw(GlRequest request, int samples)
 
 GlRequest requestOf(const Options& options, const World& world)
 {
-    return {runtimeTechnique(options.technique), world.instances, viewOf(options, world),
+    return {runtimeTechnique(options.document.technique), world.instances, viewOf(options, world),
             &world.lights, world.ground.get()};
 }
 

@@ -1,42 +1,25 @@
 #include "MaterialEditor.h"
 
+#include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
 
 #include <fmt/core.h>
+
+#include <algorithm>
 
 namespace fbrdf::viewer {
 namespace {
 
 constexpr int kLobes = 2;
-constexpr size_t kMeasured = 16384;  // samples that the errors of a fit are computed on
+constexpr size_t kMeasured = 16384;    // samples that the errors of a fit are computed on
+constexpr double kDropSeconds = 10.0;  // of the search for a form
+constexpr size_t kKeptFits = 16;       // of a slot
 
-/// What is fitted again and again has a form that is named: searching one takes seconds.
-std::string formOf(const MaterialSlot& slot, const Material& material)
-{
-    const FitOptions& options = *slot.fitOptions();
-    return isSearched(options) ? material.form.name : options.form;
-}
-
-FitFields fieldsOf(MaterialSlot& slot)
-{
-    FitFields fields;
-    if (namesModel(slot.name())) fields.model = parseModelSpec(slot.name());
-    fields.form = formOf(slot, slot.material());
-    if (const auto& smoothness = slot.fitOptions()->smoothness) {
-        fields.choosesSmoothness = false;
-        fields.smoothness = static_cast<float>(*smoothness);
-    }
-    return fields;
-}
-
-fitting::FitOrder orderOf(const std::string& source, const FitFields& fields)
+fitting::FitOrder orderOf(const scene::SceneMaterial& recipe)
 {
     fitting::FitOrder order;
-    order.source = source;
-    order.fit.form = fields.form;
-    order.fit.resolution = fields.resolution;
-    order.fit.maxBytes = 1024 * static_cast<size_t>(fields.kilobytes);
-    if (!fields.choosesSmoothness) order.fit.smoothness = static_cast<double>(fields.smoothness);
+    order.source = recipe.source;
+    order.fit = fitOptionsOf(recipe);
     order.fit.heldOut = false;
     order.fit.measured = kMeasured;
     return order;
@@ -51,45 +34,24 @@ std::string resultOf(const fitting::FitReply& reply)
 
 }  // namespace
 
-bool FitFields::operator==(const FitFields& o) const
-{
-    return model.has_value() == o.model.has_value() &&
-           (!model || (model->model == o.model->model && model->values == o.model->values)) &&
-           form == o.form && resolution == o.resolution &&
-           choosesSmoothness == o.choosesSmoothness && smoothness == o.smoothness &&
-           kilobytes == o.kilobytes;
-}
-
 MaterialEditor::MaterialEditor(World& world, std::function<void(size_t)> changed)
     : world_(world), changed_(std::move(changed))
 {
 }
 
-MaterialEditor::Edit* MaterialEditor::editOf(size_t slot)
-{
-    if (!world_.materials[slot].fitOptions()) return nullptr;
-    const auto known = edits_.find(slot);
-    if (known != edits_.end()) return &known->second;
-    Edit edit;
-    edit.fields = edit.ordered = fieldsOf(world_.materials[slot]);
-    edit.hasLobes = true;
-    return &edits_.emplace(slot, std::move(edit)).first->second;
-}
-
-FitFields* MaterialEditor::fields(size_t slot)
-{
-    Edit* const edit = editOf(slot);
-    return edit ? &edit->fields : nullptr;
-}
-
 void MaterialEditor::open(const std::string& spec)
 {
-    if (std::optional<Material> material = readIfMaterial(spec)) {
-        world_.materials.emplace_back(spec, nullptr, std::move(*material));
-        changed_(world_.materials.size() - 1);
+    Opening opening;
+    opening.recipe.source = spec;
+    opening.isDropped = true;
+    std::optional<Material> material = readIfMaterial(spec);
+    if (!material) {
+        toOpen_.push_back(std::move(opening));
         return;
     }
-    toOpen_.push_back(spec);
+    world_.materials.emplace_back(spec, nullptr, std::move(*material));
+    opening.recipe.slot = static_cast<int>(world_.materials.size()) - 1;
+    ready_.push_back(std::move(opening));
 }
 
 void MaterialEditor::cancel()
@@ -99,20 +61,66 @@ void MaterialEditor::cancel()
     openings_.stop();
 }
 
-void MaterialEditor::orderEdit(size_t slot, Edit& edit, bool withLobes)
+/// The slot's material is what its recipe says when it is first seen.
+MaterialEditor::Edit& MaterialEditor::editOf(const SceneMaterial& material)
 {
-    const std::string source =
-        edit.fields.model ? modelSpecText(*edit.fields.model) : world_.materials[slot].name();
-    fitting::FitOrder order = orderOf(source, edit.fields);
+    const auto slot = static_cast<size_t>(material.slot);
+    const auto known = edits_.find(slot);
+    if (known != edits_.end()) return known->second;
+    Edit& edit = edits_[slot];
+    edit.ordered = material;
+    MaterialSlot& loaded = world_.materials[slot];
+    keep(edit, {material, loaded.source(), loaded.material()});
+    return edit;
+}
+
+void MaterialEditor::keep(Edit& edit, Fitted fitted)
+{
+    edit.fitted.push_front(std::move(fitted));
+    if (edit.fitted.size() > kKeptFits) edit.fitted.pop_back();
+}
+
+/// Takes a fit that there was; orders that are under way come too late. False where there is none.
+bool MaterialEditor::restore(size_t slot, Edit& edit, const SceneMaterial& recipe)
+{
+    const auto known = std::find_if(edit.fitted.begin(), edit.fitted.end(),
+                                    [&](const Fitted& fitted) { return fitted.recipe == recipe; });
+    if (known == edit.fitted.end()) return false;
+    for (auto order = orders_.begin(); order != orders_.end();)
+        order = order->second.slot == slot ? orders_.erase(order) : std::next(order);
+    world_.materials[slot].replace(recipe.source, known->source, known->material);
+    edit.ordered = recipe;
+    edit.hasLobes = true;
+    changed_(slot);
+    return true;
+}
+
+void MaterialEditor::orderEdit(size_t slot, Edit& edit, const SceneMaterial& recipe, bool withLobes)
+{
+    fitting::FitOrder order = orderOf(recipe);
     // An environment lights nothing until there are lobes.
     withLobes = withLobes || world_.materials[slot].material().lobes.isEmpty();
     order.lobes = withLobes ? kLobes : 0;
     if (!withLobes && !order.fit.smoothness && edit.smoothness > 0.0)
         order.fit.smoothness = edit.smoothness;
     edit.number = editing_.order(std::move(order));
-    edit.ordered = edit.fields;
+    edit.ordered = recipe;
     edit.hasLobes = withLobes;
-    slotOf_[edit.number] = slot;
+    orders_[edit.number] = {slot, recipe, withLobes};
+}
+
+void MaterialEditor::followShown(SceneMaterial& material)
+{
+    if (material.slot < 0) return;
+    const auto slot = static_cast<size_t>(material.slot);
+    MaterialSlot& loaded = world_.materials[slot];
+    if (!loaded.source()) return;
+    Edit& edit = editOf(material);
+    if (edit.ordered == material || restore(slot, edit, material)) return;
+    const bool wasSearched = isSearched(fitOptionsOf(edit.ordered));
+    if (wasSearched && material.form == edit.ordered.form)
+        material.form = loaded.material().form.name;
+    orderEdit(slot, edit, material, false);
 }
 
 /// False, with the reason among the facts, where there is no material.
@@ -128,49 +136,107 @@ void MaterialEditor::takeEdit()
 {
     auto reply = editing_.take();
     if (!reply) return;
-    const size_t index = slotOf_.at(reply->number);
-    slotOf_.erase(slotOf_.begin(), slotOf_.upper_bound(reply->number));
+    const auto known = orders_.find(reply->number);
+    if (known == orders_.end()) return;
+    const Order order = known->second;
+    orders_.erase(orders_.begin(), std::next(known));
     if (!take(*reply)) return;
-    MaterialSlot& slot = world_.materials[index];
+    MaterialSlot& slot = world_.materials[order.slot];
+    Edit& edit = edits_.at(order.slot);
     Material material = *reply->material;
+    if (order.withLobes) keep(edit, {order.recipe, reply->source, material});
     // Those of the material before light it until its own are there.
     if (material.lobes.isEmpty()) material.lobes = slot.material().lobes;
-    const std::string spec = namesModel(slot.name()) ? reply->source->name : slot.name();
-    slot.replace(spec, reply->source, std::move(material));
-    changed_(index);
-    Edit& edit = edits_.at(index);
+    slot.replace(order.recipe.source, reply->source, std::move(material));
+    changed_(order.slot);
     if (reply->number != edit.number) return;
     if (edit.hasLobes)
         edit.smoothness = reply->summary.smoothness;
     else
-        orderEdit(index, edit, true);
+        orderEdit(order.slot, edit, order.recipe, true);
 }
 
-void MaterialEditor::takeOpened()
+/// Puts a slot that is ready into the document.
+void MaterialEditor::place(const Opening& opening, scene::Document& document)
 {
-    if (auto reply = openings_.take()) {
-        if (take(*reply)) {
-            world_.materials.emplace_back(opening_, reply->source, *reply->material);
-            changed_(world_.materials.size() - 1);
-        }
-        opening_.clear();
+    loaded_[opening.recipe.slot] = opening.recipe;
+    changed_(static_cast<size_t>(opening.recipe.slot));
+    if (opening.isDropped) {
+        document.materials.push_back(opening.recipe);
+        document.shown = static_cast<int>(document.materials.size()) - 1;
     }
-    if (!opening_.empty() || toOpen_.empty()) return;
+    for (SceneMaterial& material : document.materials)
+        if (material.slot < 0 && opening.recipe == material) material.slot = opening.recipe.slot;
+}
+
+void MaterialEditor::takeOpened(scene::Document& document)
+{
+    for (; !ready_.empty(); ready_.pop_front()) place(ready_.front(), document);
+    if (auto reply = openings_.take(); reply && opening_) {
+        if (take(*reply)) {
+            SceneMaterial& recipe = opening_->recipe;
+            world_.materials.emplace_back(recipe.source, reply->source, *reply->material);
+            // A search that ends by the clock may find another form the next time.
+            if (opening_->isDropped) recipe.form = reply->material->form.name;
+            recipe.slot = static_cast<int>(world_.materials.size()) - 1;
+            place(*opening_, document);
+        } else if (!opening_->isDropped) {
+            refused_.push_back(opening_->recipe);
+        }
+        opening_.reset();
+    }
+    if (opening_ || toOpen_.empty()) return;
     opening_ = toOpen_.front();
     toOpen_.pop_front();
-    fitting::FitOrder order;
-    order.source = opening_;
-    order.fit.seconds = 10.0;
+    fitting::FitOrder order = orderOf(opening_->recipe);
+    if (opening_->isDropped) order.fit.seconds = kDropSeconds;
     order.lobes = kLobes;
     openings_.order(std::move(order));
 }
 
-void MaterialEditor::follow(size_t slot)
+/// A slot that was loaded for this before; -1: there is none.
+int MaterialEditor::slotOf(const SceneMaterial& wanted) const
+{
+    for (const auto& [slot, recipe] : loaded_)
+        if (recipe == wanted) return slot;
+    return -1;
+}
+
+/// Begins to load what is in the document and nowhere else: of a scene that was opened.
+void MaterialEditor::load(scene::Document& document)
+{
+    const auto isKnown = [this](const SceneMaterial& wanted) {
+        const auto is = [&](const SceneMaterial& m) { return m == wanted; };
+        return (opening_ && is(opening_->recipe)) ||
+               std::any_of(refused_.begin(), refused_.end(), is) ||
+               std::any_of(toOpen_.begin(), toOpen_.end(),
+                           [&](const Opening& waiting) { return is(waiting.recipe); });
+    };
+    for (SceneMaterial& wanted : document.materials) {
+        if (wanted.slot >= 0) loaded_.emplace(wanted.slot, wanted);
+        if (wanted.slot < 0) wanted.slot = slotOf(wanted);
+        if (wanted.slot >= 0 || isKnown(wanted)) continue;
+        try {
+            if (std::optional<Material> material = readIfMaterial(wanted.source)) {
+                world_.materials.emplace_back(wanted.source, nullptr, std::move(*material));
+                wanted.slot = static_cast<int>(world_.materials.size()) - 1;
+                changed_(world_.materials.size() - 1);
+            } else {
+                toOpen_.push_back({wanted, false});
+            }
+        } catch (const Error& error) {
+            facts_.problem = error.what();
+            refused_.push_back(wanted);
+        }
+    }
+}
+
+void MaterialEditor::follow(scene::Document& document)
 {
     takeEdit();
-    takeOpened();
-    Edit* const edit = editOf(slot);
-    if (edit && !(edit->fields == edit->ordered)) orderEdit(slot, *edit, false);
+    takeOpened(document);
+    load(document);
+    if (SceneMaterial* const shown = shownMaterial(document)) followShown(*shown);
     facts_.doing = openings_.doing();
     if (facts_.doing.empty()) facts_.doing = editing_.doing();
 }

@@ -1,10 +1,9 @@
-// MaterialEditor.h - materials that follow sliders, and those that are dropped on the window: they
-// are fitted on threads while the window goes on drawing what there is.
+// MaterialEditor.h - materials that follow the document: they are fitted on threads while the
+// window goes on drawing what there is.
 #pragma once
 #include "World.h"
 
 #include <fbrdf/fitting/FitWorker.h>
-#include <fbrdf/sources/Model.h>
 
 #include <deque>
 #include <functional>
@@ -12,18 +11,6 @@
 #include <string>
 
 namespace fbrdf::viewer {
-
-/// What sliders change of a material that is fitted.
-struct FitFields {
-    std::optional<ModelSpec> model;  ///< none: a measurement, whose data stay
-    std::string form;
-    int resolution = 0;             ///< 0: the form's own
-    bool choosesSmoothness = true;  ///< by the error held out; false: as below
-    float smoothness = 1e-3f;
-    int kilobytes = 0;  ///< no material larger than this; 0: no limit
-
-    bool operator==(const FitFields& other) const;
-};
 
 /// What is known about the last fit, for people.
 struct FitFacts {
@@ -38,38 +25,63 @@ public:
     /// must outlive this.
     MaterialEditor(World& world, std::function<void(size_t slot)> changed);
 
-    /// The fields of a slot, which may be changed at will; null where it is a material file.
-    FitFields* fields(size_t slot);
-    /// Fits a file or model, and adds it to the world; a material file is added at once. Throws
-    /// what reading a material file throws.
+    /// Fits a file or model, and adds it to the document; a material file is added with the next
+    /// follow(). Throws what reading a material file throws.
     void open(const std::string& spec);
     /// Gives up what is being fitted, and what waits for it.
     void cancel();
-    /// Orders what has changed of the fields of a slot, and takes what is ready. Once a frame.
-    void follow(size_t slot);
+    /// Takes what is ready, loads materials of the document that have no slot yet, and orders a fit
+    /// where the one that is shown is fitted in another way than it was. Where its form was
+    /// searched, it becomes the one that was found: searching again takes seconds. Once a frame.
+    void follow(scene::Document& document);
     const FitFacts& facts() const { return facts_; }
 
 private:
-    /// Of a slot that sliders have changed.
+    using SceneMaterial = scene::SceneMaterial;
+    struct Fitted {
+        SceneMaterial recipe;
+        std::shared_ptr<const Source> source;
+        Material material;
+    };
+    /// Of a slot that is fitted.
     struct Edit {
-        FitFields fields, ordered;
+        SceneMaterial ordered;  ///< what the last order, or the material itself, was made of
         int number = 0;         ///< of the last order
-        bool hasLobes = false;  ///< that order asks for them
+        bool hasLobes = true;   ///< that order asks for them
         /// That the last whole fit chose: those that follow a slider do not choose again. 0: none.
         double smoothness = 0.0;
+        std::deque<Fitted> fitted;  ///< whole fits that there were, so that undo need not wait
     };
-    Edit* editOf(size_t slot);
-    void orderEdit(size_t slot, Edit& edit, bool withLobes);
+    struct Order {
+        size_t slot = 0;
+        SceneMaterial recipe;
+        bool withLobes = false;
+    };
+    struct Opening {
+        SceneMaterial recipe;
+        bool isDropped = false;  ///< to be added to the document; else it is in there
+    };
+
+    Edit& editOf(const SceneMaterial& material);
+    void keep(Edit& edit, Fitted fitted);
+    bool restore(size_t slot, Edit& edit, const SceneMaterial& recipe);
+    void orderEdit(size_t slot, Edit& edit, const SceneMaterial& recipe, bool withLobes);
+    void followShown(SceneMaterial& material);
+    int slotOf(const SceneMaterial& wanted) const;
+    void load(scene::Document& document);
     void takeEdit();
-    void takeOpened();
+    void takeOpened(scene::Document& document);
+    void place(const Opening& opening, scene::Document& document);
     bool take(fitting::FitReply& reply);
 
     World& world_;
     std::function<void(size_t)> changed_;
+    std::map<int, SceneMaterial> loaded_;  ///< by slots: what each was loaded for
     std::map<size_t, Edit> edits_;
-    std::map<int, size_t> slotOf_;  ///< by the number of the order, of orders without a reply
-    std::deque<std::string> toOpen_;
-    std::string opening_;  ///< what openings_ fits; empty: nothing
+    std::map<int, Order> orders_;  ///< by their numbers; those without a reply
+    std::deque<Opening> toOpen_, ready_;
+    std::optional<Opening> opening_;      ///< what openings_ fits
+    std::vector<SceneMaterial> refused_;  ///< of the document, which could not be loaded
     FitFacts facts_;
     fitting::FitWorker editing_, openings_;
 };

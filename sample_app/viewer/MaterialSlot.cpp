@@ -11,6 +11,16 @@
 
 namespace fbrdf::viewer {
 
+FitOptions fitOptionsOf(const scene::SceneMaterial& material)
+{
+    FitOptions options;
+    options.form = material.form;
+    options.resolution = material.resolution;
+    options.smoothness = material.smoothness;
+    options.maxBytes = 1024 * static_cast<size_t>(material.kilobytes);
+    return options;
+}
+
 MaterialSlot::MaterialSlot(const std::string& spec, FitOptions options)
     : name_(spec), options_(std::move(options))
 {

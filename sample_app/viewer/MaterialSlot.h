@@ -3,6 +3,7 @@
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/fit/Fit.h>
 #include <fbrdf/scene/CpuRenderer.h>
+#include <fbrdf/scene/Document.h>
 #include <fbrdf/sources/Source.h>
 
 #include <memory>
@@ -11,6 +12,9 @@
 #include <utility>
 
 namespace fbrdf::viewer {
+
+/// How a material of a document is fitted.
+FitOptions fitOptionsOf(const scene::SceneMaterial& material);
 
 class MaterialSlot {
 public:
@@ -26,8 +30,6 @@ public:
     const std::string& name() const { return name_; }
     /// What can be fitted; null: the slot is a material file.
     const std::shared_ptr<const Source>& source() const { return source_; }
-    /// How the source was or will be fitted; null: the slot is a material file.
-    const FitOptions* fitOptions() const { return source_ ? &options_ : nullptr; }
     /// Takes the place of what there was. The truth() that was taken before is none any more.
     void replace(const std::string& spec, std::shared_ptr<const Source> source, Material material);
     bool hasMaterial() const { return material_.has_value(); }

@@ -15,15 +15,19 @@ namespace fbrdf::viewer {
 
 /// What the panel shows besides the state.
 struct PanelFacts {
-    std::vector<std::string> materials, meshes,
-        environments;  ///< names, in the order of the state's numbers
     int triangles = 0, passes = 0, maxLookups = 0;
+    int lights = 0;         ///< area lights included
+    bool isFitted = false;  ///< the material that is shown is no file of one
+    bool canUndo = false, canRedo = false;
     int samples = 0, samplesWanted = 0;  ///< of each pixel, so far and in the end
     double milliseconds = 0.0;
     std::string renderer;  ///< of GL
     std::string message;   ///< what happened last: "wrote ..."
     FitFacts fit;
 };
+
+/// A file without its folders; a model, or what is no file, as it is; "none" for nothing.
+std::string shortName(const std::string& spec);
 
 class Panel {
 public:
@@ -37,8 +41,10 @@ public:
     bool wantsMouse() const;
     /// True while a field of the panel takes keys.
     bool wantsKeys() const;
-    /// fit: of the material that is shown, to be changed; null: it is not fitted.
-    void draw(scene::ViewState& state, const PanelFacts& facts, FitFields* fit);
+    /// True while a field is dragged or typed in.
+    bool isHeld() const;
+    /// Shows the state, and changes it as the user wants.
+    void draw(scene::ViewState& state, const PanelFacts& facts);
 
 private:
     GLFWwindow* window_;

@@ -4,6 +4,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/LobeTable.h>
+#include <fbrdf/sources/Model.h>
 
 #include <fmt/core.h>
 #include <GLFW/glfw3.h>
@@ -23,34 +24,58 @@ void choose(const char* label, int& index, int count, const Name& name)
 {
     if (!ImGui::BeginCombo(label, std::string(name(index)).c_str())) return;
     for (int i = 0; i < count; ++i)
-        if (ImGui::Selectable(std::string(name(i)).c_str(), i == index)) index = i;
+        if (ImGui::Selectable((std::string(name(i)) + "##" + std::to_string(i)).c_str(),
+                              i == index))
+            index = i;
     ImGui::EndCombo();
+}
+
+/// The same of names, which are shown without folders.
+void chooseName(const char* label, std::string& chosen, const std::vector<std::string>& names)
+{
+    auto index = static_cast<int>(std::find(names.begin(), names.end(), chosen) - names.begin());
+    const auto count = static_cast<int>(names.size());
+    choose(label, index, count,
+           [&](int i) { return shortName(i < count ? names[static_cast<size_t>(i)] : chosen); });
+    if (index < count) chosen = names[static_cast<size_t>(index)];
+}
+
+void drawLights(scene::SceneLights& lights, const PanelFacts& facts)
+{
+    constexpr int kMostBySlider = 4096;
+    int made = lights.made > 0 ? lights.made : facts.lights;
+    if (ImGui::SliderInt("lights", &made, 1, kMostBySlider,
+                         lights.made > 0 ? "%d made" : "%d of a list",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+        lights.made = made;
+}
+
+void drawEnvironment(scene::SceneEnvironment& environment, const scene::ViewState& state)
+{
+    chooseName("environment", environment.name, state.environments);
+    ImGui::SliderFloat("rotation", &environment.degrees, -180.0f, 180.0f, "%.0f degrees");
+    ImGui::SliderFloat("intensity", &environment.intensity, 0.0f, 4.0f, "%.2f");
+    choose("lobes", environment.lobes, kMostTiltedLobes + 1,
+           [](int i) { return i == 0 ? std::string("all") : std::to_string(i); });
 }
 
 void drawFields(scene::ViewState& state, const PanelFacts& facts)
 {
-    const auto nameIn = [](const std::vector<std::string>& names) {
-        return [&names](int i) { return names[static_cast<size_t>(i)]; };
-    };
-    choose("material", state.material, state.materialCount, nameIn(facts.materials));
-    choose("mesh", state.mesh, state.meshCount, nameIn(facts.meshes));
-    int technique = static_cast<int>(state.technique);
+    scene::Document& document = state.document;
+    choose("material", document.shown, static_cast<int>(document.materials.size()), [&](int i) {
+        const scene::SceneMaterial& material = document.materials[static_cast<size_t>(i)];
+        return shortName(material.source) + (material.slot < 0 ? " ..." : "");
+    });
+    chooseName("mesh", document.mesh, state.meshes);
+    int technique = static_cast<int>(document.technique);
     choose("technique", technique, scene::kViewTechniqueCount, [](int i) {
         return std::string(viewTechniqueName(static_cast<scene::ViewTechnique>(i)));
     });
-    state.technique = static_cast<scene::ViewTechnique>(technique);
-    if (state.madeLights)
-        ImGui::SliderInt("lights", &state.lightCount, 1, scene::kMostLights, "%d",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    else
-        ImGui::Text("%d lights from a file", state.lightCount);
-    choose("environment", state.environment, state.environmentCount, nameIn(facts.environments));
-    ImGui::SliderFloat("rotation", &state.environmentDegrees, -180.0f, 180.0f, "%.0f degrees");
-    ImGui::SliderFloat("intensity", &state.environmentIntensity, 0.0f, 4.0f, "%.2f");
-    choose("lobes", state.environmentLobes, kMostTiltedLobes + 1,
-           [](int i) { return i == 0 ? std::string("all") : std::to_string(i); });
-    ImGui::Checkbox("turntable", &state.turning);
-    ImGui::SliderFloat("exposure", &state.exposure, 0.01f, 100.0f, "%.2f",
+    document.technique = static_cast<scene::ViewTechnique>(technique);
+    drawLights(document.lights, facts);
+    drawEnvironment(document.environment, state);
+    ImGui::Checkbox("turntable", &document.turning);
+    ImGui::SliderFloat("exposure", &document.exposure, 0.01f, 100.0f, "%.2f",
                        ImGuiSliderFlags_Logarithmic);
 }
 
@@ -85,8 +110,11 @@ void drawColour(const ModelParameter& parameter, Vec3d& value)
             value[c] = std::clamp(shortNumber(colour[c]), parameter.lower, parameter.upper);
 }
 
-void drawModel(ModelSpec& spec)
+/// Changes the source of a material to the model that its sliders say.
+void drawModel(std::string& source)
 {
+    ModelSpec spec = parseModelSpec(source);
+    const ModelValues before = spec.values;
     for (const ModelParameter& parameter : spec.model->parameters) {
         const auto value = spec.values.find(parameter.name);
         if (value == spec.values.end()) continue;
@@ -97,13 +125,29 @@ void drawModel(ModelSpec& spec)
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
             ImGui::SetTooltip("%s", parameter.meaning.c_str());
     }
+    if (spec.values != before) source = modelSpecText(spec);
 }
 
-void drawFit(FitFields& fields)
+void drawSmoothness(std::optional<double>& smoothness)
+{
+    constexpr double kFirst = 1e-3;
+    bool isChosen = !smoothness;
+    if (ImGui::Checkbox("smoothness by held-out error", &isChosen)) {
+        smoothness.reset();
+        if (!isChosen) smoothness = kFirst;
+    }
+    if (!smoothness) return;
+    auto number = static_cast<float>(*smoothness);
+    if (ImGui::SliderFloat("smooth", &number, 1e-6f, 1.0f, "%.1e",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+        smoothness = shortNumber(number);
+}
+
+void drawFit(scene::SceneMaterial& fields)
 {
     constexpr int kMostTexels = 128, kMostKilobytes = 64;
     ImGui::Separator();
-    if (fields.model) drawModel(*fields.model);
+    if (namesModel(fields.source)) drawModel(fields.source);
     const std::vector<NamedForm>& forms = namedForms();
     const auto known = std::find_if(forms.begin(), forms.end(), [&fields](const NamedForm& form) {
         return form.name == fields.form;
@@ -112,7 +156,7 @@ void drawFit(FitFields& fields)
     const int before = index;
     choose("form", index, static_cast<int>(forms.size()), [&](int i) {
         return i < static_cast<int>(forms.size()) ? forms[static_cast<size_t>(i)].name
-                                                  : fields.form;  // a sum
+                                                  : fields.form;  // a sum, or auto
     });
     if (index != before) fields.form = forms[static_cast<size_t>(index)].name;
     ImGui::SliderInt("texels", &fields.resolution, 0, kMostTexels,
@@ -120,10 +164,7 @@ void drawFit(FitFields& fields)
                      ImGuiSliderFlags_AlwaysClamp);
     ImGui::SliderInt("KiB", &fields.kilobytes, 0, kMostKilobytes,
                      fields.kilobytes == 0 ? "no limit" : "%d", ImGuiSliderFlags_AlwaysClamp);
-    ImGui::Checkbox("smoothness by held-out error", &fields.choosesSmoothness);
-    if (!fields.choosesSmoothness)
-        ImGui::SliderFloat("smooth", &fields.smoothness, 1e-6f, 1.0f, "%.1e",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    drawSmoothness(fields.smoothness);
 }
 
 void drawFitFacts(scene::ViewState& state, const FitFacts& fit)
@@ -139,7 +180,7 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
 {
     const auto line = [](const std::string& text) { ImGui::TextUnformatted(text.c_str()); };
     ImGui::Separator();
-    if (isOnCpu(state.technique))
+    if (isOnCpu(state.document.technique))
         line(fmt::format("{:.1f} ms on the CPU, in double", facts.milliseconds));
     else
         line(fmt::format("{:.2f} ms, {} pass{}, {} look-ups", facts.milliseconds, facts.passes,
@@ -192,7 +233,12 @@ bool Panel::wantsKeys() const
     return ImGui::GetIO().WantCaptureKeyboard;
 }
 
-void Panel::draw(scene::ViewState& state, const PanelFacts& facts, FitFields* fit)
+bool Panel::isHeld() const
+{
+    return ImGui::IsAnyItemActive();
+}
+
+void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
 {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -203,7 +249,8 @@ void Panel::draw(scene::ViewState& state, const PanelFacts& facts, FitFields* fi
     ImGui::Begin("fbrdf", nullptr, ImGuiWindowFlags_NoResize);
     ImGui::PushItemWidth(-80.0f);
     drawFields(state, facts);
-    if (fit) drawFit(*fit);
+    scene::SceneMaterial* const material = shownMaterial(state.document);
+    if (material && facts.isFitted) drawFit(*material);
     drawFitFacts(state, facts.fit);
     drawFacts(state, facts);
     if (state.help) drawHelp();

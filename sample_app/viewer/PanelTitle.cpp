@@ -21,9 +21,10 @@ std::string titleOf(const scene::ViewState& state, const PanelFacts& facts)
             text += fmt::format("  {} = {}", line.key, line.meaning);
         return text;
     }
-    const std::string& material = facts.materials[static_cast<size_t>(state.material)];
-    return fmt::format("fbrdf: {} | {} | {} lights | {} passes | {:.1f} ms | {}", material,
-                       viewTechniqueName(state.technique), state.lightCount, facts.passes,
+    const scene::SceneMaterial* const material = shownMaterial(state.document);
+    return fmt::format("fbrdf: {} | {} | {} lights | {} passes | {:.1f} ms | {}",
+                       shortName(material ? material->source : ""),
+                       viewTechniqueName(state.document.technique), facts.lights, facts.passes,
                        facts.milliseconds, messageOf(facts));
 }
 
@@ -42,7 +43,12 @@ bool Panel::wantsKeys() const
     return false;
 }
 
-void Panel::draw(scene::ViewState& state, const PanelFacts& facts, FitFields*)
+bool Panel::isHeld() const
+{
+    return false;
+}
+
+void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
 {
     const std::string title = titleOf(state, facts);
     if (title == title_) return;

@@ -25,11 +25,8 @@ bool Shown::operator==(const Shown& o) const
 {
     return view.view == o.view.view && view.projection == o.view.projection &&
            technique == o.technique && instance.model == o.instance.model &&
-           instance.material == o.instance.material && mesh == o.mesh &&
-           lightCount == o.lightCount && width == o.width && height == o.height &&
-           environment == o.environment && environmentLobes == o.environmentLobes &&
-           revision == o.revision && environmentDegrees == o.environmentDegrees &&
-           environmentIntensity == o.environmentIntensity;
+           instance.material == o.instance.material && width == o.width && height == o.height &&
+           revision == o.revision;
 }
 
 Progressive::Progressive(gl::LoadFunction load, const Options& options, World& world,
@@ -39,7 +36,8 @@ Progressive::Progressive(gl::LoadFunction load, const Options& options, World& w
     // What draws on the processor is slow until it has shown that it is not.
     if (scene.renderer().capabilities().softwareSampling)
         sampleMilliseconds_ = 2.0 * kSlowMilliseconds;
-    if (!isOnCpu(options.technique)) scene_.prepare(runtimeTechnique(options.technique), world);
+    if (!isOnCpu(options.document.technique))
+        scene_.prepare(runtimeTechnique(options.document.technique), world);
 }
 
 int Progressive::samples() const

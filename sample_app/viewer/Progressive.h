@@ -17,10 +17,8 @@ struct Shown {
     gl::View view;
     scene::ViewTechnique technique = scene::ViewTechnique::reference;
     scene::Instance instance;
-    int mesh = 0, lightCount = 0, width = 0, height = 0;
-    int environment = 0, environmentLobes = 0;
-    int revision = 0;  ///< of what was replaced and has no number of its own
-    float environmentDegrees = 0.0f, environmentIntensity = 1.0f;
+    int width = 0, height = 0;
+    int revision = 0;  ///< of all that was replaced in the world, or in how it is drawn
 
     bool operator==(const Shown& o) const;
 };
@@ -48,7 +46,7 @@ public:
     scene::Image finishedImage();
 
 private:
-    int wantedSamples() const { return samplesOf(options_, shown_->technique); }
+    int wantedSamples() const { return samplesOf(options_.document, shown_->technique); }
     void restartSum(bool coarse);
     void drawByRuntime(int samples, scene::Stats& stats);
     bool drawByCpu(bool changed, scene::Stats& stats);

@@ -7,9 +7,12 @@ namespace {
 
 scene::Image drawnByCpu(const Options& options, World& world, const scene::Instance& instance)
 {
-    CpuDrawing drawing(
-        options, world,
-        {options.technique, {instance}, viewOf(options, world), options.width, options.height});
+    CpuDrawing drawing(options, world,
+                       {options.document.technique,
+                        {instance},
+                        viewOf(options, world),
+                        options.width,
+                        options.height});
     while (!drawing.isFinished()) drawing.goOn();
     return drawing.image();
 }
@@ -18,28 +21,29 @@ scene::Image drawnByCpu(const Options& options, World& world, const scene::Insta
 
 SceneDrawing::SceneDrawing(const Options& options, World& world) : options_(options), world_(world)
 {
-    if (isOnCpu(options.technique)) return;
+    if (isOnCpu(options.document.technique)) return;
     runtime_.emplace(options, world);
-    runtime_->scene().prepare(runtimeTechnique(options.technique), world);
+    runtime_->scene().prepare(runtimeTechnique(options.document.technique), world);
 }
 
 void SceneDrawing::followLights()
 {
     if (!runtime_) return;
     runtime_->scene().replaceEnvironment(world_.environment ? &*world_.environment : nullptr);
-    runtime_->scene().prepare(runtimeTechnique(options_.technique), world_);
+    runtime_->scene().prepare(runtimeTechnique(options_.document.technique), world_);
 }
 
 scene::Image SceneDrawing::draw(const scene::Instance& instance)
 {
     const gl::View view = viewOf(options_, world_);
-    scene::Image image = runtime_ ? runtime_->draw({runtimeTechnique(options_.technique),
-                                                    {instance},
-                                                    view,
-                                                    &world_.lights,
-                                                    world_.ground.get()},
-                                                   samplesOf(options_, options_.technique))
-                                  : drawnByCpu(options_, world_, instance);
+    scene::Image image =
+        runtime_ ? runtime_->draw({runtimeTechnique(options_.document.technique),
+                                   {instance},
+                                   view,
+                                   &world_.lights,
+                                   world_.ground.get()},
+                                  samplesOf(options_.document, options_.document.technique))
+                 : drawnByCpu(options_, world_, instance);
     addBackground(options_, world_, view, image);
     return image;
 }

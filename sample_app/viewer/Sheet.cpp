@@ -50,7 +50,9 @@ void lightBy(const std::string& under, const Options& options, World& world)
 {
     if (under.empty()) return;
     const bool isFile = std::filesystem::path(under).extension() == ".json";
-    world.environment = environmentFrom(isFile ? "" : under, options);
+    scene::SceneEnvironment environment = options.document.environment;
+    environment.name = isFile ? "" : under;
+    world.environment = environmentFrom(environment);
     if (isFile) world.lights = scene::readLights(under);
 }
 
@@ -95,7 +97,7 @@ scene::Image drawSheet(const Options& options, World& world)
     const LabelFont font(std::max(1, options.width / kPixelsPerScale));
     const SheetLayout layout = layoutOf(options, materials, static_cast<int>(lights.size()),
                                         font.height() + font.height() / 2);
-    scene::Image sheet = paper(layout, kPaper / options.exposure);
+    scene::Image sheet = paper(layout, kPaper / options.document.exposure);
     const scene::LightSet ownLights = world.lights;
     std::optional<SceneDrawing> drawing;
     for (size_t i = 0; i < lights.size(); ++i) {
@@ -113,8 +115,8 @@ scene::Image drawSheet(const Options& options, World& world)
             paste(drawing->draw({&world.mesh, glm::mat4(1.0f), material}), left, top, sheet);
             drawLabels(font, {left, top + layout.height + font.height() / 4, layout.width},
                        labelOf(world.materials[static_cast<size_t>(material)].name()),
-                       lights.size() == 1 ? "" : labelOf(lights[i]), kInk / options.exposure,
-                       sheet);
+                       lights.size() == 1 ? "" : labelOf(lights[i]),
+                       kInk / options.document.exposure, sheet);
         }
     }
     return sheet;

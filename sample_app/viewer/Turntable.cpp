@@ -37,7 +37,8 @@ void writeAnimation(const Options& options, World& world)
     requireWritable(options.out);
     Animation animation{options.width, options.height, kFramesPerSecond, {}};
     drawTurn(options, world, [&](int, const scene::Image& image) {
-        animation.frames.push_back(srgbCodes(image, options.exposure, transferOf(options)));
+        animation.frames.push_back(
+            srgbCodes(image, options.document.exposure, transferOf(options.document)));
     });
     writeFile(options.out, encodeAnimation(animation, options.out));
 }
@@ -48,7 +49,8 @@ void writeFolder(const Options& options, World& world)
     OutputFiles files;
     drawTurn(options, world, [&](int frame, const scene::Image& image) {
         const std::string path = fmt::format("{}/frame-{:03}.png", options.out, frame);
-        files.add(path, encodeImage(image, path, options.exposure, transferOf(options)));
+        files.add(path, encodeImage(image, path, options.document.exposure,
+                                    transferOf(options.document)));
     });
     files.commit();
     folder.keep();

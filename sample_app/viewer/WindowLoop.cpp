@@ -1,16 +1,19 @@
 #include "WindowLoop.h"
 
 #include "FrameTimer.h"
+#include "FreeName.h"
 #include "GlfwWindow.h"
-#include "GlScene.h"
 #include "Headless.h"
+#include "MaterialEditor.h"
 #include "Panel.h"
 #include "Progressive.h"
-#include "ToneMapper.h"
+#include "SceneFile.h"
+#include "WorldUpdate.h"
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/scene/History.h>
 
 #include <fmt/core.h>
 
@@ -26,19 +29,33 @@ constexpr size_t kKeptTimes = 240;    ///< frames whose times a window remembers
 constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
 constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
 
-/// A file without its folders; a model as it is.
-std::string shortName(const std::string& spec)
+/// Adds a name to a list unless it is in there.
+void addName(const std::string& name, std::vector<std::string>& names)
 {
-    const std::filesystem::path path(spec);
-    return std::filesystem::exists(path) ? path.filename().string() : spec;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-/// The one asked for, then the others.
-std::vector<std::string> startingWith(const std::string& first, std::vector<std::string> names)
+/// The document of a world as it was loaded: what had been left to the program is decided.
+scene::Document documentOf(const Options& options, const World& world)
 {
-    names.erase(std::remove(names.begin(), names.end(), first), names.end());
-    names.insert(names.begin(), first);
-    return names;
+    scene::Document document = options.document;
+    document.camera = world.camera;
+    document.shown = std::max(0, document.shown);
+    if (!options.lights.empty()) document.lights = {0, document.lights.seed, world.lights};
+    return document;
+}
+
+scene::ViewState stateOf(scene::Document document)
+{
+    scene::ViewState state;
+    state.meshes = {"sphere", "knot", "plane"};
+    state.environments = proceduralEnvironments();
+    state.environments.emplace_back();  // none
+    addName(document.mesh, state.meshes);
+    addName(document.environment.name, state.environments);
+    state.home = *document.camera;
+    state.document = std::move(document);
+    return state;
 }
 
 class WindowLoop {
@@ -46,27 +63,25 @@ public:
     WindowLoop(const Options& options, World& world)
         : options_(options),
           world_(world),
-          environments_(startingWith(options.environment, environmentNames())),
-          state_(initialState(options, world)),
+          state_(stateOf(documentOf(options, world))),
           window_(options.width, options.height, "fbrdf", state_),
           panel_(window_.handle()),
           toneMapper_(GlfwWindow::loader()),
-          scene_(GlfwWindow::loader(), world, options),
-          progressive_(GlfwWindow::loader(), options, world, scene_),
+          scene_(GlfwWindow::loader(), world, options_),
+          progressive_(GlfwWindow::loader(), options_, world, scene_),
           editor_(world, [this](size_t slot) { showMaterial(slot); }),
+          update_(world, scene_, toneMapper_, state_.document),
+          history_(state_.document),
+          scenePath_(options.scene),
           stats_(statsOf(options, world))
     {
-        window_.setFilter(
-            {[this] { return panel_.wantsMouse(); }, [this] { return panel_.wantsKeys(); }});
-        facts_.meshes = startingWith(options.mesh, {"sphere", "knot", "plane"});
-        state_.meshCount = static_cast<int>(facts_.meshes.size());
-        for (const MaterialSlot& slot : world.materials)
-            facts_.materials.push_back(shortName(slot.name()));
-        for (const std::string& name : environments_)
-            facts_.environments.push_back(name.empty() ? "none" : shortName(name));
-        state_.environmentCount = static_cast<int>(environments_.size());
+        window_.setFilter({[this] { return panel_.wantsMouse(); },
+                           [this] { return panel_.wantsKeys(); },
+                           [this] {
+                               followWishes();
+                               followHistory();
+                           }});
         facts_.renderer = scene_.renderer().glRenderer();
-        if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
     }
 
     Picture run()
@@ -74,50 +89,30 @@ public:
         const int frames = options_.frames.value_or(0);
         for (int frame = 0; !window_.shouldClose() && (frames == 0 || frame < frames); ++frame)
             drawFrame();
+        if (state_.screenshot) saveScreenshot();  // asked for in the frame that closed the window
         finishStats();
         return {progressive_.finishedImage(), stats_, progressive_.shown().view};
     }
 
 private:
-    static std::vector<std::string> environmentNames()
-    {
-        std::vector<std::string> names = proceduralEnvironments();
-        names.emplace_back();  // none
-        return names;
-    }
-    static scene::ViewState initialState(const Options& options, const World& world)
-    {
-        scene::ViewState state;
-        state.camera = state.home = world.camera;
-        state.technique = options.technique;
-        state.materialCount = static_cast<int>(world.materials.size());
-        state.lightCount = static_cast<int>(world.lights.size());
-        state.madeLights = options.lights.empty();
-        state.exposure = options.exposure;
-        state.environmentDegrees = static_cast<float>(options.environmentRotation);
-        state.environmentIntensity = static_cast<float>(options.environmentIntensity);
-        state.environmentLobes = options.environmentLobes;
-        state.turning = options.full && !options.frames;
-        return state;
-    }
-
-    void followState();
-    void followMaterials();
     void followDrops();
     void open(const std::string& path);
-    void followEnvironment();
-    void followMesh();
+    void openScene(const std::string& path);
+    void followWishes();
+    void followFits();
     void turn();
+    void followState();
+    void followHistory();
     void drawFrame();
     Shown wanted(GlfwWindow::Size size) const;
     void show(GlfwWindow::Size size);
     void showMaterial(size_t slot);
     void saveScreenshot();
+    void saveScene();
     void finishStats();
 
-    const Options& options_;
+    Options options_;  ///< its document is that of the state
     World& world_;
-    std::vector<std::string> environments_;  ///< names and files; "": none
     scene::ViewState state_;
     GlfwWindow window_;
     Panel panel_;
@@ -125,57 +120,53 @@ private:
     GlScene scene_;
     Progressive progressive_;
     MaterialEditor editor_;
+    WorldUpdate update_;
+    scene::History history_;
+    std::string scenePath_;  ///< that was opened or saved last; empty: none
     scene::Stats stats_;
     PanelFacts facts_;
-    int mesh_ = 0, environment_ = 0, screenshots_ = 0;
-    int revision_ = 0;    ///< of materials and lights that were replaced
-    double angle_ = 0.0;  ///< of the turntable, radians
+    int drawnSlot_ = 0;  ///< of the world's materials
     std::chrono::steady_clock::time_point lastFrame_ = std::chrono::steady_clock::now();
 };
 
 /// A material of the world that is new, or another than before.
 void WindowLoop::showMaterial(size_t slot)
 {
-    const bool isNew = slot == facts_.materials.size();
     scene_.setMaterial(slot, world_.materials[slot].material());
-    if (isNew) facts_.materials.emplace_back();
-    facts_.materials[slot] = shortName(world_.materials[slot].name());
-    state_.materialCount = static_cast<int>(facts_.materials.size());
-    if (isNew) state_.material = static_cast<int>(slot);
-    ++revision_;
+    update_.countChange();
 }
 
-void WindowLoop::followMaterials()
-{
-    if (std::exchange(state_.cancel, false)) editor_.cancel();
-    editor_.follow(static_cast<size_t>(state_.material));
-    facts_.fit = editor_.facts();
-}
-
-/// Opens what was dropped: a mesh, lights, an environment, or else a material or what one is fitted
-/// to.
+/// Opens what was dropped: a mesh, lights, an environment, a scene, or else a material or what one
+/// is fitted to.
 void WindowLoop::open(const std::string& path)
 {
     const std::string extension = std::filesystem::path(path).extension().string();
+    scene::Document& document = state_.document;
     if (extension == ".obj") {
-        scene::meshFromName(path);  // before anything changes
-        facts_.meshes.push_back(path);
-        state_.meshCount = static_cast<int>(facts_.meshes.size());
-        state_.mesh = state_.meshCount - 1;
+        document.mesh = path;
+        addName(path, state_.meshes);
+    } else if (isSceneFile(path)) {
+        openScene(path);
     } else if (extension == ".json" && !readIfMaterial(path)) {
-        world_.lights = scene::readLights(path);
-        state_.lightCount = static_cast<int>(world_.lights.size());
-        state_.madeLights = false;
-        ++revision_;
+        document.lights = {0, document.lights.seed, scene::readLights(path)};
     } else if (extension == ".hdr") {
-        environmentFrom(path, options_);
-        environments_.push_back(path);
-        facts_.environments.push_back(shortName(path));
-        state_.environmentCount = static_cast<int>(environments_.size());
-        state_.environment = state_.environmentCount - 1;
+        document.environment.name = path;
+        addName(path, state_.environments);
     } else {
         editor_.open(path);
     }
+}
+
+void WindowLoop::openScene(const std::string& path)
+{
+    scene::Document document = readScene(path);
+    if (!document.camera) document.camera = state_.home;
+    if (document.materials.empty()) document.materials.push_back(defaultMaterial("auto"));
+    document.shown = std::max(0, document.shown);
+    addName(document.mesh, state_.meshes);
+    addName(document.environment.name, state_.environments);
+    state_.document = std::move(document);
+    scenePath_ = path;
 }
 
 void WindowLoop::followDrops()
@@ -188,30 +179,29 @@ void WindowLoop::followDrops()
         }
 }
 
-void WindowLoop::followMesh()
+void WindowLoop::followWishes()
 {
-    if (state_.mesh == mesh_) return;
-    mesh_ = state_.mesh;
-    world_.mesh = scene::meshFromName(facts_.meshes[static_cast<size_t>(mesh_)]);
-    world_.instances = {{&world_.mesh}};
-    scene_.replaceMesh(world_.mesh);
-    makeGround(options_, world_);
-    if (world_.ground) scene_.replaceGround(*world_.ground);
+    if (std::exchange(state_.cancel, false)) editor_.cancel();
+    if (std::exchange(state_.undo, false))
+        facts_.message = history_.undo(state_.document) ? "undone" : "nothing to undo";
+    if (std::exchange(state_.redo, false))
+        facts_.message = history_.redo(state_.document) ? "redone" : "nothing to redo";
+    if (std::exchange(state_.save, false)) saveScene();
+    if (std::exchange(state_.frame, false)) {
+        const GlfwWindow::Size size = window_.framebufferSize();
+        state_.document.camera = framed(*state_.document.camera, scene::boundsOf(world_.mesh),
+                                        static_cast<double>(size.width) / size.height);
+    }
 }
 
-void WindowLoop::followEnvironment()
+void WindowLoop::followFits()
 {
-    if (state_.environment != environment_) {
-        environment_ = state_.environment;
-        world_.environment =
-            environmentFrom(environments_[static_cast<size_t>(environment_)], options_);
-        scene_.replaceEnvironment(world_.environment ? &*world_.environment : nullptr);
-        if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
-    }
-    if (!world_.environment) return;
-    world_.environment->rotation = static_cast<double>(state_.environmentDegrees) * kDegree;
-    world_.environment->intensity = static_cast<double>(state_.environmentIntensity);
-    scene_.turnEnvironment(*world_.environment, state_.environmentLobes);
+    editor_.follow(state_.document);
+    facts_.fit = editor_.facts();
+    const scene::SceneMaterial* const shown = shownMaterial(state_.document);
+    if (shown && shown->slot >= 0) drawnSlot_ = shown->slot;
+    facts_.isFitted =
+        shown && shown->slot >= 0 && world_.materials[static_cast<size_t>(shown->slot)].source();
 }
 
 /// Turns objects and ground on, as long as the runtime draws: the CPU needs pictures that stand.
@@ -220,56 +210,63 @@ void WindowLoop::turn()
     const auto now = std::chrono::steady_clock::now();
     const double step = std::min(
         kLongestStep, std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count());
-    if (state_.turning && !isOnCpu(state_.technique)) angle_ += kTurnRate * kDegree * step;
-    if (world_.ground) world_.ground->turnTo(angle_);
+    double& degrees = state_.document.moment.tableDegrees;
+    if (state_.document.turning && !isOnCpu(state_.document.technique))
+        degrees = std::fmod(degrees + kTurnRate * step, 360.0);
+    if (world_.ground) world_.ground->turnTo(degrees * kDegree);
 }
 
 /// Brings the world in line with what keys and panel chose.
 void WindowLoop::followState()
 {
     followDrops();
-    followMaterials();
-    followMesh();
-    followEnvironment();
-    if (state_.madeLights && state_.lightCount != static_cast<int>(world_.lights.size()))
-        world_.lights.lights = spreadAround(scene::makeLights(state_.lightCount, options_.seed),
-                                            scene::boundsOf(world_.mesh));
+    followWishes();
+    followFits();
+    scene::Document& document = state_.document;
+    try {
+        update_.follow(document);
+    } catch (const Error& error) {
+        facts_.message = error.what();
+    }
     // Each pixel would take the sum over all texels: minutes, in which the window stands still.
-    if (!options_.frames && world_.environment && isOnCpu(state_.technique) &&
-        state_.technique != scene::ViewTechnique::path) {
+    if (!options_.frames && world_.environment && isOnCpu(document.technique) &&
+        document.technique != scene::ViewTechnique::path) {
         facts_.message = fmt::format("path instead of {}, which takes minutes with an environment",
-                                     viewTechniqueName(state_.technique));
-        state_.technique = scene::ViewTechnique::path;
+                                     viewTechniqueName(document.technique));
+        document.technique = scene::ViewTechnique::path;
     }
     turn();
+    followHistory();
+    options_.document = document;
     facts_.triangles = static_cast<int>(world_.mesh.indices.size() / 3);
+    facts_.lights = static_cast<int>(world_.lights.size());
+}
+
+/// A drag is one change: what it does is followed when it ends.
+void WindowLoop::followHistory()
+{
+    if (!window_.isHeld() && !panel_.isHeld()) history_.follow(state_.document);
+    facts_.canUndo = history_.canUndo();
+    facts_.canRedo = history_.canRedo();
 }
 
 Shown WindowLoop::wanted(GlfwWindow::Size size) const
 {
     const double aspect = static_cast<double>(size.width) / size.height;
-    return {viewOf(world_, state_.camera, aspect),
-            state_.technique,
-            scene::turned({&world_.mesh, glm::mat4(1.0f), state_.material}, angle_),
-            mesh_,
-            static_cast<int>(world_.lights.size()),
+    const scene::Document& document = state_.document;
+    return {viewOf(world_, *document.camera, aspect),
+            document.technique,
+            scene::turned({&world_.mesh, glm::mat4(1.0f), drawnSlot_},
+                          document.moment.tableDegrees * kDegree),
             size.width,
             size.height,
-            environment_,
-            state_.environmentLobes,
-            revision_,
-            state_.environmentDegrees,
-            state_.environmentIntensity};
+            update_.revision()};
 }
 
 void WindowLoop::drawFrame()
 {
     followState();
     const GlfwWindow::Size size = window_.framebufferSize();
-    if (state_.frame)
-        state_.camera = framed(state_.camera, scene::boundsOf(world_.mesh),
-                               static_cast<double>(size.width) / size.height);
-    state_.frame = false;
     bool isStill = true;
     if (const auto milliseconds =
             progressive_.draw(wanted(size), !facts_.fit.doing.empty(), stats_)) {
@@ -282,19 +279,20 @@ void WindowLoop::drawFrame()
     facts_.passes = stats_.passes;
     facts_.maxLookups = stats_.maxLookups;
     facts_.samples = progressive_.samples();
-    facts_.samplesWanted = samplesOf(options_, state_.technique);
+    facts_.samplesWanted = samplesOf(options_.document, options_.document.technique);
     show(size);
-    panel_.draw(state_, facts_, editor_.fields(static_cast<size_t>(state_.material)));
+    panel_.draw(state_, facts_);
     if (state_.screenshot) saveScreenshot();
     window_.present(isStill);
 }
 
 void WindowLoop::show(GlfwWindow::Size size)
 {
-    const Look look{state_.exposure, options_.toneMap, options_.background,
+    const scene::Document& document = options_.document;
+    const Look look{document.exposure, document.toneMap, document.background,
                     world_.environment ? &*world_.environment : nullptr, progressive_.shown().view};
     const gl::Target target{0, size.width, size.height};
-    if (isOnCpu(state_.technique)) {
+    if (isOnCpu(document.technique)) {
         if (progressive_.tookNewImage()) toneMapper_.upload(progressive_.image());
         toneMapper_.showUploaded(target, look);
     } else {
@@ -305,11 +303,27 @@ void WindowLoop::show(GlfwWindow::Size size)
 void WindowLoop::saveScreenshot()
 {
     state_.screenshot = false;
-    const std::string path = fmt::format("fbrdf-viewer-{:03}.png", ++screenshots_);
+    const std::string path = freeName("fbrdf-viewer", ".png");
     try {
         scene::Image image = progressive_.finishedImage();
         addBackground(options_, world_, progressive_.shown().view, image);
-        writeImage(image, path, state_.exposure, transferOf(options_));
+        writeImage(image, path, options_.document.exposure, transferOf(options_.document));
+        facts_.message = "wrote " + path;
+    } catch (const Error& error) {
+        facts_.message = error.what();
+    }
+}
+
+void WindowLoop::saveScene()
+{
+    scene::Document document = state_.document;
+    const GlfwWindow::Size size = window_.framebufferSize();
+    document.moment.width = size.width;
+    document.moment.height = size.height;
+    const std::string path = scenePath_.empty() ? freeName("fbrdf-viewer", ".json") : scenePath_;
+    try {
+        writeScene(document, path);
+        scenePath_ = path;
         facts_.message = "wrote " + path;
     } catch (const Error& error) {
         facts_.message = error.what();
@@ -318,14 +332,22 @@ void WindowLoop::saveScreenshot()
 
 void WindowLoop::finishStats()
 {
+    const scene::Document& document = state_.document;
     stats_.backend = "window";
-    stats_.technique = viewTechniqueName(state_.technique);
-    stats_.samples = samplesOf(options_, state_.technique);
-    stats_.mesh = facts_.meshes[static_cast<size_t>(mesh_)];
+    stats_.technique = viewTechniqueName(document.technique);
+    stats_.samples = samplesOf(document, document.technique);
+    stats_.mesh = document.mesh;
     stats_.lightsGiven = static_cast<int>(world_.lights.size());
 }
 
 }  // namespace
+
+std::string shortName(const std::string& spec)
+{
+    if (spec.empty()) return "none";
+    const std::filesystem::path path(spec);
+    return std::filesystem::exists(path) ? path.filename().string() : spec;
+}
 
 Picture runWindow(const Options& options, World& world)
 {

@@ -9,43 +9,17 @@
 namespace fbrdf::viewer {
 namespace {
 
-// The material that is shown without --material: gold, brushed along the tangent. Its form and
-// smoothness are given, so that it is ready in a second, without a search.
-const char* const kDefaultMaterial = "ggx:alpha_x=0.18,alpha_y=0.45,f0=1.0/0.71/0.29,kd=0";
-constexpr double kDefaultSmoothness = 1e-3;
-
-constexpr int kDefaultLights = 5;
 // A full scene is seen from a little above, so that the horizon is out of sight, with room around.
 constexpr double kElevation = 0.36, kRoom = 1.3;
-
-/// The materials that the options ask for, or the default one.
-void loadMaterials(const Options& options, std::deque<MaterialSlot>& materials)
-{
-    FitOptions fit;
-    fit.form = options.form;
-    for (const std::string& spec : options.materials) materials.emplace_back(spec, fit);
-    if (!materials.empty()) return;
-    if (fit.form == "auto") fit.form = "pqpr";
-    fit.smoothness = kDefaultSmoothness;
-    materials.emplace_back(kDefaultMaterial, fit);
-}
 
 double aspectOf(const Options& options)
 {
     return static_cast<double>(options.width) / options.height;
 }
 
-scene::LightSet lightsOf(const Options& options, const scene::Bounds& bounds)
-{
-    if (!options.lights.empty()) return scene::readLights(options.lights);
-    if (options.full && !options.lightCount) return {scene::keyLights(), {}};
-    const int count = options.lightCount.value_or(kDefaultLights);
-    return {spreadAround(scene::makeLights(count, options.seed), bounds), {}};
-}
-
 scene::Camera cameraOf(const Options& options, const World& world)
 {
-    if (options.camera) return *options.camera;
+    if (options.document.camera) return *options.document.camera;
     if (options.full) {
         scene::Bounds bounds = scene::boundsOf(world.instances);
         bounds.radius *= static_cast<float>(kRoom);
@@ -59,65 +33,95 @@ scene::Camera cameraOf(const Options& options, const World& world)
 
 }  // namespace
 
-std::optional<scene::EnvironmentLight> environmentFrom(const std::string& name,
-                                                       const Options& options)
+scene::SceneMaterial defaultMaterial(const std::string& form)
 {
+    // Gold, brushed along the tangent. Form and smoothness are given, so that it is ready in a
+    // second, without a search.
+    scene::SceneMaterial gold;
+    gold.source = "ggx:alpha_x=0.18,alpha_y=0.45,f0=1.0/0.71/0.29,kd=0";
+    gold.form = form == "auto" ? "pqpr" : form;
+    gold.smoothness = 1e-3;
+    return gold;
+}
+
+std::optional<scene::EnvironmentLight> environmentFrom(const scene::SceneEnvironment& environment)
+{
+    const std::string& name = environment.name;
     if (name.empty()) return std::nullopt;
     scene::EnvironmentLight light;
     light.panorama = isProceduralEnvironment(name) ? proceduralEnvironment(name)
                                                    : readPanorama(name, &light.note);
-    light.rotation = options.environmentRotation * kDegree;
-    light.intensity = options.environmentIntensity;
+    turnTo(environment, light);
     return light;
+}
+
+void turnTo(const scene::SceneEnvironment& environment, scene::EnvironmentLight& light)
+{
+    light.rotation = static_cast<double>(environment.degrees) * kDegree;
+    light.intensity = static_cast<double>(environment.intensity);
 }
 
 void loadWorld(const Options& options, World& world)
 {
-    loadMaterials(options, world.materials);
+    const scene::Document& document = options.document;
+    for (const scene::SceneMaterial& material : document.materials)
+        world.materials.emplace_back(material.source, fitOptionsOf(material));
     // Windows, sheets and turntables show one material at a time.
-    const bool all = options.headless && options.command == Command::view;
+    const bool all = options.headless && options.command == Command::view && document.shown < 0;
     const int count = all ? static_cast<int>(world.materials.size()) : 1;
-    world.mesh = scene::meshFromName(options.mesh);
+    world.mesh = scene::meshFromName(document.mesh);
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
-    world.lights = lightsOf(options, bounds);
-    world.environment = environmentFrom(options.environment, options);
+    world.lights = options.lights.empty() ? lightsOf(document.lights, bounds)
+                                          : scene::readLights(options.lights);
+    world.environment = environmentFrom(document.environment);
     world.camera = cameraOf(options, world);
-    makeGround(options, world);
+    if (document.ground) makeGround(world);
+    if (document.shown >= 0) {
+        world.instances[0].material = document.shown;
+        turnTable(document.moment.tableDegrees, world);
+    }
 }
 
-void makeGround(const Options& options, World& world)
+void makeGround(World& world)
 {
-    if (!options.ground) return;
     world.ground = std::make_unique<scene::Ground>(world.instances);
     world.ground->setVisibility(visibleSky(truth::Occluders(world.instances), *world.ground));
+}
+
+void turnTable(double degrees, World& world)
+{
+    const scene::Instance standing{&world.mesh, glm::mat4(1.0f), world.instances[0].material};
+    world.instances = {turned(standing, degrees * kDegree)};
+    if (world.ground) world.ground->turnTo(degrees * kDegree);
 }
 
 void addBackground(const Options& options, const World& world, const gl::View& view,
                    scene::Image& image)
 {
     const scene::EnvironmentLight* environment = world.environment ? &*world.environment : nullptr;
-    if (options.background.environment && !environment) return;  // taken away in a window
-    fillBackground(image, options.background, environment, view);
+    if (options.document.background.environment && !environment) return;  // taken away in a window
+    fillBackground(image, options.document.background, environment, view);
 }
 
 scene::Stats statsOf(const Options& options, const World& world)
 {
     scene::Stats stats;
-    stats.technique = viewTechniqueName(options.technique);
-    if (!isOnCpu(options.technique)) {
-        stats.lookUp = lookUpName(options.lookUp);
-        stats.filter = filterName(options.precise ? Filter::shader : Filter::hardware);
+    stats.technique = viewTechniqueName(options.document.technique);
+    if (!isOnCpu(options.document.technique)) {
+        stats.lookUp = lookUpName(options.document.lookUp);
+        stats.filter = filterName(options.document.precise ? Filter::shader : Filter::hardware);
     }
-    stats.mesh = options.mesh;
-    stats.environment = options.environment;
+    stats.mesh = options.document.mesh;
+    stats.environment = options.document.environment.name;
     if (world.environment) stats.environmentNote = world.environment->note;
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
     stats.evaluated = "material";
     stats.width = options.width;
-    stats.samples = samplesOf(options, options.technique);
+    stats.samples = samplesOf(options.document, options.document.technique);
     stats.ground = world.ground != nullptr;
-    stats.shadows = options.shadows || options.technique == scene::ViewTechnique::path;
+    stats.shadows =
+        options.document.shadows || options.document.technique == scene::ViewTechnique::path;
     stats.height = options.height;
     stats.lightsGiven = static_cast<int>(world.lights.size());
     return stats;

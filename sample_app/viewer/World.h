@@ -29,14 +29,18 @@ struct World {
 /// Throws Error for whatever cannot be loaded. The world must stay where it is made.
 void loadWorld(const Options& options, World& world);
 
-/// The environment of a name or file, turned and scaled as the options ask for; none for "". Throws
-/// what reading it throws.
-std::optional<scene::EnvironmentLight> environmentFrom(const std::string& name,
-                                                       const Options& options);
+/// The material that is shown where none is asked for; form: "auto" for the one that suits it.
+scene::SceneMaterial defaultMaterial(const std::string& form);
 
-/// Puts a ground below the instances where the options ask for one, and finds what they hide of
-/// its sky.
-void makeGround(const Options& options, World& world);
+/// Reads or makes an environment; none for one without a name. Throws what reading it throws.
+std::optional<scene::EnvironmentLight> environmentFrom(const scene::SceneEnvironment& environment);
+/// Gives a light that has been read the rotation and intensity of an environment.
+void turnTo(const scene::SceneEnvironment& environment, scene::EnvironmentLight& light);
+
+/// Puts a ground below the instances, and finds what they hide of its sky.
+void makeGround(World& world);
+/// Turns a single object and the ground to an angle about +y.
+void turnTable(double degrees, World& world);
 
 /// A finished picture and what was done for it.
 struct Picture {

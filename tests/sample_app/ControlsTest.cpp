@@ -8,6 +8,13 @@
 namespace fbrdf::scene {
 namespace {
 
+ViewState seenState()
+{
+    ViewState state;
+    state.document.camera = state.home;
+    return state;
+}
+
 TEST(Techniques, HaveNamesThatReadBack)
 {
     for (int i = 0; i < kViewTechniqueCount; ++i) {
@@ -27,66 +34,78 @@ TEST(Techniques, HaveNamesThatReadBack)
 
 TEST(Keys, CycleThroughMaterialsMeshesAndTechniques)
 {
-    ViewState state;
-    state.materialCount = 3;
-    state.meshCount = 2;
+    ViewState state = seenState();
+    state.document.materials.resize(3);
+    state.document.shown = 0;
+    state.meshes = {"sphere", "knot"};
     for (const int expected : {1, 2, 0, 1}) {
         EXPECT_TRUE(applyKey(state, 'm'));
-        EXPECT_EQ(state.material, expected);
+        EXPECT_EQ(state.document.shown, expected);
     }
-    EXPECT_TRUE(applyKey(state, 'o') && applyKey(state, 'o'));
-    EXPECT_EQ(state.mesh, 0);
+    EXPECT_TRUE(applyKey(state, 'o'));
+    EXPECT_EQ(state.document.mesh, "knot");
+    applyKey(state, 'o');
+    EXPECT_EQ(state.document.mesh, "sphere");
+    state.document.mesh = "gone.obj";
+    applyKey(state, 'o');
+    EXPECT_EQ(state.document.mesh, "sphere") << "the first after what is in no list";
     for (int i = 0; i < kViewTechniqueCount; ++i) applyKey(state, 't');
-    EXPECT_EQ(state.technique, viewTechnique(Technique::single));
+    EXPECT_EQ(state.document.technique, viewTechnique(Technique::single));
     applyKey(state, 't');
-    EXPECT_EQ(state.technique, viewTechnique(Technique::batched));
+    EXPECT_EQ(state.document.technique, viewTechnique(Technique::batched));
 }
 
 TEST(Keys, DoubleAndHalveLightsWithinLimits)
 {
-    ViewState state;
+    ViewState state = seenState();
+    int& made = state.document.lights.made;
+    made = 3;
+    for (const int expected : {6, 12}) {
+        applyKey(state, 'l');
+        EXPECT_EQ(made, expected);
+    }
     for (int i = 0; i < 20; ++i) applyKey(state, 'l');
-    EXPECT_EQ(state.lightCount, kMostLights);
+    EXPECT_EQ(made, 4096);
     for (int i = 0; i < 20; ++i) applyKey(state, 'k');
-    EXPECT_EQ(state.lightCount, 1);
-    state.madeLights = false;
+    EXPECT_EQ(made, 1);
+    made = 0;
     applyKey(state, 'l');
-    EXPECT_EQ(state.lightCount, 1) << "lights of a file stay";
+    EXPECT_EQ(made, 1) << "a list gives way to one that is made";
 }
 
 TEST(Keys, TurnTheTableAndTheEnvironment)
 {
-    ViewState state;
-    state.environmentCount = 4;
-    for (const int expected : {1, 2, 3, 0}) {
+    ViewState state = seenState();
+    state.environments = {"", "studio", "sky.exr"};
+    for (const char* expected : {"studio", "sky.exr", "", "studio"}) {
         EXPECT_TRUE(applyKey(state, 'e'));
-        EXPECT_EQ(state.environment, expected);
+        EXPECT_EQ(state.document.environment.name, expected);
     }
-    EXPECT_TRUE(applyKey(state, ' ') && state.turning);
-    EXPECT_TRUE(applyKey(state, ' ') && !state.turning);
-    EXPECT_TRUE(applyKey(state, '.') && state.environmentDegrees == 15.0f);
+    EXPECT_TRUE(applyKey(state, ' ') && state.document.turning);
+    EXPECT_TRUE(applyKey(state, ' ') && !state.document.turning);
+    EXPECT_TRUE(applyKey(state, '.') && state.document.environment.degrees == 15.0f);
     for (int i = 0; i < 13; ++i) applyKey(state, ',');
-    EXPECT_EQ(state.environmentDegrees, -180.0f);
+    EXPECT_EQ(state.document.environment.degrees, -180.0f);
     applyKey(state, ',');
-    EXPECT_EQ(state.environmentDegrees, 165.0f);
+    EXPECT_EQ(state.document.environment.degrees, 165.0f);
 }
 
 TEST(Keys, SixStepsOfExposureAreAStop)
 {
-    ViewState state;
+    ViewState state = seenState();
     for (int i = 0; i < 6; ++i) applyKey(state, '+');
-    EXPECT_NEAR(state.exposure, 2.0f, 1e-5f);
+    EXPECT_NEAR(state.document.exposure, 2.0f, 1e-5f);
     for (int i = 0; i < 12; ++i) applyKey(state, '-');
-    EXPECT_NEAR(state.exposure, 0.5f, 1e-5f);
+    EXPECT_NEAR(state.document.exposure, 0.5f, 1e-5f);
 }
 
 TEST(Keys, RestAndUnknownOnes)
 {
-    ViewState state;
+    ViewState state = seenState();
     applyDrag(state, 100.0, 50.0, 400);
-    EXPECT_NE(state.camera.eye, state.home.eye);
+    EXPECT_NE(state.document.camera->eye, state.home.eye);
     EXPECT_TRUE(applyKey(state, 'r'));
-    EXPECT_EQ(state.camera.eye, state.home.eye);
+    EXPECT_EQ(state.document.camera->eye, state.home.eye);
     EXPECT_TRUE(applyKey(state, 's') && state.screenshot);
     EXPECT_TRUE(applyKey(state, 'c') && state.cancel);
     EXPECT_TRUE(applyKey(state, 'f') && state.frame);
@@ -97,30 +116,44 @@ TEST(Keys, RestAndUnknownOnes)
     EXPECT_TRUE(applyKey(state, 27) && state.close);
 }
 
+TEST(Keys, WithControlAreWishes)
+{
+    ViewState state = seenState();
+    EXPECT_TRUE(applyControlKey(state, 'z', false) && state.undo && !state.redo);
+    EXPECT_TRUE(applyControlKey(state, 'z', true) && state.redo);
+    EXPECT_TRUE(applyControlKey(state, 's', false) && state.save);
+    EXPECT_FALSE(state.screenshot);
+    state.redo = false;
+    EXPECT_TRUE(applyControlKey(state, 'y', false) && state.redo);
+    EXPECT_FALSE(applyControlKey(state, 'x', false));
+    EXPECT_TRUE(state.document == seenState().document);
+}
+
 TEST(Keys, AllOfTheHelpExist)
 {
     for (const KeyHelp& line : keyHelp()) {
         const std::string keys = line.key;
         if (keys.size() != 1) continue;
-        ViewState state;
+        ViewState state = seenState();
         EXPECT_TRUE(applyKey(state, static_cast<char>(std::tolower(keys[0])))) << keys;
     }
 }
 
 TEST(Mouse, TheObjectFollowsADrag)
 {
-    ViewState state;  // at (0, 0, 4)
+    ViewState state = seenState();  // at (0, 0, 4)
     applyDrag(state, 100.0, 0.0, 400);
-    EXPECT_LT(state.camera.eye.x, 0.0) << "dragged right, so seen from the left";
-    EXPECT_NEAR(std::atan2(state.camera.eye.x, state.camera.eye.z), -0.25 * kPi, 1e-12);
-    state.camera = state.home;
+    EXPECT_LT(state.document.camera->eye.x, 0.0) << "dragged right, so seen from the left";
+    EXPECT_NEAR(std::atan2(state.document.camera->eye.x, state.document.camera->eye.z), -0.25 * kPi,
+                1e-12);
+    state.document.camera = state.home;
     applyDrag(state, 0.0, 100.0, 400);
-    EXPECT_GT(state.camera.eye.y, 0.0) << "dragged down, so seen from above";
-    state.camera = state.home;
+    EXPECT_GT(state.document.camera->eye.y, 0.0) << "dragged down, so seen from above";
+    state.document.camera = state.home;
     applyScroll(state, 3.0);
-    EXPECT_LT(glm::length(state.camera.eye), 4.0);
+    EXPECT_LT(glm::length(state.document.camera->eye), 4.0);
     applyScroll(state, -3.0);
-    EXPECT_NEAR(glm::length(state.camera.eye), 4.0, 1e-12);
+    EXPECT_NEAR(glm::length(state.document.camera->eye), 4.0, 1e-12);
 }
 
 }  // namespace

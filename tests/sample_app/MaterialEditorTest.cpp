@@ -3,6 +3,7 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/io/MaterialFile.h>
+#include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 #include <support/TemporaryDir.h>
 
@@ -17,20 +18,32 @@ class Editor : public testing::Test {
 protected:
     Editor()
     {
-        FitOptions fit;
-        fit.form = "io";
-        fit.smoothness = 1e-3;
-        for (const char* spec : {"ggx:alpha=0.3,f0=0.9", "lambert:albedo=0.2"})
-            world_.materials.emplace_back(spec, fit);
-        for (MaterialSlot& slot : world_.materials) slot.material();
+        for (const char* spec : {"ggx:alpha=0.3,f0=0.9", "lambert:albedo=0.2"}) {
+            scene::SceneMaterial material;
+            material.source = spec;
+            material.form = "io";
+            material.smoothness = 1e-3;
+            material.slot = static_cast<int>(document_.materials.size());
+            document_.materials.push_back(material);
+            world_.materials.emplace_back(spec, fitOptionsOf(material));
+            world_.materials.back().material();
+        }
         editor_.emplace(world_, [this](size_t slot) { changes_.push_back(slot); });
+        follow(1);
+        follow(0);
+    }
+
+    void follow(size_t shown)
+    {
+        document_.shown = static_cast<int>(shown);
+        editor_->follow(document_);
     }
 
     template <class Condition>
     void follow(size_t slot, const Condition& condition)
     {
         for (int i = 0; i < 10000 && !condition(); ++i) {
-            editor_->follow(slot);
+            follow(slot);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
         EXPECT_TRUE(condition()) << editor_->facts().doing << editor_->facts().problem;
@@ -45,12 +58,18 @@ protected:
     }
     void setAlpha(size_t slot, double alpha)
     {
-        for (const char* name : {"alpha_x", "alpha_y"})
-            editor_->fields(slot)->model->values.at(name) = Vec3d(alpha);
+        for (const char* name : {"alpha_x", "alpha_y"}) setValue(slot, name, Vec3d(alpha));
+    }
+    void setValue(size_t slot, const char* name, const Vec3d& value)
+    {
+        ModelSpec spec = parseModelSpec(document_.materials[slot].source);
+        spec.values.at(name) = value;
+        document_.materials[slot].source = modelSpecText(spec);
     }
     double reflects(size_t slot) { return world_.materials[slot].truth()(wo_, wo_).x; }
 
     const Vec3d wo_{0.0, 0.0, 1.0};
+    scene::Document document_;
     World world_;
     std::optional<MaterialEditor> editor_;
     std::vector<size_t> changes_;
@@ -93,7 +112,7 @@ TEST_F(Editor, LobesComeWhenTheSliderRests)
 
 TEST_F(Editor, NothingIsFittedWhereNothingMoves)
 {
-    for (int i = 0; i < 20; ++i) editor_->follow(0);
+    for (int i = 0; i < 20; ++i) follow(0);
     EXPECT_EQ(editor_->facts().doing, "");
     EXPECT_TRUE(changes_.empty());
 }
@@ -102,7 +121,7 @@ TEST_F(Editor, TheLastOfManyPositionsIsTheOneThatStays)
 {
     for (int i = 0; i < 50; ++i) {
         setAlpha(0, 0.1 + 0.01 * i);
-        editor_->follow(0);
+        follow(0);
     }
     settle(0);
     EXPECT_EQ(parseModelSpec(world_.materials[0].name()).values.at("alpha_x").x, 0.1 + 0.01 * 49);
@@ -113,8 +132,8 @@ TEST_F(Editor, TheLastOfManyPositionsIsTheOneThatStays)
 TEST_F(Editor, EachReplyComesToItsOwnMaterial)
 {
     const double before = reflects(0);
-    editor_->fields(1)->model->values.at("albedo") = Vec3d(0.6);
-    editor_->follow(1);
+    setValue(1, "albedo", Vec3d(0.6));
+    follow(1);
     follow(0, [&] { return !changes_.empty() && editor_->facts().doing.empty(); });
     EXPECT_EQ(reflects(0), before);
     EXPECT_NEAR(reflects(1), 0.6 / kPi, 1e-9);
@@ -124,14 +143,14 @@ TEST_F(Editor, EachReplyComesToItsOwnMaterial)
 TEST_F(Editor, ATooSmallLimitIsNamedAndTheMaterialStays)
 {
     const auto before = world_.materials[0].material().tables[0].texels;
-    editor_->fields(0)->form = "hdio";
-    editor_->fields(0)->resolution = 48;
-    editor_->fields(0)->kilobytes = 1;
+    document_.materials[0].form = "hdio";
+    document_.materials[0].resolution = 48;
+    document_.materials[0].kilobytes = 1;
     follow(0, [&] { return !editor_->facts().problem.empty(); });
     EXPECT_NE(editor_->facts().problem.find("max-bytes: found 1024"), std::string::npos)
         << editor_->facts().problem;
     EXPECT_EQ(world_.materials[0].material().tables[0].texels, before);
-    editor_->fields(0)->kilobytes = 0;
+    document_.materials[0].kilobytes = 0;
     settle(0);
     EXPECT_NE(world_.materials[0].material().tables[0].texels.size(), before.size());
 }
@@ -141,9 +160,11 @@ TEST_F(Editor, OpensMaterialsAtOnceAndFitsTheOthersOneByOne)
     const test::TemporaryDir folder;
     writeMaterial(world_.materials[0].material(), folder.file("gold.fbrdf"));
     editor_->open(folder.file("gold.fbrdf"));
+    follow(0);
     ASSERT_EQ(changes_, (std::vector<size_t>{2}));
-    EXPECT_FALSE(editor_->fields(2)) << "a material file has nothing to fit";
-    editor_->follow(2);
+    EXPECT_EQ(document_.shown, 2) << "what is dropped is shown";
+    EXPECT_FALSE(world_.materials[2].source()) << "a material file has nothing to fit";
+    follow(2);
     editor_->open("phong:n=20");
     editor_->open(folder.file("none.csv"));
     editor_->open("lambert:albedo=0.7");
@@ -151,7 +172,10 @@ TEST_F(Editor, OpensMaterialsAtOnceAndFitsTheOthersOneByOne)
     EXPECT_EQ(world_.materials[3].name(), "phong:n=20");
     EXPECT_EQ(world_.materials[4].name(), "lambert:albedo=0.7");
     EXPECT_FALSE(world_.materials[3].material().lobes.isEmpty());
-    EXPECT_TRUE(editor_->fields(3)->model);
+    EXPECT_EQ(document_.materials[3].source, "phong:n=20");
+    EXPECT_EQ(document_.materials[3].form, world_.materials[3].material().form.name)
+        << "a search that ends by the clock is not repeated";
+    EXPECT_EQ(document_.materials[4].slot, 4);
     EXPECT_EQ(changes_.back(), 4u);
 }
 
@@ -167,6 +191,76 @@ TEST_F(Editor, WhatCannotBeOpenedIsNamed)
     EXPECT_NE(editor_->facts().problem.find("none.csv: found "), std::string::npos)
         << editor_->facts().problem;
     EXPECT_EQ(world_.materials.size(), 2u);
+}
+
+// Undo brings back what was: it is not fitted again.
+TEST_F(Editor, WhatWasFittedBeforeIsThereAtOnce)
+{
+    const scene::SceneMaterial before = document_.materials[0];
+    const auto texels = world_.materials[0].material().tables[0].texels;
+    setAlpha(0, 0.5);
+    settle(0);
+    const scene::SceneMaterial after = document_.materials[0];
+    const auto rough = world_.materials[0].material().tables[0].texels;
+    EXPECT_NE(rough, texels);
+    document_.materials[0] = before;
+    follow(0);
+    EXPECT_EQ(editor_->facts().doing, "");
+    EXPECT_EQ(world_.materials[0].material().tables[0].texels, texels);
+    EXPECT_EQ(world_.materials[0].name(), before.source);
+    document_.materials[0] = after;
+    follow(0);
+    EXPECT_EQ(world_.materials[0].material().tables[0].texels, rough);
+}
+
+// A fit that is under way when undo comes must not take the place of what came back.
+TEST_F(Editor, AReplyThatUndoOvertakesIsLeftOut)
+{
+    const scene::SceneMaterial before = document_.materials[0];
+    const auto texels = world_.materials[0].material().tables[0].texels;
+    setAlpha(0, 0.5);
+    follow(0);
+    document_.materials[0] = before;
+    follow(0, [&] { return editor_->facts().doing.empty(); });
+    follow(0);
+    EXPECT_EQ(world_.materials[0].material().tables[0].texels, texels);
+}
+
+TEST_F(Editor, AFormThatWasSearchedIsNotSearchedAgain)
+{
+    world_.materials[0].material();
+    document_.materials[0].form = "auto";
+    // As if it had been loaded so.
+    editor_.emplace(world_, [this](size_t slot) { changes_.push_back(slot); });
+    follow(0);
+    setAlpha(0, 0.5);
+    follow(0);
+    EXPECT_EQ(document_.materials[0].form, "io");
+}
+
+// Materials of a scene have no slots when it is opened.
+TEST_F(Editor, LoadsWhatADocumentHasAlready)
+{
+    const test::TemporaryDir folder;
+    writeMaterial(world_.materials[1].material(), folder.file("grey.fbrdf"));
+    scene::Document scene;
+    for (const std::string& source :
+         {folder.file("grey.fbrdf"), std::string("lambert:albedo=0.7"), folder.file("none.csv")}) {
+        scene.materials.push_back({source, "io"});
+    }
+    scene.materials.push_back({document_.materials[0]});
+    scene.materials.back().slot = -1;
+    document_ = scene;
+    follow(0, [&] { return document_.materials[1].slot >= 0 && editor_->facts().doing.empty(); });
+    EXPECT_EQ(document_.materials[0].slot, 2) << "a material is there at once";
+    EXPECT_EQ(document_.materials[1].slot, 3);
+    EXPECT_EQ(document_.materials[2].slot, -1);
+    EXPECT_EQ(document_.materials[3].slot, 0) << "what was loaded before is there";
+    follow(0, [&] { return !editor_->facts().problem.empty(); });
+    EXPECT_NE(editor_->facts().problem.find("none.csv: found "), std::string::npos);
+    for (int i = 0; i < 5; ++i) follow(0);
+    EXPECT_EQ(editor_->facts().doing, "") << "what cannot be read is not tried again and again";
+    EXPECT_EQ(world_.materials.size(), 4u);
 }
 
 TEST_F(Editor, ACancelledFitLeavesWhatThereIs)

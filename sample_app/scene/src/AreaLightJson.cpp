@@ -96,7 +96,8 @@ Json jsonFromAreaLight(const AreaLight& light)
     if (light.shape != Shape::polygon)
         json[isTube ? "from" : "position"] = jsonFromVector(light.position);
     if (isTube) json["to"] = jsonFromVector(light.end);
-    if (!isFlat(light.shape) || light.shape == Shape::disc) json["size"] = light.size;
+    if (!isFlat(light.shape) || light.shape == Shape::disc)
+        json["size"] = jsonFromFloat(light.size);
     if (light.shape == Shape::disc) json["normal"] = jsonFromVector(light.normal);
     if (light.shape == Shape::rectangle) {
         json["axis_u"] = jsonFromVector(light.axisU);
@@ -106,7 +107,7 @@ Json jsonFromAreaLight(const AreaLight& light)
         for (const Vec3f& vertex : light.vertices)
             json["vertices"].push_back(jsonFromVector(vertex));
     if (isFlat(light.shape)) json["two_sided"] = light.twoSided;
-    if (light.radius > 0.0f) json["radius"] = light.radius;
+    if (light.radius > 0.0f) json["radius"] = jsonFromFloat(light.radius);
     return json;
 }
 

@@ -1,33 +1,16 @@
-#include <fbrdf/base/Error.h>
-#include <fbrdf/base/Found.h>
 #include <fbrdf/scene/Controls.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fbrdf::scene {
 namespace {
 
-struct CpuTechnique {
-    const char *name, *description;
-};
-/// Those of ViewTechnique from kTechniqueCount on, in its order.
-constexpr std::array<CpuTechnique, kViewTechniqueCount - kTechniqueCount> kCpuTechniques{{
-    {"vertex", "true BRDF at the vertices"},
-    {"reference", "true BRDF at every pixel, in double"},
-    {"path", "the same with shadows and interreflection, path-traced"},
-}};
-
-const CpuTechnique& cpuTechnique(ViewTechnique technique)
-{
-    return kCpuTechniques[static_cast<size_t>(technique) - kTechniques.size()];
-}
-
 constexpr char kEscape = 27;
 constexpr float kExposureStep = 1.122462f;  // 2^(1/6): six presses a stop
 constexpr double kWheelZoom = 0.9;          // of the distance, a step
 constexpr float kEnvironmentStep = 15.0f;   // degrees
+constexpr int kMostMadeByKeys = 4096;
 
 /// The next of `count` things, the first after the last.
 int following(int index, int count)
@@ -35,13 +18,23 @@ int following(int index, int count)
     return (index + 1) % std::max(1, count);
 }
 
+/// The name after one in a list, the first after the last and where it is not in there.
+std::string nextName(const std::vector<std::string>& names, const std::string& name)
+{
+    if (names.empty()) return name;
+    const auto known = std::find(names.begin(), names.end(), name);
+    const auto place = static_cast<int>(known - names.begin());
+    const auto count = static_cast<int>(names.size());
+    return names[static_cast<size_t>(place == count ? 0 : following(place, count))];
+}
+
 bool applyViewKey(ViewState& state, char key)
 {
     switch (key) {
         case '+':
-        case '=': state.exposure *= kExposureStep; return true;
-        case '-': state.exposure /= kExposureStep; return true;
-        case 'r': state.camera = state.home; return true;
+        case '=': state.document.exposure *= kExposureStep; return true;
+        case '-': state.document.exposure /= kExposureStep; return true;
+        case 'r': state.document.camera = state.home; return true;
         case 'f': state.frame = true; return true;
         case 's': state.screenshot = true; return true;
         case 'c': state.cancel = true; return true;
@@ -52,78 +45,45 @@ bool applyViewKey(ViewState& state, char key)
     }
 }
 
+/// Lights are made twice or half as many; those of a list give way to one that is made.
 bool applyLightKey(ViewState& state, char key)
 {
     if (key != 'l' && key != 'k') return false;
-    if (state.madeLights)
-        state.lightCount = key == 'l' ? std::min(kMostLights, 2 * state.lightCount)
-                                      : std::max(1, state.lightCount / 2);
+    int& made = state.document.lights.made;
+    made = key == 'l' ? std::clamp(2 * made, 1, kMostMadeByKeys) : std::max(1, made / 2);
     return true;
 }
 
 bool applyEnvironmentKey(ViewState& state, char key)
 {
+    SceneEnvironment& environment = state.document.environment;
     switch (key) {
-        case 'e':
-            state.environment = following(state.environment, state.environmentCount);
-            return true;
+        case 'e': environment.name = nextName(state.environments, environment.name); return true;
         case ',':
         case '.': {
             const float turned =
-                state.environmentDegrees + (key == '.' ? kEnvironmentStep : -kEnvironmentStep);
-            state.environmentDegrees = std::remainder(turned, 360.0f);
+                environment.degrees + (key == '.' ? kEnvironmentStep : -kEnvironmentStep);
+            environment.degrees = std::remainder(turned, 360.0f);
             return true;
         }
-        case ' ': state.turning = !state.turning; return true;
+        case ' ': state.document.turning = !state.document.turning; return true;
         default: return false;
     }
 }
 
 }  // namespace
 
-const char* viewTechniqueName(ViewTechnique technique)
-{
-    return isOnCpu(technique) ? cpuTechnique(technique).name
-                              : techniqueName(runtimeTechnique(technique));
-}
-
-ViewTechnique viewTechniqueFromName(const std::string& name)
-{
-    std::string all;
-    for (int i = 0; i < kViewTechniqueCount; ++i) {
-        const auto technique = static_cast<ViewTechnique>(i);
-        if (name == viewTechniqueName(technique)) return technique;
-        all += (i == 0 ? "" : ", ") + std::string(viewTechniqueName(technique));
-    }
-    throw Error(ErrorKind::usage, "--technique", Found("'" + name + "'").expected("one of " + all));
-}
-
-std::string viewTechniqueHelp()
-{
-    std::string onCpu;
-    for (const CpuTechnique& t : kCpuTechniques)
-        onCpu += std::string(onCpu.empty() ? "" : ", ") + t.name + " (" + t.description + ")";
-    return techniqueNames() + "; on the CPU: " + onCpu;
-}
-
-bool isOnCpu(ViewTechnique technique)
-{
-    return static_cast<int>(technique) >= kTechniqueCount;
-}
-
-Technique runtimeTechnique(ViewTechnique technique)
-{
-    return isOnCpu(technique) ? Technique::single : static_cast<Technique>(technique);
-}
-
 bool applyKey(ViewState& state, char key)
 {
+    Document& document = state.document;
     switch (key) {
-        case 'm': state.material = following(state.material, state.materialCount); return true;
-        case 'o': state.mesh = following(state.mesh, state.meshCount); return true;
+        case 'm':
+            document.shown = following(document.shown, static_cast<int>(document.materials.size()));
+            return true;
+        case 'o': document.mesh = nextName(state.meshes, document.mesh); return true;
         case 't':
-            state.technique = static_cast<ViewTechnique>(
-                following(static_cast<int>(state.technique), kViewTechniqueCount));
+            document.technique = static_cast<ViewTechnique>(
+                following(static_cast<int>(document.technique), kViewTechniqueCount));
             return true;
         default:
             return applyLightKey(state, key) || applyEnvironmentKey(state, key) ||
@@ -131,29 +91,49 @@ bool applyKey(ViewState& state, char key)
     }
 }
 
+bool applyControlKey(ViewState& state, char key, bool withShift)
+{
+    switch (key) {
+        case 'z': (withShift ? state.redo : state.undo) = true; return true;
+        case 'y': state.redo = true; return true;
+        case 's': state.save = true; return true;
+        default: return false;
+    }
+}
+
 void applyDrag(ViewState& state, double right, double down, int windowHeight)
 {
     // A drag across the height of the window turns the object by half a turn, along with the mouse.
     const double turn = kPi / std::max(1, windowHeight);
-    state.camera = orbited(state.camera, -turn * right, turn * down, 1.0);
+    state.document.camera = orbited(*state.document.camera, -turn * right, turn * down, 1.0);
 }
 
 void applyScroll(ViewState& state, double steps)
 {
-    state.camera = orbited(state.camera, 0.0, 0.0, std::pow(kWheelZoom, steps));
+    state.document.camera = orbited(*state.document.camera, 0.0, 0.0, std::pow(kWheelZoom, steps));
 }
 
 const std::vector<KeyHelp>& keyHelp()
 {
-    static const std::vector<KeyHelp> lines{
-        {"drag, wheel", "orbit, zoom"}, {"M", "next material"},
-        {"T", "next technique"},        {"L / K", "lights x2, / 2"},
-        {"+ / -", "exposure"},          {"O", "next mesh"},
-        {"E", "next environment"},      {", / .", "turn it"},
-        {"Space", "turntable"},         {"F", "frame the mesh"},
-        {"R", "camera home"},           {"S", "screenshot"},
-        {"C", "cancel fits"},           {"drop a file", "open it"},
-        {"H, F1", "this help"},         {"Q, Esc", "quit"}};
+    static const std::vector<KeyHelp> lines{{"drag, wheel", "orbit, zoom"},
+                                            {"M", "next material"},
+                                            {"T", "next technique"},
+                                            {"L / K", "lights x2, / 2"},
+                                            {"+ / -", "exposure"},
+                                            {"O", "next mesh"},
+                                            {"E", "next environment"},
+                                            {", / .", "turn it"},
+                                            {"Space", "turntable"},
+                                            {"F", "frame the mesh"},
+                                            {"R", "camera home"},
+                                            {"S", "screenshot"},
+                                            {"C", "cancel fits"},
+                                            {"drop a file", "open it"},
+                                            {"Ctrl+Z", "undo"},
+                                            {"Ctrl+Shift+Z", "redo"},
+                                            {"Ctrl+S", "save the scene"},
+                                            {"H, F1", "this help"},
+                                            {"Q, Esc", "quit"}};
     return lines;
 }
 

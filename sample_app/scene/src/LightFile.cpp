@@ -95,9 +95,14 @@ LightSet lightsFromJson(std::string_view text, const std::string& where)
     }
     if (!document.is_object() || !document.contains("lights") || !document["lights"].is_array())
         failLight(where, Found(quoted(document)).expected("an object with an array 'lights'"));
+    return lightsFromList(document["lights"], where + ": lights");
+}
+
+LightSet lightsFromList(const Json& list, const std::string& where)
+{
     LightSet set;
-    for (const Json& light : document["lights"]) {
-        const std::string place = where + ": lights[" + std::to_string(set.size()) + "]";
+    for (const Json& light : list) {
+        const std::string place = where + "[" + std::to_string(set.size()) + "]";
         if (!light.is_object()) failLight(place, Found(quoted(light)).expected("an object"));
         if (isAreaLight(light))
             set.areaLights.push_back(areaLightFromJson(light, place));
@@ -112,7 +117,7 @@ LightSet readLights(const std::string& path)
     return lightsFromJson(readText(path, "a JSON file of lights"), path);
 }
 
-std::string lightsToJson(const LightSet& set)
+Json listFromLights(const LightSet& set)
 {
     Json list = Json::array();
     for (const Light& light : set.lights) {
@@ -120,7 +125,7 @@ std::string lightsToJson(const LightSet& set)
         Json entry{{"type", typeName(light.type)},
                    {isDirectional ? "direction" : "position", jsonFromVector(light.position)},
                    {"intensity", jsonFromVector(light.intensity)}};
-        if (light.radius > 0.0f) entry["radius"] = light.radius;
+        if (light.radius > 0.0f) entry["radius"] = jsonFromFloat(light.radius);
         if (light.type == Light::Type::spot) {
             entry["axis"] = jsonFromVector(light.axis);
             entry["inner_degrees"] = static_cast<double>(light.innerAngle) * 180.0 / kPi;
@@ -129,7 +134,12 @@ std::string lightsToJson(const LightSet& set)
         list.push_back(entry);
     }
     for (const AreaLight& light : set.areaLights) list.push_back(jsonFromAreaLight(light));
-    return Json{{"lights", list}}.dump(2) + "\n";
+    return list;
+}
+
+std::string lightsToJson(const LightSet& set)
+{
+    return Json{{"lights", listFromLights(set)}}.dump(2) + "\n";
 }
 
 }  // namespace fbrdf::scene

@@ -2,6 +2,8 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Number.h>
+#include <fbrdf/base/Text.h>
 
 #include <cmath>
 
@@ -68,9 +70,20 @@ Vec3f directionOf(const Json& light, const char* name, const std::string& where)
     return Vec3f(direction / length);
 }
 
+Json jsonFromFloat(float number)
+{
+    // 9 digits give every float back; fewer are easier to read.
+    for (const int digits : {7, 8}) {
+        double rounded = 0.0;
+        parseNumber(numberText(static_cast<double>(number), digits), rounded);
+        if (static_cast<float>(rounded) == number) return rounded;
+    }
+    return static_cast<double>(number);
+}
+
 Json jsonFromVector(const Vec3f& vector)
 {
-    return Json::array({vector.x, vector.y, vector.z});
+    return Json::array({jsonFromFloat(vector.x), jsonFromFloat(vector.y), jsonFromFloat(vector.z)});
 }
 
 }  // namespace fbrdf::scene

@@ -29,6 +29,7 @@ struct LightSet {
     std::vector<Light> lights;
     std::vector<AreaLight> areaLights;
     size_t size() const { return lights.size() + areaLights.size(); }
+    bool operator==(const LightSet& other) const;
 };
 
 /// Throws Error(input) naming file, light and field for text that is not JSON (with line and

@@ -1,0 +1,102 @@
+#include "WorldUpdate.h"
+
+#include <fbrdf/base/Error.h>
+
+namespace fbrdf::viewer {
+
+WorldUpdate::WorldUpdate(World& world, GlScene& scene, ToneMapper& toneMapper,
+                         scene::Document document)
+    : world_(world), scene_(scene), toneMapper_(toneMapper), shown_(std::move(document))
+{
+    if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
+}
+
+void WorldUpdate::follow(scene::Document& document)
+{
+    try {
+        followMesh(document);
+        followEnvironment(document);
+    } catch (const Error&) {
+        document.mesh = shown_.mesh;
+        document.environment.name = shown_.environment.name;
+        throw;
+    }
+    followLights(document);
+    followStyle(document);
+}
+
+void WorldUpdate::followMesh(const scene::Document& document)
+{
+    if (document.mesh == shown_.mesh && document.ground == shown_.ground) return;
+    if (document.mesh != shown_.mesh) {
+        world_.mesh = scene::meshFromName(document.mesh);
+        scene_.replaceMesh(world_.mesh);
+        world_.lights = lightsOf(document.lights, scene::boundsOf(world_.mesh));
+    }
+    world_.instances = {{&world_.mesh}};
+    world_.ground.reset();
+    if (document.ground) {
+        makeGround(world_);
+        scene_.replaceGround(*world_.ground);
+    }
+    shown_.mesh = document.mesh;
+    shown_.ground = document.ground;
+    countChange();
+}
+
+void WorldUpdate::followLights(const scene::Document& document)
+{
+    if (document.lights == shown_.lights) return;
+    world_.lights = lightsOf(document.lights, scene::boundsOf(world_.mesh));
+    shown_.lights = document.lights;
+    countChange();
+}
+
+void WorldUpdate::followEnvironment(const scene::Document& document)
+{
+    const scene::SceneEnvironment& wanted = document.environment;
+    scene::SceneEnvironment& shown = shown_.environment;
+    if (wanted == shown) return;
+    // Directions need a table beside the cube.
+    const bool sampledAnew = (wanted.samples > 0) != (shown.samples > 0);
+    if (wanted.name != shown.name) world_.environment = environmentFrom(wanted);
+    scene_.setEnvironmentSamples(wanted.samples);
+    if (wanted.name != shown.name || sampledAnew) {
+        scene_.replaceEnvironment(world_.environment ? &*world_.environment : nullptr);
+        if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
+    }
+    if (world_.environment) {
+        turnTo(wanted, *world_.environment);
+        scene_.turnEnvironment(*world_.environment, wanted.lobes);
+    }
+    shown = wanted;
+    countChange();
+}
+
+void WorldUpdate::followStyle(const scene::Document& document)
+{
+    if (document.lookUp != shown_.lookUp || document.precise != shown_.precise) {
+        scene_.setUpload(document.lookUp, document.precise, world_);
+        countChange();
+    }
+    if (document.shadows != shown_.shadows) {
+        scene_.setShadows(document.shadows, world_.mesh);
+        countChange();
+    }
+    if (!(document.limits == shown_.limits)) {
+        scene_.setLimits(document.limits);
+        countChange();
+    }
+    if (document.samples != shown_.samples || document.pathSamples != shown_.pathSamples ||
+        document.spread != shown_.spread)
+        countChange();
+    shown_.lookUp = document.lookUp;
+    shown_.precise = document.precise;
+    shown_.shadows = document.shadows;
+    shown_.limits = document.limits;
+    shown_.samples = document.samples;
+    shown_.pathSamples = document.pathSamples;
+    shown_.spread = document.spread;
+}
+
+}  // namespace fbrdf::viewer

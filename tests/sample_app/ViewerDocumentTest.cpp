@@ -1,0 +1,143 @@
+// ViewerDocumentTest.cpp - scenes of fbrdf-viewer: saved and undone in the window, drawn without.
+#include "ViewerFixture.h"
+
+#include <fbrdf/base/OutputFile.h>
+
+namespace fbrdf::scene {
+namespace {
+
+class ViewerDocument : public ViewerWindow {
+protected:
+    void SetUp() override
+    {
+        ViewerWindow::SetUp();
+        if (!hasCommand("xdotool")) GTEST_SKIP() << "needs xdotool";
+        if (!hasBackend(Backend::egl)) GTEST_SKIP() << "no context on egl";
+    }
+    /// A window, the keys that are pressed in it one after the other, and Q. It runs in the folder
+    /// of the test's files.
+    ProgramResult press(const std::string& arguments, const std::string& keys)
+    {
+        const std::string program = file("keys.sh");
+        writeFile(program,
+                  "cd '" + file("") +
+                      "'\n\"$@\" & viewer=$!\n"
+                      "until xdotool search --onlyvisible --name fbrdf >/dev/null 2>&1; do\n"
+                      "  kill -0 $viewer || exit 1; sleep 0.1\n"
+                      "done\n"
+                      "xdotool mousemove 60 40\nsleep 1\n"
+                      "for key in " +
+                      keys +
+                      " q; do xdotool key $key; sleep 0.7; done\n"
+                      "wait $viewer\n");
+        return runViewer("--size 96x64 " + arguments, xvfb_ + " bash '" + program + "'");
+    }
+    std::string saved() const { return file("fbrdf-viewer-001.json"); }
+};
+
+/// Mean difference over the mean of what is expected.
+double difference(const Image& a, const Image& b)
+{
+    EXPECT_EQ(a.rgba.size(), b.rgba.size());
+    double off = 0.0, sum = 0.0;
+    for (size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i) {
+        off += std::abs(double(a.rgba[i]) - double(b.rgba[i]));
+        sum += double(b.rgba[i]);
+    }
+    return off / sum;
+}
+
+TEST_F(ViewerDocument, WhatTheWindowSavesIsDrawnWithoutOne)
+{
+    const std::string arguments = "--plain --ground --shadows --samples 2 --material '" +
+                                  file("made.fbrdf") + "' --out '" + file("w.exr") + "' --stats '" +
+                                  file("w.json") + "'";
+    const ProgramResult result = press(arguments, "o t l plus ctrl+s");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto scene = readJson(saved());
+    EXPECT_EQ(scene["mesh"], "knot");
+    EXPECT_EQ(scene["technique"], "batched");
+    EXPECT_EQ(scene["lights"]["made"], 10);
+    EXPECT_EQ(scene["materials"][0]["source"], "made.fbrdf");
+    EXPECT_EQ(scene["size"], (nlohmann::json{96, 64}));
+    const Image window = readExr(file("w.exr"));
+    const Image headless = draw("--headless --scene '" + saved() + "'");
+    EXPECT_LE(difference(headless, window), 1e-4);
+    EXPECT_EQ(stats_["technique"], "batched");
+    // The test can fail: another light is another picture.
+    EXPECT_GT(difference(draw("--headless '" + saved() + "' --light-count 2"), window), 1e-2);
+}
+
+TEST_F(ViewerDocument, UndoAndRedoGoThroughTheChanges)
+{
+    const std::string material = "--plain --material '" + file("made.fbrdf") + "' ";
+    ASSERT_EQ(press(material, "space o t plus ctrl+z ctrl+z ctrl+z ctrl+s").exitCode, 0);
+    auto scene = readJson(saved());
+    EXPECT_EQ(scene["mesh"], "sphere");
+    EXPECT_EQ(scene["technique"], "single");
+    EXPECT_EQ(scene["turning"], true);
+    std::filesystem::remove(saved());
+    ASSERT_EQ(press(material, "space o t plus ctrl+z ctrl+z ctrl+z ctrl+shift+z ctrl+s").exitCode,
+              0);
+    scene = readJson(saved());
+    EXPECT_EQ(scene["mesh"], "knot");
+    EXPECT_EQ(scene["technique"], "single");
+}
+
+TEST_F(ViewerDocument, AWindowGoesOnWithASceneAndSavesItToItsFile)
+{
+    const std::string path = file("mine.json");
+    writeFile(path, R"({"fbrdf_scene": 1, "materials": [{"source": "made.fbrdf"}], "mesh": "knot",
+                        "lights": {"made": 2}, "exposure": 0.5})");
+    const ProgramResult result = press("--scene '" + path + "'", "o ctrl+s");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto scene = readJson(path);
+    EXPECT_EQ(scene["mesh"], "plane");
+    EXPECT_EQ(scene["exposure"], 0.5);
+    EXPECT_EQ(scene["ground"], false);
+    EXPECT_FALSE(std::filesystem::exists(saved()));
+}
+
+TEST_F(Viewer, OptionsChangePartsOfAScene)
+{
+    NEEDS(Backend::egl);
+    const std::string path = file("scene.json");
+    writeFile(path, R"({"fbrdf_scene": 1, "materials": [{"source": "made.fbrdf"}], "mesh": "knot",
+                        "lights": {"made": 3, "seed": 2}, "size": [40, 30],
+                        "technique": "two-lookup"})");
+    const Image image = draw("--headless --scene '" + path + "'");
+    EXPECT_EQ(image.width, 40);
+    EXPECT_EQ(stats_["mesh"], "knot");
+    EXPECT_EQ(stats_["lights"]["given"], 3);
+    EXPECT_EQ(stats_["technique"], "two-lookup");
+    const Image same = draw(
+        "--headless --size 40x30 --mesh knot --light-count 3 --seed 2 "
+        "--technique two-lookup --material '" +
+        file("made.fbrdf") + "'");
+    EXPECT_EQ(image.rgba, same.rgba);
+    draw("--headless '" + path + "' --mesh sphere --light-count 1 --technique single");
+    EXPECT_EQ(stats_["mesh"], "sphere");
+    EXPECT_EQ(stats_["lights"]["given"], 1);
+    EXPECT_EQ(stats_["technique"], "single");
+}
+
+TEST_F(Viewer, ASceneThatIsWrongIsNamedAndLeavesNoPicture)
+{
+    const std::string path = file("scene.json"), out = file("p.png");
+    const auto refuse = [&](const char* text, int exitCode, const std::string& where) {
+        writeFile(path, text);
+        expectError(runViewer("--headless --scene '" + path + "' --out '" + out + "'"), exitCode,
+                    where);
+        EXPECT_FALSE(std::filesystem::exists(out));
+    };
+    refuse(R"({"fbrdf_scene": 1, "exposure": "high"})", 3, "scene.json: exposure: found \"high\"");
+    refuse(R"({"fbrdf_scene": 1, "mesh": "none.obj"})", 3, "none.obj");
+    refuse(R"({"fbrdf_scene": 1, "materials": [{"source": "none.csv"}]})", 3, "none.csv");
+    refuse(R"({"fbrdf_scene": 1, )", 3, "scene.json: found");
+    expectError(runViewer("--headless --scene '" + file("none.json") + "'"), 3, "none.json");
+    expectError(runViewer("sheet made.fbrdf --scene '" + path + "' -o '" + out + "'"), 3,
+                "scene.json");
+}
+
+}  // namespace
+}  // namespace fbrdf::scene
