@@ -3,6 +3,7 @@
 #include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <fbrdf/base/Percent.h>
 #include <fbrdf/base/Text.h>
 
 #include <osgDB/FileNameUtils>
@@ -166,6 +167,26 @@ std::vector<std::string> refusedOf(const std::string& options, Use use)
 
 }  // namespace
 
+MaterialTable materialTable(const std::string& text, std::vector<std::string>& problems)
+{
+    MaterialTable table;
+    std::istringstream entries(text);
+    for (std::string entry; std::getline(entries, entry, ',');) {
+        const size_t colon = entry.find(':');
+        const bool isPart = colon != std::string::npos;
+        const std::string part = isPart ? fbrdf::percentDecoded(entry.substr(0, colon)) : "",
+                          file = fbrdf::percentDecoded(isPart ? entry.substr(colon + 1) : entry);
+        if (file.empty() || (isPart && part.empty()) || (!isPart && !table.rest.empty()))
+            problems.push_back("materials '" + text + "': found '" + entry +
+                               "', expected PART:FILE,PART:FILE,...");
+        else if (isPart)
+            table.parts.push_back({part, file});
+        else
+            table.rest = file;
+    }
+    return table;
+}
+
 PseudoName pseudoName(const std::string& file)
 {
     const std::string rest = osgDB::getNameLessExtension(file);
@@ -202,6 +223,9 @@ std::vector<OptionText> optionTexts()
             {"preciseFiltering=0|1", "1 filters maps in the shader, finer than a GPU; default 0"},
             {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
             {"reload=0|1", "1 reads the material again when its file changes; default 0"},
+            {"materials=<part>:<file>,...",
+             "Materials of parts, by the names of nodes, state sets or osg::Materials; default "
+             "none"},
             {"environment=<file>|studio|overcast|clear",
              "Light from everywhere: a picture of latitude and longitude, or a sky; default none"},
             {"environmentRotation=<degrees>", "Turns it about the vertical; default 0"},
@@ -215,6 +239,25 @@ std::vector<std::string> applyOptions(FactorizedBrdf& effect, const std::string&
     return refusedOf(options, [&](const std::string& name, const std::string& text) {
         return applyOption(effect, name, text);
     });
+}
+
+std::vector<std::string> applyMaterials(FactorizedBrdf& effect, const std::string& name,
+                                        const std::string& options, const osgDB::Options* paths)
+{
+    std::vector<std::string> problems;
+    // A name without a colon is a file, whatever else is in it.
+    std::vector<MaterialTable> tables{name.find(':') == name.npos ? MaterialTable{name, {}}
+                                                                  : materialTable(name, problems)};
+    refusedOf(options, [&](const std::string& option, const std::string& text) {
+        if (option == "materials") tables.push_back(materialTable(text, problems));
+        return true;
+    });
+    for (const MaterialTable& table : tables) {
+        if (!table.rest.empty()) effect.setMaterialFile(table.rest, paths);
+        for (const PartFile& part : table.parts)
+            effect.setPartMaterialFile(part.part, part.file, paths);
+    }
+    return problems;
 }
 
 osg::ref_ptr<EnvironmentLight> environmentOf(const std::string& options,

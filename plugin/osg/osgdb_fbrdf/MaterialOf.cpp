@@ -15,10 +15,16 @@ struct Collector : public osg::NodeVisitor {
     Collector() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
     void apply(osg::Group& group) override
     {
-        const auto* effect = dynamic_cast<const FactorizedBrdf*>(&group);
-        if (effect && effect->getMaterial() && effect->getMaterial()->valid())
-            materials.insert(effect->getMaterial());
+        if (const auto* effect = dynamic_cast<const FactorizedBrdf*>(&group)) {
+            add(*effect);
+            for (const FactorizedBrdf* part : effect->effectsOfParts()) add(*part);
+        }
         traverse(group);
+    }
+    void add(const FactorizedBrdf& effect)
+    {
+        if (effect.getMaterial() && effect.getMaterial()->valid())
+            materials.insert(effect.getMaterial());
     }
     std::set<const MaterialObject*> materials;
 };

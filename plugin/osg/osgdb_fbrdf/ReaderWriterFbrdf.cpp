@@ -1,5 +1,6 @@
 // osgdb_fbrdf: materials for osgDB. FILE.fbrdf is a sphere of that material, or the material itself
-// where osgFbrdf::readMaterialObject() asks; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it.
+// where osgFbrdf::readMaterialObject() asks; MODEL.EXT.[FILE].fbrdf is MODEL.EXT drawn with it, and
+// MODEL.EXT.[PART:FILE,PART:FILE].fbrdf with a material for each part.
 // SCENE.EXT.fbrdf, where that is no material, writes SCENE.EXT in the plain form
 // (osgFbrdf/PlainForm.h) and reads it back. What is written to FILE.fbrdf and to streams is the
 // material of an object, or the one material of a scene.
@@ -33,7 +34,8 @@ public:
     {
         supportsExtension(
             "fbrdf",
-            "Factored BRDF, read and written; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it; "
+            "Factored BRDF, read and written; MODEL.EXT.[FILE.fbrdf].fbrdf is a model with it, "
+            "MODEL.EXT.[PART:FILE.fbrdf,PART:FILE.fbrdf].fbrdf one with parts of several; "
             "SCENE.EXT.fbrdf writes and reads SCENE.EXT for readers without osgFbrdf");
         for (const OptionText& option : optionTexts()) supportsOption(option.name, option.text);
     }
@@ -222,9 +224,11 @@ private:
                               fbrdf::Found("no model that can be read").expected("one"));
         osg::ref_ptr<FactorizedBrdf> effect = newEffect(options);
         effect->setName(name.model);
-        // The material may also be beside the model. Without it the fallback draws the model.
-        effect->setMaterialFile(name.material,
-                                besides(osgDB::findDataFile(name.model, options), options));
+        // Materials may also be beside the model. Without one the fallback draws its part.
+        for (const std::string& problem :
+             applyMaterials(*effect, name.material, options ? options->getOptionString() : "",
+                            besides(osgDB::findDataFile(name.model, options), options)))
+            OSG_WARN << "osgdb_fbrdf: " << problem << std::endl;
         effect->addChild(model);
         return lit(effect, options).get();
     }

@@ -4,6 +4,7 @@
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Percent.h>
 
 #include <osg/Notify>
 #include <osgDB/InputStream>
@@ -67,8 +68,8 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
 
 // Binary files have all properties in a fixed order, so a property that is added later must belong
 // to a later format. Format 2 has materials in the scene itself, format 3 PreciseFiltering, format
-// 4 FreeTextureUnits.
-constexpr int kEmbeddingFormat = 2, kPreciseFormat = 3, kFormat = 4;
+// 4 FreeTextureUnits, format 5 Parts.
+constexpr int kEmbeddingFormat = 2, kPreciseFormat = 3, kFreeUnitsFormat = 4, kFormat = 5;
 
 thread_local int formatBeingRead = 0;  ///< of the effect whose properties are read
 
@@ -95,7 +96,8 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
 /// they lose something.
 int formatOf(const FactorizedBrdf& effect)
 {
-    if (!effect.getFreeTextureUnits().empty()) return kFormat;
+    if (!effect.getParts().empty()) return kFormat;
+    if (!effect.getFreeTextureUnits().empty()) return kFreeUnitsFormat;
     if (effect.getPreciseFiltering()) return kPreciseFormat;
     return isEmbedded(effect) ? kEmbeddingFormat : 1;
 }
@@ -186,6 +188,45 @@ bool writeFreeTextureUnits(osgDB::OutputStream& stream, const FactorizedBrdf& ef
     return true;
 }
 
+bool hasParts(const FactorizedBrdf& effect)
+{
+    return !effect.getParts().empty();
+}
+
+// A name with a space in quotes would not do: OSG 3.6.5 loses it in XML.
+void readPart(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    std::string name;
+    stream >> name >> stream.BEGIN_BRACKET;
+    const auto part = stream.readObjectOfType<FactorizedBrdf>();
+    stream >> stream.END_BRACKET;
+    if (part) effect.setPart(fbrdf::percentDecoded(name), part);
+}
+
+bool readParts(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    const int format = formatBeingRead;  // effects of parts have formats of their own
+    unsigned int count = 0;
+    stream >> count >> stream.BEGIN_BRACKET;
+    for (unsigned int i = 0; i < count && !stream.getException(); ++i) readPart(stream, effect);
+    stream >> stream.END_BRACKET;
+    formatBeingRead = format;
+    return true;
+}
+
+bool writeParts(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    stream << static_cast<unsigned int>(effect.getParts().size()) << stream.BEGIN_BRACKET
+           << std::endl;
+    for (const osgFbrdf::ModelPart& part : effect.getParts()) {
+        stream << fbrdf::percentEncoded(part.name) << stream.BEGIN_BRACKET << std::endl;
+        stream.writeObject(part.effect.get());
+        stream << stream.END_BRACKET << std::endl;
+    }
+    stream << stream.END_BRACKET << std::endl;
+    return true;
+}
+
 // A technique that the runtime gets later must not take this number, which is in scene files: it
 // needs a table from numbers of files to indices.
 static_assert(osgFbrdf::kDiffuseFallback == 3, "scene files have this number");
@@ -239,9 +280,12 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
                        new Precise("PreciseFiltering", false, &FactorizedBrdf::getPreciseFiltering,
                                    &FactorizedBrdf::setPreciseFiltering)),
         osgDB::BaseSerializer::RW_BOOL);
-    using FreeUnits = osgDB::UserSerializer<FactorizedBrdf>;
+    using User = osgDB::UserSerializer<FactorizedBrdf>;
     wrapper->addSerializer(
-        new FromFormat(kFormat, new FreeUnits("FreeTextureUnits", &checkFreeTextureUnits,
-                                              &readFreeTextureUnits, &writeFreeTextureUnits)),
+        new FromFormat(kFreeUnitsFormat, new User("FreeTextureUnits", &checkFreeTextureUnits,
+                                                  &readFreeTextureUnits, &writeFreeTextureUnits)),
+        osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(
+        new FromFormat(kFormat, new User("Parts", &hasParts, &readParts, &writeParts)),
         osgDB::BaseSerializer::RW_USER);
 }

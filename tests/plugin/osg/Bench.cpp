@@ -1,10 +1,14 @@
 // fbrdf-osg-bench prints how many milliseconds OpenSceneGraph takes to cull and draw the effect
-// under 64 lights, beside the plain runtime. Both take turns in one process and context; glFinish
-// ends each frame.
+// under 64 lights, beside the plain runtime; and a model of a thousand parts of four materials,
+// beside the same under one material and the same without. All take turns in one process and
+// context; glFinish ends each frame.
 #include "OsgScene.h"
 
 #include "support/FrameTimes.h"
 #include "support/gl/Scenes.h"
+
+#include <osg/Material>
+#include <osg/MatrixTransform>
 
 #include <cstdio>
 
@@ -13,7 +17,70 @@ namespace {
 using namespace fbrdf;
 using namespace fbrdf::test;
 
-constexpr int kLights = 64, kFrames = 31;
+constexpr int kLights = 64, kFrames = 31, kWarmUp = 3;
+constexpr int kPartsInRow = 10, kMaterials = 4;
+constexpr int kPartLights = 4;
+
+/// A thousand balls, each with a state set and an osg::Material of its own, in four names.
+osg::ref_ptr<osg::Group> thousandBalls()
+{
+    osg::ref_ptr<osg::Group> model = new osg::Group;
+    for (int i = 0; i < kPartsInRow * kPartsInRow * kPartsInRow; ++i) {
+        const auto place = [](int step) { return (step % kPartsInRow - 4.5) / 5.0; };
+        osg::ref_ptr<osg::MatrixTransform> ball =
+            new osg::MatrixTransform(osg::Matrixd::scale(0.08, 0.08, 0.08) *
+                                     osg::Matrixd::translate(place(i), place(i / kPartsInRow),
+                                                             place(i / kPartsInRow / kPartsInRow)));
+        const auto mesh = osgMesh(sphereMesh(4));
+        osg::ref_ptr<osg::Material> material = new osg::Material;
+        material->setName("part" + std::to_string(i % kMaterials));
+        mesh->getOrCreateStateSet()->setAttribute(material);
+        ball->addChild(mesh);
+        model->addChild(ball);
+    }
+    return model;
+}
+
+osg::ref_ptr<osg::Group> withLights(osg::Node* node)
+{
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(node);
+    root->addChild(osgLights(testLights(kPartLights)));
+    return root;
+}
+
+void printParts(OsgView& view, const Material& material)
+{
+    const auto model = thousandBalls();
+    osg::ref_ptr<osgFbrdf::FactorizedBrdf> parts = new osgFbrdf::FactorizedBrdf,
+                                           one = new osgFbrdf::FactorizedBrdf;
+    for (const auto& effect : {parts, one}) {
+        effect->setFloatTarget(true);
+        effect->addChild(model);
+    }
+    one->setMaterial(new osgFbrdf::MaterialObject(material));
+    for (int i = 0; i < kMaterials; ++i)
+        parts->setPartMaterial("part" + std::to_string(i), new osgFbrdf::MaterialObject(material));
+    const std::vector<osg::ref_ptr<osg::Group>> scenes{withLights(parts), withLights(one),
+                                                       withLights(model)};
+    for (const int technique : {0, 2}) {
+        parts->selectTechnique(technique);
+        one->selectTechnique(technique);
+        std::vector<std::vector<double>> times(scenes.size());
+        for (int i = -kWarmUp; i < kFrames; ++i)
+            for (size_t s = 0; s < scenes.size(); ++s) {
+                view.setScene(scenes[s]);
+                const double time = milliseconds(glFinish, [&] { view.draw(); });
+                if (i >= 0) times[s].push_back(time);
+            }
+        const double ofParts = median(times[0]), ofOne = median(times[1]), plain = median(times[2]);
+        std::printf(
+            "%-10s %d lights, 1000 parts: %d materials %.2f ms, one %.2f ms, none %.2f "
+            "ms; %.2f times one, %.2f times none\n",
+            techniqueName(static_cast<Technique>(technique)), kPartLights, kMaterials, ofParts,
+            ofOne, plain, ofParts / ofOne, ofParts / plain);
+    }
+}
 
 }  // namespace
 
@@ -41,7 +108,7 @@ try {
         draw.technique = static_cast<Technique>(technique);
         effect->selectTechnique(technique);
         std::vector<double> osg, runtime;
-        for (int i = -3; i < kFrames; ++i) {  // three to warm up
+        for (int i = -kWarmUp; i < kFrames; ++i) {
             const double a = milliseconds(glFinish, [&] { view.draw(); }),
                          b = milliseconds(glFinish, [&] {
                              target.clear();
@@ -58,6 +125,7 @@ try {
             techniqueName(draw.technique), kLights, kSize, kSize, median(osg), median(runtime),
             median(osg) / median(runtime));
     }
+    printParts(view, material);
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -124,7 +124,7 @@ void cullFixed(const EffectCull& cull, const InheritedState& inherited, const os
             cull.visitor.addPositionedAttribute(nullptr, light.get());
     const auto state = fixedState(surfaceOf(cull.effect, scene), scene, inherited);
     cull.visitor.pushStateSet(state);
-    cull.effect.inherited_traverse(cull.visitor);
+    cull.cullModel();
     cull.visitor.popStateSet();
 }
 
@@ -149,7 +149,7 @@ void cullShaded(const EffectCull& cull, const InheritedState& inherited, const o
 void cullDiffuse(const EffectCull& cull, const std::string& reason)
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
-    FactorizedBrdf& effect = cull.effect;
+    const FactorizedBrdf& effect = cull.effect;
     const osg::State* context = visitor.getState();
     DrawReport report{"diffuse fallback", reason};
     if (context) report.reason = cull.internals.choice->whyNothing(context->getContextID());
@@ -172,21 +172,18 @@ void cullDiffuse(const EffectCull& cull, const std::string& reason)
     report.whyLightsInvalid = scene.whyInvalid;
     cull.internals.log.report(effect, report);
     const osg::Vec3d centre =
-        osg::Vec3d(effect.getBound().center()) * *visitor.getModelViewMatrix();
+        osg::Vec3d(cull.model.getBound().center()) * *visitor.getModelViewMatrix();
     if (context && hasOsgInputs(*context))
         cullShaded(cull, inherited, centre);
     else
         cullFixed(cull, inherited, centre);
 }
 
-void DiffuseTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
+void DiffuseTechnique::cull(const EffectCull& cull)
 {
-    auto* culling = visitor.asCullVisitor();
-    if (!culling) return effect->inherited_traverse(visitor);
-    const bool missing = !effect_.getMaterial() || !effect_.getMaterial()->valid();
-    const bool forced = effect_.getSelectedTechnique() == kDiffuseFallback;
-    const EffectCull cull{*culling, ViewState::of(*culling), effect_, internals_};
-    cullDiffuse(cull, missing ? "no material" : forced ? "" : internals_.choice->refusal());
+    const bool missing = !cull.effect.getMaterial() || !cull.effect.getMaterial()->valid();
+    const bool forced = cull.selected == kDiffuseFallback;
+    cullDiffuse(cull, missing ? kNoMaterial : forced ? "" : cull.internals.choice->refusal());
 }
 
 }  // namespace osgFbrdf

@@ -4,35 +4,23 @@
 #pragma once
 #include "EffectCull.h"
 
-#include <osgFX/Technique>
-
 #include <string>
 
 namespace osgFbrdf {
 
-/// Culls the children of the effect diffusely and reports why; or does not, where nothing can be
-/// drawn, and reports that.
+/// Culls the model diffusely and reports why; or does not, where nothing can be drawn, and reports
+/// that.
 void cullDiffuse(const EffectCull& cull, const std::string& reason);
 
-class DiffuseTechnique : public osgFX::Technique {
+class DiffuseTechnique : public EffectTechnique {
 public:
-    DiffuseTechnique(FactorizedBrdf& effect, EffectInternals& internals)
-        : effect_(effect), internals_(internals)
-    {
-    }
-
     const char* techniqueName() override { return "diffuse fallback"; }
     const char* techniqueDescription() override { return "Diffuse, eight lights at most."; }
     bool validate(osg::State&) const override { return true; }
-    void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
+    void cull(const EffectCull& cull) override;
 
 protected:
     ~DiffuseTechnique() override = default;
-    void define_passes() override {}
-
-private:
-    FactorizedBrdf& effect_;  ///< owns this
-    EffectInternals& internals_;
 };
 
 }  // namespace osgFbrdf

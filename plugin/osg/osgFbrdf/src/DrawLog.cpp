@@ -56,6 +56,12 @@ void DrawLog::report(const FactorizedBrdf& effect, const DrawReport& report)
     last_ = report;
 }
 
+void DrawLog::knows(const std::string& reason)
+{
+    const Lock lock(mutex_);
+    warned_.insert(reason);
+}
+
 DrawReport DrawLog::last() const
 {
     const Lock lock(mutex_);

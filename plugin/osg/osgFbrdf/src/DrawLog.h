@@ -17,6 +17,8 @@ public:
     /// technique was drawn than the one selected or where lights were left out.
     void report(const FactorizedBrdf& effect, const DrawReport& report);
     DrawReport last() const;
+    /// The reason is in the log already.
+    void knows(const std::string& reason);
     /// The effect has changed: what it was warned of may be warned of again.
     void forgetWarnings();
 

@@ -10,7 +10,7 @@ void cullUnder(const EffectCull& cull, osg::StateSet* state, osg::StateSet* vary
 {
     cull.visitor.pushStateSet(state);
     cull.visitor.pushStateSet(varying);
-    cull.effect.inherited_traverse(cull.visitor);
+    cull.cullModel();
     cull.visitor.popStateSet();
     cull.visitor.popStateSet();
 }

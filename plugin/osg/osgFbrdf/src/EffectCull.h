@@ -1,5 +1,8 @@
 // EffectCull.h - one effect in one cull traversal: what a technique fetches once and hands down.
 #pragma once
+#include <osgFX/Technique>
+
+#include <functional>
 
 namespace osg {
 class StateSet;
@@ -14,14 +17,30 @@ class EffectInternals;
 class FactorizedBrdf;
 class ViewState;
 
+/// The reason of an effect without one.
+constexpr const char* kNoMaterial = "no material";
+
 struct EffectCull {
     osgUtil::CullVisitor& visitor;
     ViewState& view;
-    FactorizedBrdf& effect;
+    FactorizedBrdf& effect;  ///< has the material and the properties
     EffectInternals& internals;
+    const FactorizedBrdf& model;  ///< what is drawn is below it
+    /// Culls that under the state that the visitor has: to be called once for each pass.
+    const std::function<void()>& cullModel;
+    int selected = 0;  ///< the technique that is to draw, or AUTO_DETECT
 };
 
-/// Culls the children of the effect once, under the state of a pass and what changes with the
+/// A technique of the effect. FactorizedBrdf replaces the traversal of osgFX.
+class EffectTechnique : public osgFX::Technique {
+public:
+    virtual void cull(const EffectCull& cull) = 0;
+
+protected:
+    void define_passes() override {}  // they depend on the scene
+};
+
+/// Culls the model once, under the state of a pass and what changes with the
 /// frame.
 void cullUnder(const EffectCull& cull, osg::StateSet* state, osg::StateSet* varying);
 

@@ -6,6 +6,8 @@
 #include "GlObjectsInUse.h"
 #include "TechniqueChoice.h"
 
+#include <atomic>
+
 namespace osgFbrdf {
 
 class EffectInternals : public osg::Referenced {
@@ -14,6 +16,7 @@ public:
     GlObjectsInUse objects;
     const osg::ref_ptr<TechniqueChoice> choice = new TechniqueChoice;
     const osg::ref_ptr<DiffuseShader> diffuse = new DiffuseShader;
+    std::atomic<bool> partsAreKnown{false};  ///< the log has the names in the table without a part
 
 protected:
     ~EffectInternals() override = default;

@@ -6,6 +6,7 @@
 #include "KeptTransforms.h"
 #include "PassTechnique.h"
 #include "ShapeCameras.h"
+#include "ViewState.h"
 
 #include <fbrdf/base/Found.h>
 
@@ -27,13 +28,14 @@ static_assert(kSinglePass == static_cast<int>(fbrdf::Technique::single) &&
                   kTwoLookups == static_cast<int>(fbrdf::Technique::twoLookup),
               "techniques of an effect have the order of the runtime's");
 
-/// how: kShared or kAnew.
+/// how: kShared or kAnew; name: of the effect, for the log.
 osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options* options,
-                                  const char* how)
+                                  const char* how, const std::string& name)
 {
+    const std::string where = "osgFbrdf: " + (name.empty() ? "" : "'" + name + "', ");
     auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension("fbrdf");
     if (!reader) {
-        OSG_WARN << "osgFbrdf: " << file << ": "
+        OSG_WARN << where << file << ": "
                  << fbrdf::Found("no plugin osgdb_fbrdf to read it with")
                         .expected("it in OSG_LIBRARY_PATH")
                  << std::endl;
@@ -45,7 +47,7 @@ osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options*
     auto result = reader->readObject(file, local);
     osg::ref_ptr<MaterialObject> material = dynamic_cast<MaterialObject*>(result.getObject());
     if (!material)
-        OSG_WARN << "osgFbrdf: "
+        OSG_WARN << where
                  << (result.message().empty()
                          ? file + ": " + fbrdf::Found("no such file").expected("a material")
                          : result.message())
@@ -58,7 +60,7 @@ osg::ref_ptr<MaterialObject> read(const std::string& file, const osgDB::Options*
 osg::ref_ptr<MaterialObject> readMaterialObject(const std::string& file,
                                                 const osgDB::Options* options)
 {
-    return read(file, options, kShared);
+    return read(file, options, kShared, "");
 }
 
 FactorizedBrdf::FactorizedBrdf()
@@ -73,34 +75,46 @@ FactorizedBrdf::FactorizedBrdf(const FactorizedBrdf& other, const osg::CopyOp& o
     : osgFX::Effect(other, op),
       materialFile_(other.materialFile_),
       material_(other.material_),
-      exposure_(other.exposure_),
-      lightsPerPass_(other.lightsPerPass_),
-      lookupsPerPass_(other.lookupsPerPass_),
-      firstTextureUnit_(other.firstTextureUnit_),
-      freeTextureUnits_(other.freeTextureUnits_),
-      floatTarget_(other.floatTarget_),
-      derivedTangents_(other.derivedTangents_),
-      preciseFiltering_(other.preciseFiltering_),
-      transfer_(other.transfer_),
       watch_(std::make_unique<FileWatch>(*other.watch_)),
       internals_(new EffectInternals)
 {
     FactorizedBrdf::define_techniques();
+    takeProperties(other);
     setReloading(other.reloading_);
+    for (const ModelPart& part : other.parts_)
+        parts_.push_back({part.name, (op.getCopyFlags() & osg::CopyOp::DEEP_COPY_NODES)
+                                         ? osg::clone(part.effect.get(), op)
+                                         : part.effect.get()});
+}
+
+/// All but material, name, children and parts.
+void FactorizedBrdf::takeProperties(const FactorizedBrdf& other)
+{
+    exposure_ = other.exposure_;
+    lightsPerPass_ = other.lightsPerPass_;
+    lookupsPerPass_ = other.lookupsPerPass_;
+    firstTextureUnit_ = other.firstTextureUnit_;
+    freeTextureUnits_ = other.freeTextureUnits_;
+    floatTarget_ = other.floatTarget_;
+    derivedTangents_ = other.derivedTangents_;
+    preciseFiltering_ = other.preciseFiltering_;
+    transfer_ = other.transfer_;
+    selectTechnique(other.getSelectedTechnique());
 }
 
 bool FactorizedBrdf::setMaterialFile(const std::string& file, const osgDB::Options* options)
 {
     materialFile_ = file;
     watch_->follow(file.empty() ? "" : osgDB::findDataFile(file, options));
-    material_ = file.empty() ? nullptr : readMaterialObject(file, options);
+    material_ = file.empty() ? nullptr : read(file, options, kShared, getName());
     changed();
     return material_.valid();
 }
 
 bool FactorizedBrdf::reloadMaterial(const osgDB::Options* options)
 {
-    return !materialFile_.empty() && replaceMaterial(read(materialFile_, options, kAnew));
+    return !materialFile_.empty() &&
+           replaceMaterial(read(materialFile_, options, kAnew, getName()));
 }
 
 /// Null changes nothing.
@@ -124,7 +138,7 @@ void FactorizedBrdf::reloadWhenChanged(const osg::NodeVisitor& visitor)
 {
     const osg::FrameStamp* stamp = visitor.getFrameStamp();
     if (stamp && watch_->changed(stamp->getReferenceTime()))
-        replaceMaterial(read(watch_->path(), nullptr, kAnew));
+        replaceMaterial(read(watch_->path(), nullptr, kAnew, getName()));
 }
 
 void FactorizedBrdf::setMaterial(MaterialObject* material, const osgDB::Options* options)
@@ -135,40 +149,70 @@ void FactorizedBrdf::setMaterial(MaterialObject* material, const osgDB::Options*
     changed();
 }
 
+template <class Value>
+void FactorizedBrdf::setOfParts(void (FactorizedBrdf::*set)(Value), Value value)
+{
+    for (FactorizedBrdf* effect : effectsOfParts()) (effect->*set)(value);
+}
+
+void FactorizedBrdf::setExposure(float exposure)
+{
+    exposure_ = exposure;
+    setOfParts(&FactorizedBrdf::setExposure, exposure);
+}
+
+void FactorizedBrdf::setDerivedTangents(bool derived)
+{
+    derivedTangents_ = derived;
+    setOfParts(&FactorizedBrdf::setDerivedTangents, derived);
+}
+
+void FactorizedBrdf::setPreciseFiltering(bool precise)
+{
+    preciseFiltering_ = precise;
+    setOfParts(&FactorizedBrdf::setPreciseFiltering, precise);
+}
+
 void FactorizedBrdf::setTransfer(fbrdf::Transfer transfer)
 {
     transfer_ = transfer;
     changed();
+    setOfParts(&FactorizedBrdf::setTransfer, transfer);
 }
 
 void FactorizedBrdf::setLightsPerPass(int lights)
 {
     lightsPerPass_ = std::max(1, lights);
     changed();
+    setOfParts(&FactorizedBrdf::setLightsPerPass, lights);
 }
 
 void FactorizedBrdf::setLookupsPerPass(int lookups)
 {
     lookupsPerPass_ = std::max(0, lookups);
     changed();
+    setOfParts(&FactorizedBrdf::setLookupsPerPass, lookups);
 }
 
 void FactorizedBrdf::setFirstTextureUnit(int unit)
 {
     firstTextureUnit_ = std::max(0, unit);
     changed();
+    setOfParts(&FactorizedBrdf::setFirstTextureUnit, unit);
 }
 
 void FactorizedBrdf::setFreeTextureUnits(const std::set<int>& units)
 {
     freeTextureUnits_ = units;
     changed();
+    setOfParts<const std::set<int>&>(&FactorizedBrdf::setFreeTextureUnits, units);
 }
 
 void FactorizedBrdf::setFloatTarget(bool isFloat)
 {
     floatTarget_ = isFloat;
     changed();
+    setOfParts(&FactorizedBrdf::setFloatTarget, isFloat);
 }
 
 /// Contexts are asked anew what they can draw, and warnings may come again.
@@ -188,7 +232,7 @@ bool FactorizedBrdf::define_techniques()
 {
     for (const fbrdf::Technique kind : fbrdf::allTechniques())
         addTechnique(new PassTechnique(*this, *internals_, kind));
-    addTechnique(new DiffuseTechnique(*this, *internals_));
+    addTechnique(new DiffuseTechnique);
     return true;
 }
 
@@ -205,10 +249,14 @@ std::vector<ContextNeeds> FactorizedBrdf::needs() const
 // Visitors that do not cull see the children once, whatever the number of passes.
 void FactorizedBrdf::traverse(osg::NodeVisitor& visitor)
 {
-    if (reloading_ && visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR)
+    if (reloading_ && visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR) {
         reloadWhenChanged(visitor);
+        for (FactorizedBrdf* effect : effectsOfParts()) effect->reloadWhenChanged(visitor);
+    }
     if (auto* culling = visitor.asCullVisitor(); culling && getEnabled()) return cull(*culling);
     if (auto* compiling = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor)) compile(*compiling);
+    // It would make nodes one that only their names tell apart.
+    if (!parts_.empty() && keepTransformsAbove(visitor)) return;
     keepTransformsAboveTangents(visitor, *this);
     inherited_traverse(visitor);
 }
@@ -219,20 +267,31 @@ void FactorizedBrdf::compile(osgUtil::GLObjectsVisitor& visitor)
     constexpr auto kCompiles = osgUtil::GLObjectsVisitor::COMPILE_STATE_ATTRIBUTES;
     if (visitor.getState() && (visitor.getMode() & kCompiles))
         internals_->choice->ask(*visitor.getState(), needs());
+    for (FactorizedBrdf* effect : effectsOfParts()) effect->compile(visitor);
 }
 
 void FactorizedBrdf::cull(osgUtil::CullVisitor& visitor)
 {
     const osg::Camera* camera = visitor.getCurrentCamera();
     if (camera && drawsShapes(*camera)) return inherited_traverse(visitor);
+    if (!parts_.empty()) return cullParts(visitor);
+    cullAs(visitor, *this, [&] { inherited_traverse(visitor); });
+}
+
+void FactorizedBrdf::cullAs(osgUtil::CullVisitor& visitor, const FactorizedBrdf& model,
+                            const std::function<void()>& cullModel)
+{
     const osg::State* state = visitor.getState();
     osg::ref_ptr<osg::StateSet> probe;
     if (state && !internals_->choice->asked(state->getContextID()))
         probe = internals_->choice->probe(needs());
-    const int selected = getSelectedTechnique();
-    const int index = selected == AUTO_DETECT ? internals_->choice->index() : selected;
+    int selected = getSelectedTechnique();
+    if (selected == AUTO_DETECT) selected = model.getSelectedTechnique();
+    const int index = std::clamp(selected == AUTO_DETECT ? internals_->choice->index() : selected,
+                                 0, getNumTechniques() - 1);
     if (probe) visitor.pushStateSet(probe);
-    getTechnique(std::clamp(index, 0, getNumTechniques() - 1))->traverse(visitor, this);
+    static_cast<EffectTechnique&>(*getTechnique(index))
+        .cull({visitor, ViewState::of(visitor), *this, *internals_, model, cullModel, selected});
     if (probe) visitor.popStateSet();
 }
 
@@ -241,6 +300,7 @@ void FactorizedBrdf::resizeGLObjectBuffers(unsigned int maxSize)
     Effect::resizeGLObjectBuffers(maxSize);
     if (material_) material_->resizeGLObjectBuffers(maxSize);
     internals_->diffuse->resizeGLObjectBuffers(maxSize);
+    for (FactorizedBrdf* effect : effectsOfParts()) effect->resizeGLObjectBuffers(maxSize);
 }
 
 void FactorizedBrdf::releaseGLObjects(osg::State* state) const
@@ -250,6 +310,7 @@ void FactorizedBrdf::releaseGLObjects(osg::State* state) const
     internals_->diffuse->releaseGLObjects(state);
     state ? internals_->choice->forget(state->getContextID()) : internals_->choice->forget();
     internals_->objects.release(state);
+    for (const FactorizedBrdf* effect : effectsOfParts()) effect->releaseGLObjects(state);
 }
 
 }  // namespace osgFbrdf

@@ -33,9 +33,11 @@ struct TangentFinder : public osg::NodeVisitor {
 
 }  // namespace
 
-void keepTransformsAbove(osg::NodeVisitor& visitor)
+bool keepTransformsAbove(osg::NodeVisitor& visitor)
 {
-    if (optimizes(visitor)) keep(visitor.getNodePath());
+    if (!optimizes(visitor)) return false;
+    keep(visitor.getNodePath());
+    return true;
 }
 
 void keepTransformsAboveTangents(osg::NodeVisitor& visitor, osg::Group& group)

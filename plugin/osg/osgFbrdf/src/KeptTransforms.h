@@ -11,8 +11,9 @@ class Group;
 
 namespace osgFbrdf {
 
-/// Keeps the transforms on the path of a visitor that optimizes; does nothing for other visitors.
-void keepTransformsAbove(osg::NodeVisitor& visitor);
+/// Keeps the transforms on the path of a visitor that optimizes, and returns true; does nothing for
+/// other visitors.
+bool keepTransformsAbove(osg::NodeVisitor& visitor);
 
 /// Keeps the transforms above geometries of the group that have tangents (kTangentAttribute), those
 /// on the path of the visitor included.

@@ -101,10 +101,10 @@ double largestScale(const osg::Matrixd& matrix)
     return std::sqrt(largest);
 }
 
-/// The bounds of what is below the effect, in eye coordinates.
-fbrdf::Sphere boundsInEye(const FactorizedBrdf& effect, const osg::Matrixd& toEye)
+/// The bounds of the model, in eye coordinates.
+fbrdf::Sphere boundsInEye(const FactorizedBrdf& model, const osg::Matrixd& toEye)
 {
-    const osg::BoundingSphere& bound = effect.getBound();
+    const osg::BoundingSphere& bound = model.getBound();
     const osg::Vec3d centre = osg::Vec3d(bound.center()) * toEye;
     const double radius = std::max(0.0, static_cast<double>(bound.radius()));
     return {toVec3(centre), static_cast<float>(largestScale(toEye) * radius)};
@@ -160,7 +160,7 @@ ContextNeeds PassTechnique::needs() const
 {
     ContextNeeds needs;
     if (!effect_.getMaterial() || !effect_.getMaterial()->valid()) {
-        needs.refusal = "no material";
+        needs.refusal = kNoMaterial;
         return needs;
     }
     // Two lights are the fewest whose passes add up.
@@ -209,23 +209,15 @@ PassInputs PassTechnique::inputs(bool attenuated) const
     return inputs;
 }
 
-void PassTechnique::traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect)
-{
-    if (auto* culling = visitor.asCullVisitor())
-        cull({*culling, ViewState::of(*culling), effect_, internals_});
-    else
-        effect->inherited_traverse(visitor);
-}
-
 void PassTechnique::cull(const EffectCull& cull)
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
     if (!effect_.getMaterial() || !effect_.getMaterial()->valid())
-        return cullDiffuse(cull, "no material");
+        return cullDiffuse(cull, kNoMaterial);
     if (visitor.getState() && !mayDraw(*visitor.getState()))
         return cullDiffuse(cull, internals_.choice->refusal());
     const InheritedState inherited(visitor);
-    const fbrdf::Sphere bounds = boundsInEye(effect_, *visitor.getModelViewMatrix());
+    const fbrdf::Sphere bounds = boundsInEye(cull.model, *visitor.getModelViewMatrix());
     const SceneLights& scene = cull.view.lights();
     const osg::Matrixd toEye = worldToEye(visitor);
     EyeLobes lobes = lobesOf(scene, toEye, bounds, effect_, contextOf(visitor));

@@ -1,5 +1,5 @@
 // PassTechnique.h - draws an effect by a plan of the runtime: each pass is a state set under which
-// the children are culled once. Passes are in bins inside one bin, so that any number of them is
+// the model is culled once. Passes are in bins inside one bin, so that any number of them is
 // drawn before what comes after the effect (transparent objects are in OSG's bin 10).
 #pragma once
 #include "ContextNeeds.h"
@@ -11,26 +11,23 @@
 
 #include <fbrdf/plan/Plan.h>
 
-#include <osgFX/Technique>
-
 #include <memory>
 
 namespace osgFbrdf {
 
-class PassTechnique : public osgFX::Technique {
+class PassTechnique : public EffectTechnique {
 public:
     PassTechnique(FactorizedBrdf& effect, EffectInternals& internals, fbrdf::Technique kind);
 
     const char* techniqueName() override;
     const char* techniqueDescription() override;
     bool validate(osg::State& state) const override;
-    void traverse(osg::NodeVisitor& visitor, osgFX::Effect* effect) override;
+    void cull(const EffectCull& cull) override;
 
     ContextNeeds needs() const;
 
 protected:
     ~PassTechnique() override = default;
-    void define_passes() override {}  // they depend on the lights: see traverse
 
 private:
     struct Drawing {
@@ -44,7 +41,6 @@ private:
     /// attenuated: some lights are, by attenuation.glsl.
     PassInputs inputs(bool attenuated) const;
 
-    void cull(const EffectCull& cull);
     /// False, with a refusal, where what is known of the context without asking OpenGL rules this
     /// technique out: before the first frame, or when it is forced.
     bool mayDraw(osg::State& state) const;

@@ -2,6 +2,8 @@
 
 #include "EnvironmentCube.h"
 #include "GlLights.h"
+#include "PartNames.h"
+#include "PlainParts.h"
 
 #include <osgFbrdf/AreaLights.h>
 #include <osgFbrdf/EnvironmentLight.h>
@@ -12,7 +14,6 @@
 
 #include <osg/LightModel>
 #include <osg/LightSource>
-#include <osg/Material>
 #include <osg/Notify>
 #include <osg/ValueObject>
 #include <osgDB/Registry>
@@ -66,20 +67,15 @@ osg::ref_ptr<osg::Group> groupFor(const Node& node)
     return group;
 }
 
-/// ambient: the effect reflects ambient light, which then stands for an environment.
-osg::ref_ptr<osg::Group> plainEffect(const FactorizedBrdf& effect, bool ambient)
+/// ambient: see plainMaterial().
+osg::ref_ptr<osg::Group> plainEffect(FactorizedBrdf& effect, bool ambient)
 {
+    paintParts(effect, ambient);
     const osg::ref_ptr<osg::Group> group = groupFor(effect);
-    osg::Vec3f albedo(0.5f, 0.5f, 0.5f);
-    if (effect.getMaterial()) albedo = effect.getMaterial()->albedo();
-    albedo *= effect.getExposure();
-    for (int c = 0; c < 3; ++c) albedo[c] = std::min(albedo[c], 1.0f);
-    const osg::ref_ptr<osg::Material> material = new osg::Material;
-    material->setColorMode(osg::Material::OFF);
-    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
-    if (ambient) material->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4f(albedo, 1.0f));
-    group->getOrCreateStateSet()->setAttributeAndModes(
-        material, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+    if (drawsRest(effect))
+        group->getOrCreateStateSet()->setAttributeAndModes(
+            plainMaterial(effect, ambient),
+            osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
     return group;
 }
 
@@ -123,6 +119,11 @@ std::vector<fbrdf::Light> lightsIn(const osg::Group& node)
 
 struct PartsOfScene : public osg::NodeVisitor {
     PartsOfScene() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Node& node) override
+    {
+        if (isPainted(node)) painted.emplace_back(&node);
+        traverse(node);
+    }
     void apply(osg::Group& group) override
     {
         std::string record;
@@ -131,7 +132,7 @@ struct PartsOfScene : public osg::NodeVisitor {
             lights.emplace_back(&group);
         if (auto* node = dynamic_cast<EnvironmentLight*>(&group)) environments.emplace_back(node);
         if (group.getUserValue(kRecord, record)) records.emplace_back(&group);
-        traverse(group);
+        apply(static_cast<osg::Node&>(group));
     }
     void apply(osg::LightSource& source) override
     {
@@ -142,6 +143,7 @@ struct PartsOfScene : public osg::NodeVisitor {
     std::vector<osg::ref_ptr<osg::Group>> lights;  ///< PointLights and AreaLights
     std::vector<osg::ref_ptr<EnvironmentLight>> environments;
     std::vector<osg::ref_ptr<osg::Group>> records;
+    std::vector<osg::ref_ptr<osg::Node>> painted;
     std::vector<int> taken;  ///< numbers of the scene's own osg::Lights
 };
 
@@ -276,8 +278,12 @@ osg::ref_ptr<osg::Node> restored(osg::Node& plain, const osgDB::Options* options
         const osg::ref_ptr<osg::Node> node =
             isLit ? group->getChild(0) : nodeFrom(*group, record, options).get();
         if (node) replace(*group, *node);
-        if (auto* effect = dynamic_cast<FactorizedBrdf*>(node.get())) effects.emplace_back(effect);
+        auto* effect = dynamic_cast<FactorizedBrdf*>(node.get());
+        if (!effect) continue;
+        effects.emplace_back(effect);
+        for (FactorizedBrdf* part : effect->effectsOfParts()) effects.emplace_back(part);
     }
+    for (const auto& node : found.painted) restorePaintedPart(*node);
     shareMaterials(effects);
     return above->getChild(0);
 }

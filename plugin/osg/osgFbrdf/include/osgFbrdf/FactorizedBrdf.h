@@ -17,6 +17,8 @@
 // the lights that its cull mask lets it see. Lights whose radius or cone ends before the object
 // cost nothing.
 //
+// Parts of the model may have effects of their own, by name: see setPart().
+//
 // What is drawn is radiance times exposure through the transfer, then osg::Fog where that is on;
 // alpha is 1. Tangents matter to anisotropic materials only.
 #pragma once
@@ -28,6 +30,7 @@
 #include <osgDB/Options>
 #include <osgFX/Effect>
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -71,7 +74,14 @@ struct DrawReport {
 
 struct ContextNeeds;
 class EffectInternals;
+class FactorizedBrdf;
 class FileWatch;
+
+/// A part of a model and the effect that draws it.
+struct ModelPart {
+    std::string name;
+    osg::ref_ptr<FactorizedBrdf> effect;  ///< never null; its own children are not drawn
+};
 
 class FactorizedBrdf : public osgFX::Effect {
 public:
@@ -89,9 +99,9 @@ public:
     const std::string& getMaterialFile() const { return materialFile_; }
     /// Reads the file again. When that fails the material stays as it is.
     bool reloadMaterial(const osgDB::Options* options = nullptr);
-    /// True: the update traversal looks at the file once a second of the frame stamp, and reads it
-    /// again when it changed. A file that cannot be read gives a warning, and the last good
-    /// material stays.
+    /// True: the update traversal looks at the file, and those of parts, once a second of the frame
+    /// stamp, and reads what changed again. A file that cannot be read gives a warning, and the
+    /// last good material stays.
     void setReloading(bool reloading);
     bool getReloading() const { return reloading_; }
     /// A material from memory or shared with other effects; null: the fallback. Where it has no
@@ -100,8 +110,26 @@ public:
     void setMaterial(MaterialObject* material, const osgDB::Options* options = nullptr);
     MaterialObject* getMaterial() const { return material_.get(); }
 
+    /// The model below this effect is drawn part by part, in one traversal a pass: what is below a
+    /// node whose osg::Material, state set or own name is `name`, the first of them that a part
+    /// has, by the material and the properties of `effect`, of which several parts may share one;
+    /// the innermost part counts. What is in no part is drawn by this effect where that has a
+    /// material or the name of a file, and as the model says where not. Null: there is no such
+    /// part. A property that is set here later is set for the effects of parts too, and a technique
+    /// that is selected here is that of all that select none.
+    void setPart(const std::string& name, FactorizedBrdf* effect);
+    /// The same with a material, or the file of one, and the properties that this effect has now.
+    /// Parts of one material share one effect. A file that cannot be read gives a warning with the
+    /// reason, and leaves the part the fallback.
+    void setPartMaterial(const std::string& name, MaterialObject* material);
+    bool setPartMaterialFile(const std::string& name, const std::string& file,
+                             const osgDB::Options* options = nullptr);
+    const std::vector<ModelPart>& getParts() const { return parts_; }
+    /// The effects of the parts, each once.
+    std::vector<FactorizedBrdf*> effectsOfParts() const;
+
     /// Radiance is multiplied by it; >= 0.
-    void setExposure(float exposure) { exposure_ = exposure; }
+    void setExposure(float exposure);
     float getExposure() const { return exposure_; }
     /// What is stored of exposure times radiance: linear (the default), or a curve, as a window
     /// without sRGB needs. A curve comes after the sum over all passes: several passes then add up
@@ -122,11 +150,11 @@ public:
     const std::set<int>& getFreeTextureUnits() const { return freeTextureUnits_; }
     /// False: tangents are vertex attribute kTangentAttribute, and the frame is arbitrary where
     /// the model has none. True: derived per pixel, towards increasing s of texture coordinates 0.
-    void setDerivedTangents(bool derived) { derivedTangents_ = derived; }
+    void setDerivedTangents(bool derived);
     bool getDerivedTangents() const { return derivedTangents_; }
     /// True: maps are filtered in the shader, 4 fetches for each look-up (8 in a volume), where a
     /// GPU's own filter, which may know as few as 256 places between two texels, is too coarse.
-    void setPreciseFiltering(bool precise) { preciseFiltering_ = precise; }
+    void setPreciseFiltering(bool precise);
     bool getPreciseFiltering() const { return preciseFiltering_; }
     /// True when the colour buffer is RGBA32F: then passes add up in it. In others (a window's)
     /// they add up in an RGBA32F surface; where the target is multisampled such plans are refused,
@@ -149,12 +177,22 @@ protected:
 
 private:
     void changed();
+    void takeProperties(const FactorizedBrdf& other);
+    template <class Value>
+    void setOfParts(void (FactorizedBrdf::*set)(Value), Value value);
     std::vector<ContextNeeds> needs() const;
     void cull(osgUtil::CullVisitor& visitor);
+    /// Culls the model, which may be that of another effect, with the material of this one.
+    void cullAs(osgUtil::CullVisitor& visitor, const FactorizedBrdf& model,
+                const std::function<void()>& cullModel);
+    void cullParts(osgUtil::CullVisitor& visitor);
+    void shareEffectOf(ModelPart& part);
+    void warnOfNamesWithoutPart();
     void compile(osgUtil::GLObjectsVisitor& visitor);
     bool replaceMaterial(const osg::ref_ptr<MaterialObject>& material);
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
 
+    std::vector<ModelPart> parts_;
     std::string materialFile_;
     osg::ref_ptr<MaterialObject> material_;
     float exposure_ = 1.0f;
