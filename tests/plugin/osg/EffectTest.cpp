@@ -82,4 +82,14 @@ osg::ref_ptr<osg::Group> EffectTest::scene(osgFbrdf::FactorizedBrdf* effect, osg
     return root;
 }
 
+std::vector<float> EffectTest::pictureOf(osg::Node* node, osg::Node* lights)
+{
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(node);
+    root->addChild(lights);
+    view_->setScene(root);
+    view_->frame();
+    return view_->frame();
+}
+
 }  // namespace fbrdf::test

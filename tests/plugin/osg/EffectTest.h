@@ -42,6 +42,9 @@ protected:
     /// The lights come after the effect in the graph, as their order must not matter.
     osg::ref_ptr<osg::Group> scene(osgFbrdf::FactorizedBrdf* effect, osg::Node* lights);
 
+    /// The second picture of a scene of both.
+    std::vector<float> pictureOf(osg::Node* node, osg::Node* lights);
+
     std::unique_ptr<OsgView> view_;
 
 private:

@@ -99,15 +99,7 @@ protected:
         return group;
     }
 
-    std::vector<float> picture(osg::Node* node)
-    {
-        osg::ref_ptr<osg::Group> root = new osg::Group;
-        root->addChild(node);
-        root->addChild(lights_);
-        view_->setScene(root);
-        view_->frame();
-        return view_->frame();
-    }
+    std::vector<float> picture(osg::Node* node) { return pictureOf(node, lights_); }
 
     std::vector<osg::ref_ptr<MaterialObject>> materials_;
     osg::ref_ptr<osg::Group> lights_ = new osg::Group;

@@ -60,15 +60,7 @@ protected:
     }
 
     /// The image of a scene of `node` and the lights.
-    std::vector<float> beside(osg::Node* node)
-    {
-        osg::ref_ptr<osg::Group> root = new osg::Group;
-        root->addChild(node);
-        root->addChild(lights_);
-        view_->setScene(root);
-        view_->frame();
-        return view_->frame();
-    }
+    std::vector<float> beside(osg::Node* node) { return pictureOf(node, lights_); }
 };
 
 TEST_F(RealScenes, FixedFunctionStateAboveDoesNotReachIt)
