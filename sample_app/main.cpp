@@ -67,10 +67,10 @@ int run(int argc, char** argv)
 
     // 5. What is kept of it.
     picture.stats.coveredPixels = viewer::coveredPixels(picture.image);
-    viewer::addBackground(options, world, picture.view, picture.image);
+    if (!picture.isShown) viewer::addBackground(options, world, picture.view, picture.image);
     if (!options.out.empty())
-        writeImage(picture.image, options.out, options.document.exposure,
-                   transferOf(options.document));
+        writeImage(picture.image, options.out, picture.isShown ? 1.0f : options.document.exposure,
+                   picture.isShown ? Transfer::srgb : transferOf(options.document));
     if (!options.stats.empty()) writeFile(options.stats, scene::statsToJson(picture.stats));
     return 0;
 }

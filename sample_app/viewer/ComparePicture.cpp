@@ -74,11 +74,6 @@ void drawCaption(scene::Image& image, int left, int width, Corner corner, const 
     font.draw(image, {x, top + kLabelMargin / 2, length}, text, kInkShown);
 }
 
-int lineColumn(int width, float at)
-{
-    return std::clamp(static_cast<int>(std::lround(at * static_cast<float>(width))), 0, width);
-}
-
 scene::Image split(const ComparePair& pair, const Codes& a, const Codes& b, float at)
 {
     const int width = pair.a.width, line = lineColumn(width, at);
@@ -143,6 +138,11 @@ scene::Image laidOver(const ComparePair& pair, const CompareLayout& layout)
 }
 
 }  // namespace
+
+int lineColumn(int width, float at)
+{
+    return std::clamp(static_cast<int>(std::lround(at * static_cast<float>(width))), 0, width);
+}
 
 ShownImage shownImage(const scene::Image& image, const Exposing& exposing)
 {

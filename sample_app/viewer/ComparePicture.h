@@ -35,6 +35,8 @@ struct CompareLayout {
     float at = 0.5f, gain = 1.0f;
     bool showsB = false;
 };
+/// Columns to the left of the line.
+int lineColumn(int width, float at);
 scene::Image composed(const ComparePair& pair, const CompareLayout& layout);
 
 /// A and B side by side, with labels: what a flip is on paper.

@@ -23,6 +23,8 @@ struct CompareSide {
     } kind = Kind::drawn;
     std::string name = "drawn";  ///< as --compare takes it
 
+    /// False where the shown material is all that it takes.
+    bool needsFit() const { return kind != Kind::drawn && kind != Kind::technique; }
     bool operator==(const CompareSide& o) const { return kind == o.kind && name == o.name; }
 };
 

@@ -8,11 +8,19 @@
 namespace fbrdf::viewer {
 namespace {
 
+std::vector<MaterialSlot*> slotsOf(World& world, const CpuRequest& request)
+{
+    if (request.only) return {request.only};
+    std::vector<MaterialSlot*> slots;
+    for (MaterialSlot& slot : world.materials) slots.push_back(&slot);
+    return slots;
+}
+
 scene::Scene sceneOf(World& world, const CpuRequest& request)
 {
     scene::Scene scene;
     scene.instances = request.instances;
-    for (MaterialSlot& slot : world.materials) scene.brdfs.push_back(slot.truth());
+    for (MaterialSlot* slot : slotsOf(world, request)) scene.brdfs.push_back(slot->truth());
     scene.lights = world.lights.lights;
     scene.areaLights = world.lights.areaLights;
     if (world.environment) scene.environment = &*world.environment;
@@ -50,12 +58,13 @@ truth::PathOptions pathOptionsOf(const Options& options, const CpuRequest& reque
 }
 
 /// Where only lights without a shape send light, and straight, no directions are drawn.
-std::vector<LobeTable> lobesOf(World& world, const scene::Scene& scene, int bounces)
+std::vector<LobeTable> lobesOf(World& world, const CpuRequest& request, const scene::Scene& scene,
+                               int bounces)
 {
     const bool areDrawn = bounces > 0 || world.environment || !world.lights.areaLights.empty();
     std::vector<LobeTable> lobes;
-    for (MaterialSlot& slot : world.materials)
-        lobes.push_back(areDrawn ? slot.lobes() : LobeTable());
+    for (MaterialSlot* slot : slotsOf(world, request))
+        lobes.push_back(areDrawn ? slot->lobes() : LobeTable());
     if (scene.ground) lobes.emplace_back();  // its directions are drawn by the cosine
     return lobes;
 }
@@ -79,13 +88,18 @@ CpuDrawing::CpuDrawing(const Options& options, World& world, CpuRequest request)
     }
     const truth::PathOptions path = pathOptionsOf(options, request_);
     bounces_ = path.bounces;
-    tracer_ = std::make_unique<truth::PathTracer>(scene_, lobesOf(world, scene_, bounces_), path);
+    tracer_ = std::make_unique<truth::PathTracer>(scene_,
+                                                  lobesOf(world, request_, scene_, bounces_), path);
 }
 
-void CpuDrawing::goOn()
+void CpuDrawing::goOn(double milliseconds)
 {
     if (tracer_) {
-        tracer_->add(1);
+        constexpr int kRows = 8;  // enough for every core to have some
+        const auto start = std::chrono::steady_clock::now();
+        do tracer_->addRows(kRows);
+        while (tracer_->samples() == done_ && millisecondsSince(start) < milliseconds);
+        if (tracer_->samples() == done_) return;
     } else {
         scene::PictureOptions options{request_.width, request_.height};
         options.firstSample = done_;

@@ -5,6 +5,7 @@
 #include <fbrdf/truth/Occluders.h>
 #include <fbrdf/truth/PathTracer.h>
 
+#include <limits>
 #include <memory>
 
 namespace fbrdf::viewer {
@@ -15,6 +16,7 @@ struct CpuRequest {
     std::vector<scene::Instance> instances;
     gl::View view;
     int width = 0, height = 0;
+    MaterialSlot* only = nullptr;  ///< all instances are made of it; null: of the world's materials
 };
 
 class CpuDrawing {
@@ -25,8 +27,9 @@ public:
 
     bool isFinished() const { return left_ == 0; }
     int samples() const { return done_; }  ///< of each pixel, so far
-    /// Adds the next sample of every pixel.
-    void goOn();
+    /// Adds the next sample of every pixel; of `path` only as much of it as is done in about so
+    /// many milliseconds, which samples() counts when it is complete.
+    void goOn(double milliseconds = std::numeric_limits<double>::infinity());
     /// What there is so far, and of `path` what is known about it.
     scene::Image image() const;
     std::optional<scene::PathStats> pathStats() const;

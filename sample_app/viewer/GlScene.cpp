@@ -87,13 +87,17 @@ gl::DrawOptions GlScene::drawOptions(Technique technique, const scene::LightSet&
     return options;
 }
 
+std::shared_ptr<gl::GpuMaterial> GlScene::uploaded(const Material& material)
+{
+    return renderer_.createMaterial(material, uploaded_);
+}
+
 void GlScene::setMaterial(size_t index, const Material& material)
 {
-    auto uploaded = renderer_.createMaterial(material, uploaded_);
     if (index == materials_.size())
-        materials_.push_back(std::move(uploaded));
+        materials_.push_back(uploaded(material));
     else
-        materials_[index] = std::move(uploaded);
+        materials_[index] = uploaded(material);
 }
 
 void GlScene::replaceMesh(const scene::Mesh& mesh)
@@ -136,6 +140,7 @@ bool GlScene::refineEnvironment(double milliseconds)
     const bool isFinished = renderer_.refine(*environment_, std::llround(refinedTexels_));
     const double taken = std::max(kFastest, refineTimer_.end());
     refinedTexels_ *= std::clamp(milliseconds / taken, 0.5, 2.0);
+    sharpness_ += isFinished;
     return isFinished;
 }
 
@@ -143,7 +148,9 @@ bool GlScene::finishEnvironment()
 {
     constexpr long long kAll = std::numeric_limits<long long>::max() / 2;
     if (!environment_ || environment_->isFinished()) return false;
-    return renderer_.refine(*environment_, kAll);
+    const bool isFinished = renderer_.refine(*environment_, kAll);
+    sharpness_ += isFinished;
+    return isFinished;
 }
 
 void GlScene::prepare(Technique technique, const World& world)
@@ -187,8 +194,9 @@ gl::DrawStats GlScene::draw(const gl::Target& target, const GlRequest& request)
         ground = drawGround(target, request);
     std::vector<gl::Item> items;
     for (const scene::Instance& instance : request.instances)
-        items.push_back({materials_[static_cast<size_t>(instance.material)].get(), mesh_.get(),
-                         instance.model, hooks_.get()});
+        items.push_back(
+            {request.only ? request.only : materials_[static_cast<size_t>(instance.material)].get(),
+             mesh_.get(), instance.model, hooks_.get()});
     gl::DrawStats drawn = renderer_.draw(target, request.view, items, lights,
                                          drawOptions(request.technique, *request.lights));
     drawn.drawCalls += ground.drawCalls;

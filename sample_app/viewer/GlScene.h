@@ -17,6 +17,8 @@ struct GlRequest {
     const scene::LightSet* lights = nullptr;
     const scene::Ground* ground = nullptr;  ///< null: none
     int sample = 0;  ///< of the pixels; the view is moved already, shadows depend on it
+    gl::GpuMaterial* only =
+        nullptr;  ///< all instances are made of it; null: of materials by number
 };
 
 class GlScene {
@@ -29,6 +31,8 @@ public:
     void replaceMesh(const scene::Mesh& mesh);
     /// Takes another material in the place of one, or one more where `index` is their number.
     void setMaterial(size_t index, const Material& material);
+    /// Uploads one for GlRequest::only.
+    std::shared_ptr<gl::GpuMaterial> uploaded(const Material& material);
     /// Takes the plane of a ground, and what the objects hide of the sky above it.
     void replaceGround(const scene::Ground& ground);
     /// Casts shadows from the next draw on, or none.
@@ -48,6 +52,8 @@ public:
     bool refineEnvironment(double milliseconds);
     /// All of it at once; true where something was left.
     bool finishEnvironment();
+    /// Counts how often it has become sharper.
+    int sharpness() const { return sharpness_; }
     /// Compiles what drawing the world will need.
     void prepare(Technique technique, const World& world);
     /// Draws the ground, where it is seen, and the objects. The stats are those of the objects, but
@@ -71,6 +77,7 @@ private:
     const bool gradual_;          ///< environments come gradually
     double refinedTexels_ = 0.0;  ///< of the last step
     FrameTimer refineTimer_;
+    int sharpness_ = 0;
     Vec3d skyIrradiance_{0.0};  ///< of the environment on an open ground
     std::vector<std::shared_ptr<gl::GpuMaterial>> materials_;
     std::shared_ptr<gl::GpuMaterial> groundMaterial_;

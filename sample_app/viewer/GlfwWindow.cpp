@@ -28,6 +28,18 @@ GlfwWindow* windowOf(GLFWwindow* handle)
     return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
 }
 
+/// 0 for other keys.
+char arrowKey(int key)
+{
+    switch (key) {
+        case GLFW_KEY_LEFT: return scene::kLeftKey;
+        case GLFW_KEY_RIGHT: return scene::kRightKey;
+        case GLFW_KEY_UP: return scene::kUpKey;
+        case GLFW_KEY_DOWN: return scene::kDownKey;
+        default: return 0;
+    }
+}
+
 }  // namespace
 
 GlfwWindow::GlfwWindow(int width, int height, const std::string& title, scene::ViewState& state)
@@ -82,6 +94,7 @@ void GlfwWindow::installCallbacks()
         const char* const name = glfwGetKeyName(key, code);  // by the layout
         if (!taken && name && (mods & GLFW_MOD_CONTROL) != 0)
             self.controlKey(name[0], (mods & GLFW_MOD_SHIFT) != 0);
+        if (const char arrow = taken ? char(0) : arrowKey(key)) self.key(arrow);
         if (action != GLFW_PRESS) return;
         if (key == GLFW_KEY_ESCAPE) self.key(27);
         if (key == GLFW_KEY_F1) self.key('h');

@@ -8,11 +8,6 @@
 namespace fbrdf::viewer {
 namespace {
 
-constexpr Vec3f kStops[] = {{0.0f, 0.0f, 0.0f},
-                            {0.08f, 0.01f, 0.25f},
-                            {0.5f, 0.02f, 0.1f},
-                            {0.9f, 0.35f, 0.01f},
-                            {1.0f, 1.0f, 0.8f}};
 constexpr int kBarWidth = 128, kBarHeight = 8, kMargin = 8;
 
 void setPixel(scene::Image& image, int x, int y, const Vec3f& colour)
@@ -42,10 +37,10 @@ void drawScale(scene::Image& image)
 
 Vec3f heatColour(float share)
 {
-    constexpr int kSteps = static_cast<int>(std::size(kStops)) - 1;
+    constexpr int kSteps = kHeatStopCount - 1;
     const float place = std::clamp(share, 0.0f, 1.0f) * kSteps;
     const int step = std::min(static_cast<int>(place), kSteps - 1);
-    return glm::mix(kStops[step], kStops[step + 1], place - static_cast<float>(step));
+    return glm::mix(kHeatStops[step], kHeatStops[step + 1], place - static_cast<float>(step));
 }
 
 scene::Image heatMap(const scene::Image& image, const scene::Image& reference, float exposure,

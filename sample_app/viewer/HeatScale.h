@@ -8,6 +8,14 @@ namespace fbrdf::viewer {
 /// What the brightest colour stands for: differences of at least a tenth of white.
 constexpr float kHottest = 0.1f;
 
+/// Its colours, linear, in even steps.
+constexpr Vec3f kHeatStops[] = {{0.0f, 0.0f, 0.0f},
+                                {0.08f, 0.01f, 0.25f},
+                                {0.5f, 0.02f, 0.1f},
+                                {0.9f, 0.35f, 0.01f},
+                                {1.0f, 1.0f, 0.8f}};
+constexpr int kHeatStopCount = 5;
+
 /// Linear RGB of a share of kHottest in [0, 1], from black over violet, red and yellow to white:
 /// lightness rises evenly.
 Vec3f heatColour(float share);

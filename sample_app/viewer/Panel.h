@@ -2,6 +2,8 @@
 // whose fields can be changed with the mouse (PanelImGui.cpp), else the window's title
 // (PanelTitle.cpp).
 #pragma once
+#include "CompareStage.h"
+#include "CursorInspector.h"
 #include "MaterialEditor.h"
 
 #include <fbrdf/scene/Controls.h>
@@ -24,6 +26,8 @@ struct PanelFacts {
     std::string renderer;  ///< of GL
     std::string message;   ///< what happened last: "wrote ..."
     FitFacts fit;
+    const CompareFacts* compare = nullptr;
+    const CursorFacts* cursor = nullptr;
 };
 
 /// A file without its folders; a model, or what is no file, as it is; "none" for nothing.

@@ -1,4 +1,5 @@
 #include "Panel.h"
+#include "PanelCompare.h"
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -75,6 +76,9 @@ void drawFields(scene::ViewState& state, const PanelFacts& facts)
     drawLights(document.lights, facts);
     drawEnvironment(document.environment, state);
     ImGui::Checkbox("turntable", &document.turning);
+    ImGui::Checkbox("compare (V)", &state.compare.on);
+    ImGui::SameLine();
+    ImGui::Checkbox("explain (I)", &state.cursor.on);
     ImGui::SliderFloat("exposure", &document.exposure, 0.01f, 100.0f, "%.2f",
                        ImGuiSliderFlags_Logarithmic);
 }
@@ -180,12 +184,14 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
 {
     const auto line = [](const std::string& text) { ImGui::TextUnformatted(text.c_str()); };
     ImGui::Separator();
-    if (isOnCpu(state.document.technique))
+    if (state.compare.on)
+        line("two pictures, see compare");
+    else if (isOnCpu(state.document.technique))
         line(fmt::format("{:.1f} ms on the CPU, in double", facts.milliseconds));
     else
         line(fmt::format("{:.2f} ms, {} pass{}, {} look-ups", facts.milliseconds, facts.passes,
                          facts.passes == 1 ? "" : "es", facts.maxLookups));
-    line(fmt::format("sample {} of {}", facts.samples, facts.samplesWanted));
+    if (!state.compare.on) line(fmt::format("sample {} of {}", facts.samples, facts.samplesWanted));
     line(fmt::format("{} triangles", facts.triangles));
     ImGui::TextWrapped("%s", facts.renderer.c_str());
     if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());
@@ -256,6 +262,8 @@ void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
     if (state.help) drawHelp();
     ImGui::PopItemWidth();
     ImGui::End();
+    if (facts.compare) drawCompare(state.compare, *facts.compare);
+    if (facts.cursor) drawCursor(state.cursor, *facts.cursor);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -21,6 +21,12 @@ std::string titleOf(const scene::ViewState& state, const PanelFacts& facts)
             text += fmt::format("  {} = {}", line.key, line.meaning);
         return text;
     }
+    if (state.compare.on && facts.compare) {
+        const auto& seats = facts.compare->seats;
+        return fmt::format("fbrdf: {} | A: {} | B: {} | {} | {}",
+                           compareModeName(state.compare.mode), seats[0].title, seats[1].title,
+                           facts.compare->numbers, messageOf(facts));
+    }
     const scene::SceneMaterial* const material = shownMaterial(state.document);
     return fmt::format("fbrdf: {} | {} | {} lights | {} passes | {:.1f} ms | {}",
                        shortName(material ? material->source : ""),

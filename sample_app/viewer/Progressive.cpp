@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace fbrdf::viewer {
 namespace {
@@ -15,7 +16,8 @@ constexpr int kCoarseStep = 4;
 // As many samples are drawn in a frame as this allows: 40 frames a second, or one sample. Where one
 // takes much longer, as without a GPU, the runtime draws one pixel in 2 x 2, or in 4 x 4, while
 // things change.
-constexpr double kFrameMilliseconds = 25.0, kSlowMilliseconds = 80.0;
+constexpr double kWholeSample = std::numeric_limits<double>::infinity();
+constexpr double kFrameMilliseconds = 25.0, kCpuMilliseconds = 50.0, kSlowMilliseconds = 80.0;
 constexpr int kLeastStep = 2, kMostStep = 4;
 constexpr double kRefineMilliseconds = 15.0;  // of a frame, while an environment comes
 
@@ -26,7 +28,7 @@ bool Shown::operator==(const Shown& o) const
     return view.view == o.view.view && view.projection == o.view.projection &&
            technique == o.technique && instance.model == o.instance.model &&
            instance.material == o.instance.material && width == o.width && height == o.height &&
-           revision == o.revision;
+           revision == o.revision && made.slot == o.made.slot && made.revision == o.made.revision;
 }
 
 Progressive::Progressive(gl::LoadFunction load, const Options& options, World& world,
@@ -50,8 +52,9 @@ std::optional<double> Progressive::draw(const Shown& wanted, bool isBusy, scene:
 {
     // Lobes that are still being fitted change the picture when they are there.
     const bool waits = !isOnCpu(wanted.technique) && !stats.whyNoEnvironment.empty();
-    const bool sharpened =
-        shown_ && !isOnCpu(wanted.technique) && scene_.refineEnvironment(kRefineMilliseconds);
+    if (shown_ && !isOnCpu(wanted.technique)) scene_.refineEnvironment(kRefineMilliseconds);
+    const bool sharpened = sharpness_ != scene_.sharpness() && !isOnCpu(wanted.technique);
+    sharpness_ = scene_.sharpness();
     const bool changed = !shown_ || !(*shown_ == wanted) || waits || sharpened;
     shown_ = wanted;
     const auto start = std::chrono::steady_clock::now();
@@ -92,7 +95,9 @@ void Progressive::drawByRuntime(int samples, scene::Stats& stats)
                       {shown_->instance},
                       {},
                       &world_.lights,
-                      world_.ground.get()};
+                      world_.ground.get(),
+                      0,
+                      shown_->made.uploaded};
     for (int i = 0; i < samples; ++i) {
         const gl::Target target = sum_.clearedTarget();
         request.sample = sum_.count();
@@ -118,25 +123,37 @@ bool Progressive::drawByCpu(bool changed, scene::Stats& stats)
                                                        {shown_->instance},
                                                        shown_->view,
                                                        std::max(1, shown_->width / step),
-                                                       std::max(1, shown_->height / step)});
+                                                       std::max(1, shown_->height / step),
+                                                       shown_->made.slot});
     }
-    do cpu_->goOn();
-    while (isCounted && !cpu_->isFinished());
+    const int before = cpu_->samples();
+    const bool isWhole = isCounted || coarse_;
+    cpu_->goOn(isWhole ? kWholeSample : kCpuMilliseconds);
+    while (isCounted && !cpu_->isFinished()) cpu_->goOn();
+    if (cpu_->samples() == before) return true;
     stats.accumulation = "double";
     stats.path = cpu_->pathStats();
+    image_ = cpu_->image();
     hasNewImage_ = true;
     return true;
+}
+
+scene::Image Progressive::soFar() const
+{
+    return isOnCpu(shown_->technique) ? image_ : sum_.mean();
 }
 
 scene::Image Progressive::finishedImage()
 {
     if (!isOnCpu(shown_->technique)) {
-        if (coarse_ || scene_.finishEnvironment()) restartSum(false);
+        scene_.finishEnvironment();
+        if (coarse_ || sharpness_ != scene_.sharpness()) restartSum(false);
+        sharpness_ = scene_.sharpness();
         drawByRuntime(wantedSamples() - sum_.count(), spare_);
         return sum_.mean();
     }
-    if (coarse_) drawByCpu(false, spare_);
-    return cpu_->image();
+    while (coarse_ || cpu_->samples() == 0) drawByCpu(false, spare_);
+    return image_;
 }
 
 }  // namespace fbrdf::viewer

@@ -1,5 +1,7 @@
 #include "WindowLoop.h"
 
+#include "CompareStage.h"
+#include "CursorInspector.h"
 #include "FrameTimer.h"
 #include "FreeName.h"
 #include "GlfwWindow.h"
@@ -70,6 +72,8 @@ public:
           scene_(GlfwWindow::loader(), world, options_),
           progressive_(GlfwWindow::loader(), options_, world, scene_),
           editor_(world, [this](size_t slot) { showMaterial(slot); }),
+          compare_(GlfwWindow::loader(), options_, world, scene_),
+          inspector_(GlfwWindow::loader()),
           update_(world, scene_, toneMapper_, state_.document),
           history_(state_.document),
           scenePath_(options.scene),
@@ -81,6 +85,9 @@ public:
                                followWishes();
                                followHistory();
                            }});
+        state_.compare = compare_.initialView();
+        facts_.compare = &compare_.facts();
+        facts_.cursor = &inspector_.facts();
         facts_.renderer = scene_.renderer().glRenderer();
     }
 
@@ -91,6 +98,10 @@ public:
             drawFrame();
         if (state_.screenshot) saveScreenshot();  // asked for in the frame that closed the window
         finishStats();
+        if (state_.compare.on) {
+            scene::Image image = composedNow();
+            return {std::move(image), stats_, {}, true};
+        }
         return {progressive_.finishedImage(), stats_, progressive_.shown().view};
     }
 
@@ -105,6 +116,15 @@ private:
     void followHistory();
     void drawFrame();
     Shown wanted(GlfwWindow::Size size) const;
+    bool drawMaterial(GlfwWindow::Size size);
+    bool drawComparison(GlfwWindow::Size size);
+    void inspect(GlfwWindow::Size size);
+    Look lookOf(const gl::View& view) const;
+    double secondsNow() const
+    {
+        return std::chrono::duration<double>(lastFrame_.time_since_epoch()).count();
+    }
+    scene::Image composedNow();
     void show(GlfwWindow::Size size);
     void showMaterial(size_t slot);
     void saveScreenshot();
@@ -120,6 +140,8 @@ private:
     GlScene scene_;
     Progressive progressive_;
     MaterialEditor editor_;
+    CompareStage compare_;
+    CursorInspector inspector_;
     WorldUpdate update_;
     scene::History history_;
     std::string scenePath_;  ///< that was opened or saved last; empty: none
@@ -181,7 +203,10 @@ void WindowLoop::followDrops()
 
 void WindowLoop::followWishes()
 {
-    if (std::exchange(state_.cancel, false)) editor_.cancel();
+    if (std::exchange(state_.cancel, false)) {
+        editor_.cancel();
+        compare_.cancel();
+    }
     if (std::exchange(state_.undo, false))
         facts_.message = history_.undo(state_.document) ? "undone" : "nothing to undo";
     if (std::exchange(state_.redo, false))
@@ -211,7 +236,9 @@ void WindowLoop::turn()
     const double step = std::min(
         kLongestStep, std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count());
     double& degrees = state_.document.moment.tableDegrees;
-    if (state_.document.turning && !isOnCpu(state_.document.technique))
+    const scene::ViewTechnique technique = state_.document.technique;
+    const bool isStanding = state_.compare.on ? compare_.isOnCpu(technique) : isOnCpu(technique);
+    if (state_.document.turning && !isStanding)
         degrees = std::fmod(degrees + kTurnRate * step, 360.0);
     if (world_.ground) world_.ground->turnTo(degrees * kDegree);
 }
@@ -267,30 +294,79 @@ void WindowLoop::drawFrame()
 {
     followState();
     const GlfwWindow::Size size = window_.framebufferSize();
-    bool isStill = true;
-    if (const auto milliseconds =
-            progressive_.draw(wanted(size), !facts_.fit.doing.empty(), stats_)) {
+    const bool moved = state_.compare.on ? drawComparison(size) : drawMaterial(size);
+    if (state_.cursor.on) inspect(size);
+    panel_.draw(state_, facts_);
+    if (state_.screenshot) saveScreenshot();
+    window_.present(!moved);
+}
+
+/// Returns whether anything was drawn.
+bool WindowLoop::drawMaterial(GlfwWindow::Size size)
+{
+    const auto milliseconds = progressive_.draw(wanted(size), !facts_.fit.doing.empty(), stats_);
+    if (milliseconds) {
         std::vector<double>& times = stats_.milliseconds;
         if (!options_.frames && times.size() == kKeptTimes) times.erase(times.begin());
         times.push_back(*milliseconds);
         facts_.milliseconds = scene::spreadOf(times).median;
-        isStill = false;
     }
     facts_.passes = stats_.passes;
     facts_.maxLookups = stats_.maxLookups;
     facts_.samples = progressive_.samples();
     facts_.samplesWanted = samplesOf(options_.document, options_.document.technique);
     show(size);
-    panel_.draw(state_, facts_);
-    if (state_.screenshot) saveScreenshot();
-    window_.present(isStill);
+    return milliseconds.has_value();
+}
+
+/// The same of both sides of a comparison.
+bool WindowLoop::drawComparison(GlfwWindow::Size size)
+{
+    const size_t slot = static_cast<size_t>(drawnSlot_);
+    compare_.follow(state_.compare, world_.materials[slot]);
+    if (options_.frames) compare_.wait();
+    const Shown shown = wanted(size);
+    return compare_.draw(state_.compare,
+                         {shown,
+                          lookOf(shown.view),
+                          {0, size.width, size.height},
+                          !facts_.fit.doing.empty(),
+                          window_.isHeld(),
+                          secondsNow()},
+                         toneMapper_);
+}
+
+void WindowLoop::inspect(GlfwWindow::Size size)
+{
+    MaterialSlot& material = world_.materials[static_cast<size_t>(drawnSlot_)];
+    const Shown shown = wanted(size);
+    inspector_.answer({{state_.cursor.x, state_.cursor.y},
+                       {shown.instance},
+                       shown.view,
+                       &world_.lights,
+                       compare_.subjects(state_.compare, material, shown.revision),
+                       material.source()});
+}
+
+/// Both sides with all their samples, laid over each other.
+scene::Image WindowLoop::composedNow()
+{
+    const scene::Document& document = options_.document;
+    return compare_.composedNow(state_.compare, {document.exposure, transferOf(document)},
+                                secondsNow(), stats_);
+}
+
+Look WindowLoop::lookOf(const gl::View& view) const
+{
+    const scene::Document& document = options_.document;
+    return {document.exposure, document.toneMap, document.background,
+            world_.environment ? &*world_.environment : nullptr, view};
 }
 
 void WindowLoop::show(GlfwWindow::Size size)
 {
     const scene::Document& document = options_.document;
-    const Look look{document.exposure, document.toneMap, document.background,
-                    world_.environment ? &*world_.environment : nullptr, progressive_.shown().view};
+    const Look look = lookOf(progressive_.shown().view);
     const gl::Target target{0, size.width, size.height};
     if (isOnCpu(document.technique)) {
         if (progressive_.tookNewImage()) toneMapper_.upload(progressive_.image());
@@ -305,9 +381,13 @@ void WindowLoop::saveScreenshot()
     state_.screenshot = false;
     const std::string path = freeName("fbrdf-viewer", ".png");
     try {
-        scene::Image image = progressive_.finishedImage();
-        addBackground(options_, world_, progressive_.shown().view, image);
-        writeImage(image, path, options_.document.exposure, transferOf(options_.document));
+        if (state_.compare.on) {
+            writeImage(composedNow(), path, 1.0f);
+        } else {
+            scene::Image image = progressive_.finishedImage();
+            addBackground(options_, world_, progressive_.shown().view, image);
+            writeImage(image, path, options_.document.exposure, transferOf(options_.document));
+        }
         facts_.message = "wrote " + path;
     } catch (const Error& error) {
         facts_.message = error.what();

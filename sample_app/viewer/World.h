@@ -44,9 +44,10 @@ void turnTable(double degrees, World& world);
 
 /// A finished picture and what was done for it.
 struct Picture {
-    scene::Image image;  ///< without background
+    scene::Image image;  ///< without background, unless it is shown
     scene::Stats stats;
     gl::View view;
+    bool isShown = false;  ///< linear values of what a screen shows, to be written at exposure 1
 };
 
 /// The fields of the stats that do not depend on how the picture was drawn.

@@ -111,6 +111,39 @@ TEST_F(Compare, FilmsOfFlipsAndWipes)
     EXPECT_EQ(flip.width, 96) << "side by side";
 }
 
+TEST_F(ViewerWindow, ComparesAsWithoutAWindow)
+{
+    NEEDS(Backend::egl);
+    for (const char* mode : {"split", "difference", "heat", "flip"}) {
+        const std::string scene = "--plain --size 64x48 --light-count 2 --material '" +
+                                  file("made.fbrdf") + "' --compare drawn vertex --compare-mode " +
+                                  mode;
+        const ProgramResult result = runViewer(
+            scene + " --frames 2 --out '" + file("w.exr") + "' --stats '" + file("w.json") + "'",
+            xvfb_);
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        const nlohmann::json found = readJson(file("w.json"))["compare"];
+        const Image expected = draw("--headless " + scene), window = readExr(file("w.exr"));
+        EXPECT_NEAR(found["psnr_srgb"].get<double>(), stats_["compare"]["psnr_srgb"].get<double>(),
+                    0.05);
+        EXPECT_EQ(found["pixels"], stats_["compare"]["pixels"]);
+        ASSERT_EQ(window.rgba.size(), expected.rgba.size());
+        // A code more or less, which heat and the gain make 8 of.
+        double off = 0.0;
+        for (size_t i = 0; i < window.rgba.size(); ++i)
+            off = std::max(off, std::abs(double(window.rgba[i]) - double(expected.rgba[i])));
+        EXPECT_LE(off, 0.1) << mode;
+    }
+}
+
+TEST_F(ViewerWindow, SaysWhichSideCannotBe)
+{
+    expectError(runViewer("--plain --size 64x48 --frames 1 --material '" + file("made.fbrdf") +
+                              "' --compare drawn hdio",
+                          xvfb_),
+                2, "--compare: hdio: found a material file");
+}
+
 TEST_F(Compare, WhatCannotBeComparedIsOneLine)
 {
     const std::pair<const char*, const char*> cases[] = {

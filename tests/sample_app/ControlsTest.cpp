@@ -111,7 +111,7 @@ TEST(Keys, RestAndUnknownOnes)
     EXPECT_TRUE(applyKey(state, 'f') && state.frame);
     EXPECT_TRUE(applyKey(state, 'h') && state.help);
     EXPECT_TRUE(applyKey(state, 'h') && !state.help);
-    EXPECT_FALSE(applyKey(state, 'x') || applyKey(state, 0));
+    EXPECT_FALSE(applyKey(state, '$') || applyKey(state, 0));
     EXPECT_FALSE(state.close);
     EXPECT_TRUE(applyKey(state, 27) && state.close);
 }
@@ -127,6 +127,24 @@ TEST(Keys, WithControlAreWishes)
     EXPECT_TRUE(applyControlKey(state, 'y', false) && state.redo);
     EXPECT_FALSE(applyControlKey(state, 'x', false));
     EXPECT_TRUE(state.document == seenState().document);
+}
+
+TEST(Keys, ReachComparisonsAndThePlaceThatIsExplained)
+{
+    ViewState state;
+    EXPECT_TRUE(applyKey(state, 'v') && state.compare.on);
+    EXPECT_FALSE(applyKey(state, kLeftKey)) << "no place is explained yet";
+    EXPECT_TRUE(applyKey(state, 'i') && state.cursor.on && state.cursor.followsMouse);
+    EXPECT_TRUE(applyKey(state, kRightKey) && applyKey(state, kDownKey));
+    EXPECT_FALSE(state.cursor.followsMouse);
+    EXPECT_GT(state.cursor.x, 0.5);
+    EXPECT_GT(state.cursor.y, 0.5);
+    for (int i = 0; i < 500; ++i) {
+        applyKey(state, kLeftKey);
+        applyKey(state, kUpKey);
+    }
+    EXPECT_EQ(state.cursor.x, 0.0);
+    EXPECT_EQ(state.cursor.y, 0.0);
 }
 
 TEST(Keys, AllOfTheHelpExist)

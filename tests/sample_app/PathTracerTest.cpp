@@ -492,6 +492,19 @@ TEST(PathPictures, DependNeitherOnThreadsNorOnHowSamplesAreAdded)
     EXPECT_EQ(tracer.samples(), 8);
     EXPECT_EQ(tracer.picture().image.rgba, one.image.rgba);
     EXPECT_EQ(tracer.picture().error, one.error);
+    PathTracer byRows(studio.scene, {{}, {}}, options);
+    for (int rows = 0; rows < 5 * 12; rows += 5) byRows.addRows(5);  // 5, 5 and 2 of 12
+    EXPECT_EQ(byRows.samples(), 4);
+    byRows.addRows(7);
+    EXPECT_EQ(byRows.samples(), 4);
+    const PathPicture four = traced(studio.scene, options, 4),
+                      five = traced(studio.scene, options, 5);
+    for (size_t i = 0; i < four.image.rgba.size(); ++i)
+        EXPECT_EQ(byRows.picture().image.rgba[i], (i < 7 * 12 * 4 ? five : four).image.rgba[i]);
+    byRows.add(4);
+    EXPECT_EQ(byRows.samples(), 8);
+    EXPECT_EQ(byRows.picture().image.rgba, one.image.rgba);
+    EXPECT_EQ(byRows.picture().error, one.error);
     options.seed = 1;
     EXPECT_NE(traced(studio.scene, options, 8).image.rgba, one.image.rgba);
 }

@@ -86,7 +86,8 @@ bool applyKey(ViewState& state, char key)
                 following(static_cast<int>(document.technique), kViewTechniqueCount));
             return true;
         default:
-            return applyLightKey(state, key) || applyEnvironmentKey(state, key) ||
+            return applyCompareKey(state.compare, key) || applyCursorKey(state.cursor, key) ||
+                   applyLightKey(state, key) || applyEnvironmentKey(state, key) ||
                    applyViewKey(state, key);
     }
 }
@@ -128,6 +129,14 @@ const std::vector<KeyHelp>& keyHelp()
                                             {"R", "camera home"},
                                             {"S", "screenshot"},
                                             {"C", "cancel fits"},
+                                            {"V", "compare: next way"},
+                                            {"A / B", "next side"},
+                                            {"X", "exchange, flip"},
+                                            {"P", "hold flip, wipe"},
+                                            {"[ / ]", "move the line"},
+                                            {"G", "gain"},
+                                            {"< / >", "singular values"},
+                                            {"I, arrows", "explain a place"},
                                             {"drop a file", "open it"},
                                             {"Ctrl+Z", "undo"},
                                             {"Ctrl+Shift+Z", "redo"},

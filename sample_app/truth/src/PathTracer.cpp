@@ -21,7 +21,9 @@ public:
     }
 
     int samples() const { return samples_; }
-    void addSample();
+    /// Rows of the sample that is being traced; a new one is begun where the last is complete.
+    void addRows(int count);
+    int rowsLeft() const { return height() - row_; }
     PathPicture picture() const;
 
 private:
@@ -52,18 +54,21 @@ private:
     PathTrace paths_;
     scene::Fragments seen_;
     std::vector<Pixel> pixels_;
-    int samples_ = 0;
+    int samples_ = 0;  ///< that are complete
+    int row_ = 0;      ///< of the sample that is being traced: the next
 };
 
-void PathTracer::State::addSample()
+void PathTracer::State::addRows(int count)
 {
-    if (samples_ == 0 || options_.spread) {
+    if (row_ == 0 && (samples_ == 0 || options_.spread)) {
         const Vec2<double> place = options_.spread ? scene::subPixel(samples_) : Vec2<double>(0.0);
         seen_ = rasterise(scene_.instances, scene::movedBy(scene_.view, place, width(), height()),
                           width(), height());
     }
     const auto columns = static_cast<size_t>(width());
-    parallelTasks(static_cast<size_t>(height()), options_.picture.threads, [&](size_t row) {
+    const int rows = std::min(count, height() - row_);
+    parallelTasks(static_cast<size_t>(rows), options_.picture.threads, [&](size_t task) {
+        const size_t row = static_cast<size_t>(row_) + task;
         for (size_t i = row * columns; i < (row + 1) * columns; ++i) {
             if (seen_.pixels[i].covered()) {
                 Random random(options_.seed, i, static_cast<uint64_t>(samples_));
@@ -75,6 +80,9 @@ void PathTracer::State::addSample()
             }
         }
     });
+    row_ += rows;
+    if (row_ < height()) return;
+    row_ = 0;
     ++samples_;
 }
 
@@ -82,9 +90,12 @@ PathPicture PathTracer::State::picture() const
 {
     PathPicture picture{scene::Image(width(), height()),
                         std::vector<Vec3f>(pixels_.size(), Vec3f(0.0f))};
-    // A mean of n samples varies n times less than they do, of which n - 1 degrees are free.
-    const double count = samples_, freedom = count * std::max(1.0, count - 1.0);
-    for (size_t i = 0; i < pixels_.size() && samples_ > 0; ++i) {
+    const size_t further = static_cast<size_t>(row_) * static_cast<size_t>(width());
+    for (size_t i = 0; i < pixels_.size(); ++i) {
+        // A mean of n samples varies n times less than they do, of which n - 1 degrees are free.
+        const double count = samples_ + (i < further ? 1 : 0);
+        if (count == 0.0) break;
+        const double freedom = count * std::max(1.0, count - 1.0);
         float* const pixel = picture.image.rgba.data() + 4 * i;
         for (int c = 0; c < 3; ++c) {
             pixel[c] = static_cast<float>(pixels_[i].mean[c]);
@@ -106,7 +117,13 @@ PathTracer::~PathTracer() = default;
 void PathTracer::add(int samples)
 {
     FBRDF_ASSERT(samples, >=, 0);
-    for (int i = 0; i < samples; ++i) state_->addSample();
+    for (int i = 0; i < samples; ++i) state_->addRows(state_->rowsLeft());
+}
+
+void PathTracer::addRows(int count)
+{
+    FBRDF_ASSERT(count, >, 0);
+    state_->addRows(count);
 }
 
 int PathTracer::samples() const

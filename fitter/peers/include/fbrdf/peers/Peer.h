@@ -13,7 +13,7 @@ namespace fbrdf {
 
 /// What a peer made of a source.
 struct PeerFit {
-    BrdfFunction brdf;  ///< f(wo, wi) in 1/sr; safe to call from threads
+    BrdfFunction brdf;   ///< f(wo, wi) in 1/sr; safe to call from threads
     size_t bytes = 0;    ///< what a renderer keeps of it: tables and parameters
     int lookups = 0;     ///< texture look-ups per light
     double seconds = 0;  ///< of the fit; 0 for published parameters

@@ -1,5 +1,7 @@
 // Controls.h - what the keys and the mouse of the window do to what is shown; no window here.
 #pragma once
+#include <fbrdf/scene/CompareView.h>
+#include <fbrdf/scene/CursorView.h>
 #include <fbrdf/scene/Document.h>
 
 #include <string>
@@ -12,6 +14,8 @@ struct ViewState {
     Document document;                              ///< with a camera
     Camera home;                                    ///< what `r` goes back to
     std::vector<std::string> meshes, environments;  ///< names that keys and lists go through
+    CompareView compare;
+    CursorView cursor;
     bool help = false;
     bool screenshot = false, frame = false, cancel = false, close = false, undo = false,
          redo = false, save = false;   ///< wishes, for the window to fulfil

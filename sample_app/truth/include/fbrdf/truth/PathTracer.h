@@ -45,9 +45,13 @@ public:
     PathTracer(const scene::Scene& scene, std::vector<LobeTable> lobes, const PathOptions& options);
     ~PathTracer();
 
-    /// Traces so many further paths through each pixel, >= 0.
+    /// Traces so many further paths through each pixel, >= 0. A sample that addRows() left
+    /// incomplete is completed, and counts as one of them.
     void add(int samples);
-    int samples() const;
+    /// Traces a path through each pixel of up to so many further rows, > 0, downwards; at most to
+    /// the end of the picture. Whoever has to answer meanwhile adds a sample bit by bit.
+    void addRows(int count);
+    int samples() const;  ///< that are complete
     PathPicture picture() const;
 
 private:
