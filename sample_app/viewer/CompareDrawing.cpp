@@ -68,6 +68,8 @@ DrawnSide drawn(const CompareSide& side, Options options, World& world)
     if (!isOnCpu(how.technique)) {
         stats.bytes = materialBytes(slot.material());
         if (stats.note.empty()) stats.note = describe(slot.material().form);
+    } else if (stats.note.empty()) {
+        stats.note = noteOf(side, slot);
     }
     if (isMade) std::swap(world.materials, made);
     return drawn;

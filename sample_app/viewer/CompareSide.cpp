@@ -200,6 +200,15 @@ MaterialSlot slotOf(const CompareSide& side, const fitting::FitReply& reply)
     return slot;
 }
 
+std::string noteOf(const CompareSide& side, const MaterialSlot& shown)
+{
+    if (side.kind != Kind::technique || shown.truthIsSource() ||
+        !scene::isOnCpu(scene::viewTechniqueFromName(side.name)))
+        return "";
+    return shown.source() ? "the data are samples and no function: this is the fit, in double"
+                          : "a material file: this is the material, in double";
+}
+
 SideDrawing drawingOf(const CompareSide& side, const MaterialSlot& slot,
                       scene::ViewTechnique chosen, bool hasEnvironment)
 {

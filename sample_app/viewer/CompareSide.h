@@ -45,6 +45,9 @@ std::optional<fitting::FitOrder> orderOf(const CompareSide& side, const Material
 /// What came of such an order, without errors.
 MaterialSlot slotOf(const CompareSide& side, const fitting::FitReply& reply);
 
+/// What people should know of a side of the shown material: that its truth is a fit; may be empty.
+std::string noteOf(const CompareSide& side, const MaterialSlot& shown);
+
 /// How a side is drawn. `slot`: what orderOf was fitted to, else the shown material. Functions that
 /// no renderer has as maps are drawn per pixel; in an environment, whose sum over all texels would
 /// take minutes, by paths without bounces.

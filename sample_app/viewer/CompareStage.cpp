@@ -91,6 +91,7 @@ void CompareStage::follow(scene::CompareView& view, MaterialSlot& shown)
         const std::string problem = whyNotHere(side);
         if (!problem.empty() || !seat.side.needsFit()) seat.problem = problem;
         takeFor(seat);
+        if (!seat.slot) seat.note = noteOf(side, shown);
         fillFacts(static_cast<int>(i));
     }
 }

@@ -48,6 +48,7 @@ void CursorInspector::answerFor(size_t subject, const CursorSubject& asked,
 {
     CursorFacts::Subject& facts = facts_.subjects[subject];
     facts.title = asked.title;
+    facts.material = asked.material;
     facts.maps.clear();
     facts.curve = polarCurve(asked.brdf, pair.wi);
     facts.f = pair.wo.z > 0.0 && pair.wi.z > 0.0 ? asked.brdf(pair.wo, pair.wi) : Vec3d(0.0);

@@ -38,6 +38,7 @@ struct CursorFacts {
     ProbeAngles angles;
     struct Subject {
         std::string title;
+        const Material* material = nullptr;  ///< whose maps are read; null: it has none
         Vec3d f{0.0};
         PolarCurve curve;
         std::vector<MapView> maps;

@@ -15,7 +15,7 @@ namespace {
 
 using scene::CompareMode;
 
-constexpr float kMarginPixels = 12.0f, kCompareWidth = 392.0f, kHandle = 9.0f;
+constexpr float kMarginPixels = 12.0f, kCompareWidth = 400.0f, kHandle = 9.0f;
 constexpr ImU32 kPaperColour = IM_COL32(12, 13, 16, 190), kInkColour = IM_COL32(235, 235, 235, 255);
 
 ImU32 shownColour(const Vec3f& linear)
@@ -156,7 +156,10 @@ void drawSeat(const CompareFacts::Seat& seat)
         fmt::format("{}, sample {} of {}", seat.technique, seat.samples, seat.samplesWanted);
     if (seat.bytes > 0) text += fmt::format(", {} bytes", seat.bytes);
     ImGui::TextDisabled("%s", text.c_str());
-    if (!seat.note.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", seat.note.c_str());
+    if (seat.note.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", seat.note.c_str());
+    ImGui::PopStyleColor();
 }
 
 void drawMode(scene::CompareView& compare)
@@ -175,7 +178,7 @@ void drawMode(scene::CompareView& compare)
         case CompareMode::wipe:
         case CompareMode::flip: ImGui::Checkbox("hold (P)", &compare.holds); break;
         case CompareMode::difference:
-            ImGui::SliderFloat("gain (G)", &compare.gain, scene::kLeastGain, scene::kMostGain,
+            ImGui::SliderFloat("gain (D)", &compare.gain, scene::kLeastGain, scene::kMostGain,
                                "x %.0f",
                                ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
             break;
@@ -199,19 +202,21 @@ void drawCompare(scene::CompareView& compare, const CompareFacts& facts)
     ImGui::Begin("compare (V)", &compare.on, ImGuiWindowFlags_NoResize);
     ImGui::PushItemWidth(-76.0f);
     drawMode(compare);
-    chooseSide("A", compare.a, facts);
+    chooseSide("A (1)", compare.a, facts);
     drawSeat(facts.seats[0]);
     ImGui::PushID("B");
-    chooseSide("B", compare.b, facts);
+    chooseSide("B (2)", compare.b, facts);
     drawSeat(facts.seats[1]);
     ImGui::PopID();
-    if (ImGui::SmallButton("exchange (X)")) std::swap(compare.a, compare.b);
+    if (ImGui::SmallButton("exchange (3)")) std::swap(compare.a, compare.b);
     ImGui::SliderInt("terms < >", &compare.terms, 1, scene::kMostCompareTerms, "%d",
                      ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("of singular values");
     ImGui::TextUnformatted(facts.numbers.empty() ? "no numbers yet" : facts.numbers.c_str());
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("of what is shown, over the pixels of objects and ground");
+        ImGui::SetTooltip(
+            "of what is shown, over the pixels of objects and ground; noise of paths counts "
+            "until it is gone");
     ImGui::PopItemWidth();
     ImGui::End();
 }

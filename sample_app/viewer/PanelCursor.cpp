@@ -10,7 +10,7 @@
 namespace fbrdf::viewer {
 namespace {
 
-constexpr float kCursorWidth = 330.0f, kPlotRadius = 128.0f, kMapPixels = 92.0f;
+constexpr float kCursorWidth = 340.0f, kPlotRadius = 112.0f, kMapPixels = 64.0f;
 constexpr ImU32 kColourOf[] = {IM_COL32(90, 180, 255, 255), IM_COL32(255, 170, 60, 255)};
 constexpr ImU32 kGridColour = IM_COL32(255, 255, 255, 46), kDimInk = IM_COL32(210, 210, 210, 255),
                 kSampleColour = IM_COL32(255, 255, 255, 170);
@@ -122,12 +122,13 @@ void drawMap(const MapView& map)
     ImGui::SetTooltip("%s", text.c_str());
 }
 
-void drawSubject(const CursorFacts::Subject& subject, size_t index)
+void drawSubject(const CursorFacts::Subject& subject, size_t index, bool withMaps)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, kColourOf[index]);
     ImGui::TextWrapped("%s: %s", index == 0 ? "A" : "B", subject.title.c_str());
     ImGui::PopStyleColor();
     ImGui::Text("f = %s", valueText(subject.f).c_str());
+    if (!withMaps) return;
     constexpr size_t kMapsALine = 3;
     for (size_t i = 0; i < subject.maps.size() && i < 2 * kMapsALine; ++i) {
         if (i % kMapsALine != 0) ImGui::SameLine();
@@ -174,7 +175,9 @@ void drawCursor(scene::CursorView& cursor, const CursorFacts& facts)
         ImGui::Text("theta_i %.1f  theta_o %.1f  phi %.1f", a.theta_i, a.theta_o, a.phi);
         ImGui::Text("theta_h %.1f  theta_d %.1f  phi_d %.1f", a.theta_h, a.theta_d, a.phi_d);
         drawPlot(facts);
-        for (size_t i = 0; i < 2; ++i) drawSubject(facts.subjects[i], i);
+        const auto& [first, second] = facts.subjects;
+        drawSubject(first, 0, true);
+        drawSubject(second, 1, second.material != first.material);
     }
     ImGui::End();
 }

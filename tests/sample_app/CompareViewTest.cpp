@@ -38,13 +38,13 @@ TEST(CompareKeys, ChooseSidesAndStayWithinLimits)
 {
     CompareView compare;
     compare.sideCount = 3;
-    applyCompareKey(compare, 'b');
+    applyCompareKey(compare, '2');
     EXPECT_EQ(compare.b, 2);
-    applyCompareKey(compare, 'b');
-    applyCompareKey(compare, 'a');
+    applyCompareKey(compare, '2');
+    applyCompareKey(compare, '1');
     EXPECT_EQ(compare.b, 0);
     EXPECT_EQ(compare.a, 1);
-    applyCompareKey(compare, 'x');
+    applyCompareKey(compare, '3');
     EXPECT_EQ(compare.a, 0);
     EXPECT_EQ(compare.b, 1);
     for (int i = 0; i < 100; ++i) applyCompareKey(compare, ']');
@@ -56,7 +56,7 @@ TEST(CompareKeys, ChooseSidesAndStayWithinLimits)
     for (int i = 0; i < 100; ++i) applyCompareKey(compare, '<');
     EXPECT_EQ(compare.terms, 1);
     for (int i = 0; i < 20; ++i) {
-        applyCompareKey(compare, 'g');
+        applyCompareKey(compare, 'd');
         EXPECT_GE(compare.gain, kLeastGain);
         EXPECT_LE(compare.gain, kMostGain);
     }
@@ -84,10 +84,10 @@ TEST(CompareView, AFlipTakesTurnsUntilItIsHeld)
     EXPECT_TRUE(compare.flipsToB(1.5 * kFlipSeconds));
     EXPECT_FALSE(compare.flipsToB(2.5 * kFlipSeconds));
     const CompareView before = compare;
-    applyCompareKey(compare, 'x');
-    EXPECT_EQ(compare.a, before.a) << "x shows the other one, and exchanges nothing";
+    applyCompareKey(compare, '3');
+    EXPECT_EQ(compare.a, before.a) << "3 shows the other one, and exchanges nothing";
     EXPECT_TRUE(compare.flipsToB(0.0) && compare.flipsToB(kFlipSeconds));
-    applyCompareKey(compare, 'x');
+    applyCompareKey(compare, '3');
     EXPECT_FALSE(compare.flipsToB(0.0) || compare.flipsToB(1.5 * kFlipSeconds));
 }
 

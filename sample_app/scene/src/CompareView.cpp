@@ -77,11 +77,11 @@ bool applyCompareKey(CompareView& compare, char key)
 {
     switch (key) {
         case 'v': toNextMode(compare); return true;
-        case 'a': compare.a = nextSide(compare.a, compare.sideCount); return true;
-        case 'b': compare.b = nextSide(compare.b, compare.sideCount); return true;
-        case 'x': exchange(compare); return true;
+        case '1': compare.a = nextSide(compare.a, compare.sideCount); return true;
+        case '2': compare.b = nextSide(compare.b, compare.sideCount); return true;
+        case '3': exchange(compare); return true;
         case 'p': compare.holds = !compare.holds; return true;
-        case 'g':
+        case 'd':
             compare.gain = compare.gain >= kMostGain ? kLeastGain : 2.0f * compare.gain;
             return true;
         case '[':
