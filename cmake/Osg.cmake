@@ -1,6 +1,6 @@
 # OpenSceneGraph is optional: FBRDF_OSG decides, and is on where it is found. fbrdf_osg carries its include folders and
 # libraries.
-find_package(OpenSceneGraph 3.6 QUIET COMPONENTS osgFX osgDB osgUtil osgViewer osgGA)
+find_package(OpenSceneGraph 3.6 QUIET COMPONENTS osgFX osgDB osgUtil osgViewer osgGA osgShadow)
 option(FBRDF_OSG "Build the OpenSceneGraph node kit and its plugins" ${OPENSCENEGRAPH_FOUND})
 if(FBRDF_OSG AND NOT OPENSCENEGRAPH_FOUND)
   message(FATAL_ERROR "FBRDF_OSG=ON: found no OpenSceneGraph, expected 3.6 or newer (libopenscenegraph-dev)")

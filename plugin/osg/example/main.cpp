@@ -1,6 +1,6 @@
 // fbrdf-osg-knot draws a torus knot of a measured material under many lights with OpenSceneGraph.
 //   fbrdf-osg-knot [--lights N] [--area-lights] [--environment PICTURE.hdr|studio|overcast|clear]
-//                  MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
+//                  [--shadows] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
 //   fbrdf-osg-knot --model MODEL.osgt
 // With a second name the scene is saved instead of shown, as a scene file or as a picture. --model
 // saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
@@ -11,8 +11,11 @@
 
 #include <osg/ArgumentParser>
 #include <osg/Geometry>
+#include <osg/LightSource>
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
+#include <osgShadow/ShadowedScene>
+#include <osgShadow/ViewDependentShadowMap>
 #include <osgViewer/Viewer>
 
 #include <cmath>
@@ -112,6 +115,44 @@ osg::ref_ptr<osgFbrdf::AreaLights> areaLights()
     return lights;
 }
 
+/// One of OpenGL's lights, which falls off by 1 / r^2.
+osg::ref_ptr<osg::LightSource> lamp(unsigned int number, const osg::Vec3f& place,
+                                    const osg::Vec3f& colour)
+{
+    osg::ref_ptr<osg::Light> light = new osg::Light(number);
+    light->setPosition(osg::Vec4f(place, 1.0f));
+    light->setDirection(-place);
+    light->setAmbient({0.0f, 0.0f, 0.0f, 1.0f});
+    light->setDiffuse(osg::Vec4f(colour, 1.0f));
+    light->setConstantAttenuation(0.0f);
+    light->setQuadraticAttenuation(1.0f);
+    osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
+    source->setLight(light);
+    return source;
+}
+
+/// The effect with a floor below its model, under two lamps that cast shadows and a faint light
+/// from the viewer that casts none.
+osg::ref_ptr<osg::Group> withShadows(osgFbrdf::FactorizedBrdf* effect)
+{
+    const osg::ref_ptr<osg::Geometry> floor = osg::createTexturedQuadGeometry(
+        {-6.0f, -6.0f, -1.7f}, {12.0f, 0.0f, 0.0f}, {0.0f, 12.0f, 0.0f});
+    effect->addChild(floor);
+    // The maps have the back faces of models that have these culled: fewer stripes on the fronts.
+    for (unsigned int i = 0; i < effect->getNumChildren(); ++i)
+        effect->getChild(i)->getOrCreateStateSet()->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
+    osg::ref_ptr<osgShadow::ShadowedScene> scene =
+        new osgShadow::ShadowedScene(new osgShadow::ViewDependentShadowMap);
+    scene->getShadowSettings()->setTextureSize({2048, 2048});
+    scene->addChild(lamp(0, {4.0f, -3.0f, 6.0f}, {90.0f, 80.0f, 65.0f}));
+    scene->addChild(lamp(1, {-5.0f, -2.5f, 4.5f}, {18.0f, 27.0f, 40.0f}));
+    osg::ref_ptr<osgFbrdf::PointLights> fill = new osgFbrdf::PointLights;
+    fill->addDirectional({0.0f, -1.0f, 0.5f}, {0.2f, 0.2f, 0.2f});
+    scene->addChild(fill);
+    scene->addChild(effect);
+    return scene;
+}
+
 /// Keeps the picture that a camera has drawn.
 class Keep : public osg::Camera::DrawCallback {
 public:
@@ -141,7 +182,7 @@ bool savePicture(osg::Node& scene, const std::string& file)
 int usage()
 {
     std::cerr << "usage: fbrdf-osg-knot [--lights N] [--area-lights]\n"
-                 "                      [--environment PICTURE|studio|overcast|clear]\n"
+                 "                      [--environment PICTURE|studio|overcast|clear] [--shadows]\n"
                  "                      MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
                  "       fbrdf-osg-knot --model MODEL.osgt\n";
     return 2;
@@ -156,23 +197,27 @@ int main(int argc, char** argv)
     std::string model, environment;
     // Where an environment or area lights light the knot there are no others, unless asked for.
     const bool hasAreaLights = arguments.read("--area-lights");
-    if (arguments.read("--environment", environment) || hasAreaLights) lightCount = 0;
+    const bool hasShadows = arguments.read("--shadows");
+    if (arguments.read("--environment", environment) || hasAreaLights || hasShadows) lightCount = 0;
+    const bool mayBeWithout = lightCount == 0;
     arguments.read("--lights", lightCount);
     arguments.read("--model", model);
-    if (arguments.errors() || arguments.containsOptions() ||
-        lightCount < (environment.empty() && !hasAreaLights ? 1 : 0) || lightCount > kMostLights ||
-        argc > 3 || (argc > 1) == !model.empty())
+    if (arguments.errors() || arguments.containsOptions() || lightCount < (mayBeWithout ? 0 : 1) ||
+        lightCount > kMostLights || argc > 3 || (argc > 1) == !model.empty())
         return usage();
     if (!model.empty()) return osgDB::writeNodeFile(*knotOf(), model) ? 0 : 5;
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;
     effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, which shows sRGB codes
-    effect->setExposure(environment.empty() && !hasAreaLights ? 2.5f : 1.0f);
+    effect->setExposure(mayBeWithout ? 1.0f : 2.5f);
     effect->addChild(knotOf());
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
-    scene->addChild(effect);
+    if (hasShadows)
+        scene->addChild(withShadows(effect));
+    else
+        scene->addChild(effect);
     if (lightCount > 0) scene->addChild(lightsAround(lightCount));
     if (hasAreaLights) scene->addChild(areaLights());
     if (!environment.empty()) {

@@ -12,6 +12,8 @@
 #include <osg/DisplaySettings>
 #include <osg/Fog>
 #include <osg/LightSource>
+#include <osgShadow/ShadowedScene>
+#include <osgShadow/StandardShadowMap>
 #include <osgViewer/CompositeViewer>
 
 #include <algorithm>
@@ -219,6 +221,24 @@ TEST_F(CoreProfile, ShowsEnvironmentsAreaLightsAndDerivedTangents)
             effect->selectTechnique(technique);
             expectSame(*effect, derived ? "derived" : "attribute");
         }
+}
+
+// Textures of OpenSceneGraph compare no depths there.
+TEST_F(CoreProfile, ShowsNoShadowsAndSaysWhy)
+{
+    const osg::ref_ptr<osgShadow::ShadowTechnique> technique = new osgShadow::StandardShadowMap;
+    const osg::ref_ptr<osg::Group> scene = new osgShadow::ShadowedScene(technique);
+    scene->addChild(coneSource(0));
+    const auto effect = this->effect();
+    scene->addChild(effect);
+    const auto lines = log(scene);
+    EXPECT_GT(meanOf(picture_, 0), 0.01);
+    EXPECT_EQ(effect->lastReport().technique, "single pass");
+    EXPECT_EQ(effect->lastReport().whyNoShadows,
+              "found no textures that compare depths, expected a compatibility profile");
+    EXPECT_EQ(lines.count("osgFbrdf: an effect without a name: drawn without shadows: " +
+                          effect->lastReport().whyNoShadows),
+              1u);
 }
 
 // Debian's OpenSceneGraph makes errors of its own there; the effect adds none.

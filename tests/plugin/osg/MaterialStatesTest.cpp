@@ -51,7 +51,7 @@ TEST(MaterialStates, GivesOtherPassesForAnyOtherRequest)
     std::vector<PassInputs> inputs(4);
     inputs[0].units = osgFbrdf::TextureUnits(2, {});
     inputs[1].derivedTangents = true;
-    inputs[2].attenuated = true;
+    inputs[2].hooks.attenuated = true;
     inputs[3].units = osgFbrdf::TextureUnits(0, {0});
     for (size_t i = 0; i < inputs.size(); ++i) {
         const auto other = states->passes(usual, inputs[i]);

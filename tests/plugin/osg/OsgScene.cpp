@@ -141,6 +141,8 @@ void OsgTest::SetUp()
     setenv("OSG_LIBRARY_PATH", builtFile("FBRDF_OSG_LIBRARIES", FBRDF_OSG_LIBRARY_PATH).c_str(), 1);
     setenv("OSG_GL_ERROR_CHECKING", "ONCE_PER_ATTRIBUTE", 1);
     osgDB::Registry::instance()->initLibraryFilePathList();
+    // OSG knows extensions by the number of a context, which the context of the last test had too.
+    for (unsigned int number = 0; number < 8; ++number) osg::GLExtensions::Set(number, nullptr);
     try {
         context_ = newContext();
     } catch (const Error& error) {

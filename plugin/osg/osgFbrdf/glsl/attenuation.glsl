@@ -6,10 +6,10 @@
 //   axis          unit, where a spot shines
 uniform vec4 osgFbrdfAttenuations[24];
 
-// OpenGL 2.1 specification, section 2.14.1. index: of the attenuation; -1, or 8, for a light of the runtime.
+// OpenGL 2.1 specification, section 2.14.1. index: of the attenuation; 8 for a light of the runtime.
 float osgFbrdfAttenuation(int index, vec3 position, vec3 toLight)
 {
-    if (index < 0 || index >= 8) return 1.0;
+    if (index >= 8) return 1.0;
     vec4 place = osgFbrdfAttenuations[3 * index];
     vec3 coefficients = osgFbrdfAttenuations[3 * index + 1].xyz, axis = osgFbrdfAttenuations[3 * index + 2].xyz;
     vec3 difference = place.xyz - position;
@@ -17,9 +17,4 @@ float osgFbrdfAttenuation(int index, vec3 position, vec3 toLight)
     float factor = distanceSquared / dot(coefficients, vec3(1.0, sqrt(distanceSquared), distanceSquared));
     float cosine = max(-dot(axis, toLight), 0.0);
     return place.w > 0.0 ? factor * pow(cosine, place.w) : factor;
-}
-
-float fbrdfShadow(int light, vec3 position, vec3 toLight)
-{
-    return osgFbrdfAttenuation(light, position, toLight);
 }

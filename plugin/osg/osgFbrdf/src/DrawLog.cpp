@@ -45,6 +45,8 @@ void DrawLog::report(const FactorizedBrdf& effect, const DrawReport& report)
     if (!report.whyNoEnvironment.empty())
         warnOnce(effect, report.whyNoEnvironment,
                  "drawn without the environment or area lights: " + report.whyNoEnvironment);
+    if (!report.whyNoShadows.empty())
+        warnOnce(effect, report.whyNoShadows, "drawn without shadows: " + report.whyNoShadows);
     if (report.environmentsLeftOut > 0)
         warnOnce(effect, "environments",
                  fbrdf::Found(std::to_string(report.environmentsLeftOut + 1) +

@@ -17,6 +17,9 @@ public:
     const osg::ref_ptr<TechniqueChoice> choice = new TechniqueChoice;
     const osg::ref_ptr<DiffuseShader> diffuse = new DiffuseShader;
     std::atomic<bool> partsAreKnown{false};  ///< the log has the names in the table without a part
+    /// The texture unit of a shadow map that was drawn from where the last frame had no light; -1:
+    /// none.
+    std::atomic<int> strayShadowMap{-1};
 
 protected:
     ~EffectInternals() override = default;

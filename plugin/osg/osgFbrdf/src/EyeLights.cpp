@@ -29,7 +29,8 @@ void add(EyeLights& lights, const ConvertedLight& source, const osg::Vec3d& cent
     const bool applied =
         source.isAttenuated && lights.attenuations.size() < static_cast<size_t>(kMostAttenuations);
     lights.lights.push_back(applied ? source.light : approximatedAt(centre, source));
-    lights.attenuationOf.push_back(applied ? static_cast<int>(lights.attenuations.size()) : -1);
+    lights.attenuationOf.push_back(applied ? static_cast<int>(lights.attenuations.size())
+                                           : kNotAttenuated);
     if (applied) lights.attenuations.push_back(source.attenuation);
 }
 
@@ -55,7 +56,7 @@ EyeLights lightsOf(const SceneLights& scene, const osg::Matrixd& toEye, const fb
 {
     EyeLights all;
     all.lights = pointLightsInEye(scene, toEye);
-    all.attenuationOf.assign(all.lights.size(), -1);
+    all.attenuationOf.assign(all.lights.size(), kNotAttenuated);
     for (const PlacedOsgLight& source : scene.sources)
         if (isOn(source, state)) add(all, converted(source, toEye), toOsg(bounds.centre));
     if (withSpare && scene.spare && isOn(*scene.spare, state))

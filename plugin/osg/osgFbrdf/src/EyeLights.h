@@ -12,7 +12,8 @@ class InheritedState;
 
 struct EyeLights {
     std::vector<fbrdf::Light> lights;
-    /// Which of the attenuations each light has; -1: its falloff and cone are the runtime's.
+    /// Which of the attenuations each light has; kNotAttenuated: its falloff and cone are the
+    /// runtime's.
     std::vector<int> attenuationOf;
     std::vector<Attenuation> attenuations;  ///< at most kMostAttenuations
     int culled = 0;                         ///< lights that cannot reach the object

@@ -60,9 +60,9 @@ osg::ref_ptr<osg::Uniform> attenuationUniform(const std::vector<Attenuation>& at
     return uniform;
 }
 
-/// The uniform from which attenuation.glsl knows which attenuation each light of the pass has.
-osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuationOf,
-                                              const fbrdf::Pass& pass)
+/// The uniform from which the hook knows the attenuation of each light of the pass.
+osg::ref_ptr<osg::Uniform> lightNumbers(const std::vector<int>& attenuationOf,
+                                        const fbrdf::Pass& pass)
 {
     osg::ref_ptr<osg::Uniform> uniform =
         new osg::Uniform(osg::Uniform::INT, "fbrdfLightNumbers", pass.lightCount);
@@ -75,21 +75,21 @@ osg::ref_ptr<osg::Uniform> attenuationNumbers(const std::vector<int>& attenuatio
 }  // namespace
 
 FrameStates::FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
-                         EyeLights lights, const EyeLobes& lobes, Surfaces* surfaces,
-                         const TextureUnits& units)
-    : lights_(std::move(lights)),
-      attenuations_(lights_.attenuations.empty() ? nullptr
-                                                 : attenuationUniform(lights_.attenuations)),
-      environment_(lobes.cube),
-      areas_(lobes.areas),
+                         const Illumination& light, Surfaces* surfaces, const TextureUnits& units,
+                         ShadowPlacement* shadows)
+    : light_(light),
+      attenuations_(light.lights.attenuations.empty()
+                        ? nullptr
+                        : attenuationUniform(light.lights.attenuations)),
       surfaces_(surfaces),
       effect_(effect),
       units_(units),
-      eye_(new osg::Uniform("fbrdfEye", eyeOf(projection)))
+      eye_(new osg::Uniform("fbrdfEye", eyeOf(projection))),
+      shadows_(shadows)
 {
-    if (environment_) {
-        toEnvironment_ = new osg::Uniform("fbrdfToEnvironment", lobes.fromEye);
-        environmentScale_ = new osg::Uniform("fbrdfEnvironmentScale", lobes.scale);
+    if (light.lobes.cube) {
+        toEnvironment_ = new osg::Uniform("fbrdfToEnvironment", light.lobes.fromEye);
+        environmentScale_ = new osg::Uniform("fbrdfEnvironmentScale", light.lobes.scale);
     }
     const auto& scales = effect.getMaterial()->material().scales;
     for (size_t t = 0; t < scales.size(); ++t) {
@@ -113,22 +113,37 @@ osg::ref_ptr<osg::StateSet> FrameStates::stateOf(const fbrdf::Pass& pass) const
 
 void FrameStates::addLights(osg::StateSet& state, const fbrdf::Pass& pass) const
 {
-    state.addUniform(lightUniform(lights_.lights, pass));
+    state.addUniform(lightUniform(light_.lights.lights, pass));
     state.addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
-    if (!attenuations_) return;
-    state.addUniform(attenuations_);
-    state.addUniform(attenuationNumbers(lights_.attenuationOf, pass));
+    if (!attenuations_ && !shadows_) return;
+    const auto numbers = lightNumbers(light_.lights.attenuationOf, pass);
+    state.addUniform(numbers);
+    if (attenuations_) state.addUniform(attenuations_);
+    if (!shadows_) return;
+    shadows_->place(numbers, pass.firstLight);
+    addShadowMaps(state);
+}
+
+/// Textures of the model must not take the units of the maps, which are not those of ours.
+void FrameStates::addShadowMaps(osg::StateSet& state) const
+{
+    state.addUniform(shadows_->matrices());
+    const ReceivedShadows& shadows = light_.shadows;
+    for (size_t k = 0; k < shadows.textures.size(); ++k)
+        if (shadows.textures[k])
+            state.setTextureAttribute(static_cast<unsigned int>(shadows.maps.units[k]),
+                                      shadows.textures[k], kOurs);
 }
 
 void FrameStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const
 {
     if (pass.lobes.areaSlots > 0)
         state.addUniform(new osg::Uniform("fbrdfAreaLightCount", pass.lobes.areaCount));
-    if (pass.lobes.areaCount > 0) state.addUniform(areaUniform(areas_, pass.lobes));
+    if (pass.lobes.areaCount > 0) state.addUniform(areaUniform(light_.lobes.areas, pass.lobes));
     if (!pass.lobes.environment) return;
-    FBRDF_ASSERT(environment_.valid(), ==, true);
+    FBRDF_ASSERT(light_.lobes.cube.valid(), ==, true);
     const int unit = effect_.getMaterial()->states()->environmentUnit(pass, units_);
-    state.setTextureAttribute(static_cast<unsigned int>(unit), environment_, kOurs);
+    state.setTextureAttribute(static_cast<unsigned int>(unit), light_.lobes.cube, kOurs);
     state.addUniform(toEnvironment_);
     state.addUniform(environmentScale_);
 }

@@ -1,8 +1,8 @@
 // FrameStates.h - what changes in the passes of an effect with frame and view: lights, environment,
 // exposure, the eye. It is made anew each time, as the last one may still be being drawn.
 #pragma once
-#include "EyeLights.h"
-#include "EyeLobes.h"
+#include "Illumination.h"
+#include "ShadowPlacement.h"
 #include "Surfaces.h"
 #include "TextureUnits.h"
 
@@ -18,28 +18,30 @@ class FactorizedBrdf;
 
 class FrameStates {
 public:
-    /// surfaces: null where no pass reads one.
-    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection, EyeLights lights,
-                const EyeLobes& lobes, Surfaces* surfaces, const TextureUnits& units);
+    /// light: outlives this. surfaces: null where no pass reads one. shadows: null where no light
+    /// has any.
+    FrameStates(const FactorizedBrdf& effect, const osg::Matrixd& projection,
+                const Illumination& light, Surfaces* surfaces, const TextureUnits& units,
+                ShadowPlacement* shadows);
 
     /// The uniforms of the pass and the surface that it reads; MaterialStates has the rest.
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass) const;
 
 private:
     void addLights(osg::StateSet& state, const fbrdf::Pass& pass) const;
+    void addShadowMaps(osg::StateSet& state) const;
     void addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const;
     void addSurface(osg::StateSet& state, fbrdf::Surface surface) const;
 
-    EyeLights lights_;
-    osg::ref_ptr<osg::Uniform> attenuations_;    ///< null: no light has one
-    osg::ref_ptr<EnvironmentCube> environment_;  ///< null: no pass adds its light
+    const Illumination& light_;
+    osg::ref_ptr<osg::Uniform> attenuations_;  ///< null: no light has one
     osg::ref_ptr<osg::Uniform> toEnvironment_, environmentScale_;
-    std::vector<fbrdf::AreaVectors> areas_;
     osg::ref_ptr<Surfaces> surfaces_;
     const FactorizedBrdf& effect_;
     TextureUnits units_;
     osg::ref_ptr<osg::Uniform> eye_;
     std::vector<osg::ref_ptr<osg::Uniform>> scales_;
+    osg::ref_ptr<ShadowPlacement> shadows_;
 };
 
 }  // namespace osgFbrdf

@@ -23,6 +23,12 @@ public:
     /// Null where no state set has such an attribute.
     const osg::StateAttribute* attribute(osg::StateAttribute::Type type) const;
 
+    /// No state set has anything in this texture unit or one after it.
+    int textureUnits() const;
+    /// The same as mode and attribute in a texture unit, unit >= 0.
+    std::optional<bool> textureMode(int unit, osg::StateAttribute::GLMode mode) const;
+    const osg::StateAttribute* textureAttribute(int unit, osg::StateAttribute::Type type) const;
+
 private:
     std::vector<const osg::StateSet*> sets_;  ///< those nearer to the root come first
 };

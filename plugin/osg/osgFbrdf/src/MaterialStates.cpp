@@ -84,7 +84,7 @@ constexpr size_t kMostPlans = 32;
 std::string keyOf(const PassInputs& inputs)
 {
     return inputs.units.key() + (inputs.derivedTangents ? "t" : "") +
-           (inputs.preciseFiltering ? "p" : "") + (inputs.attenuated ? "a" : "");
+           (inputs.preciseFiltering ? "p" : "") + inputs.hooks.key();
 }
 
 std::string keyOf(const fbrdf::LobeLayout& layout)
@@ -150,16 +150,15 @@ VersionedShader vertexShader(bool derivesTangents)
 
 }  // namespace
 
-fbrdf::Capabilities assumedCapabilities(bool attenuated)
+fbrdf::Capabilities assumedCapabilities(const LightHooks& hooks)
 {
     fbrdf::Capabilities assumed;
     assumed.maxTextureUnits = 16;
     assumed.maxUniformVectors = 1024;
-    // Taken off are the attenuations, and for each light the number of its attenuation: a quarter
-    // of all, as an int of an array may fill a vector and a light has three vectors beside it.
-    if (attenuated)
-        assumed.maxUniformVectors -=
-            kVectorsPerAttenuation * kMostAttenuations + assumed.maxUniformVectors / 4;
+    // Taken off are those of the hooks, and for each light its number: a quarter of all, as an int
+    // of an array may fill a vector and a light has three vectors beside it.
+    if (hooks.any())
+        assumed.maxUniformVectors -= hooks.uniformVectors() + assumed.maxUniformVectors / 4;
     assumed.floatTextures = assumed.textureLod = true;
     assumed.framebufferObjects = assumed.floatTargets = true;
     return assumed;
@@ -216,7 +215,7 @@ osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& s
     const auto fragment = versionedShader(osg::Shader::FRAGMENT, [&](int glsl) {
         fbrdf::SurfaceInputs surface = surfaceInputs(glsl);
         surface.derivedTangent = inputs.derivedTangents;
-        if (inputs.attenuated) surface.shadowHook = fbrdf::osgFbrdfShader("attenuation.glsl");
+        surface.shadowHook = shadowHook(inputs.hooks);
         return fbrdf::fragmentSource(form_, encodings, spec, glsl, surface);
     });
     osg::ref_ptr<VersionedProgram>& program =
@@ -240,6 +239,11 @@ void MaterialStates::addMaps(osg::StateSet& state, const PassInputs& inputs) con
     }
     for (const Map& map : maps_)
         for (const auto& uniform : map.uniforms) state.addUniform(uniform, kOurs);
+    const std::vector<int>& shadows = inputs.hooks.shadows.units;
+    for (size_t k = 0; k < shadows.size(); ++k) {
+        const std::string name = "osgFbrdfShadowMap" + std::to_string(k);
+        state.addUniform(new osg::Uniform(name.c_str(), shadows[k]), kOurs);
+    }
 }
 
 void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
@@ -263,18 +267,20 @@ void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
 
 ContextLimits MaterialStates::neededBy(const fbrdf::Pass& pass, const PassInputs& inputs) const
 {
-    if (pass.lobes.isEmpty()) return {};
-    const fbrdf::Capabilities assumed = assumedCapabilities(inputs.attenuated);
+    const LightHooks& hooks = inputs.hooks;
+    if (pass.lobes.isEmpty() && hooks.shadows.empty()) return {};
+    const fbrdf::Capabilities assumed = assumedCapabilities(hooks);
     const int lights =
         fbrdf::programSpec(pass, fbrdf::maxLightsInUniforms(form_, assumed, pass.lobes)).lightSlots;
-    // A number of an attenuation may fill a vector.
-    const int attenuated =
-        inputs.attenuated ? kVectorsPerAttenuation * kMostAttenuations + lights : 0;
+    // A number of a light may fill a vector.
+    const int hooked = hooks.any() ? hooks.uniformVectors() + lights : 0;
     const int vectors = assumed.maxUniformVectors - fbrdf::freeUniformVectors(form_, assumed) +
-                        fbrdf::kVectorsPerLight * lights + attenuated + pass.lobes.vectors();
+                        fbrdf::kVectorsPerLight * lights + hooked + pass.lobes.vectors();
     const bool cube = pass.lobes.environment;
     const int textures = textureUnits() + (pass.reads ? 1 : 0) + (cube ? 1 : 0);
-    return {inputs.units.needed(textures), 4 * vectors, cube};
+    int units = inputs.units.needed(textures);
+    for (const int unit : hooks.shadows.units) units = std::max(units, unit + 1);
+    return {units, 4 * vectors, cube};
 }
 
 /// The caller has the lock.
@@ -283,8 +289,7 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
                                                     const fbrdf::LobeTable* lobes)
 {
     const auto spec = fbrdf::programSpec(
-        pass,
-        fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.attenuated), pass.lobes));
+        pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.hooks), pass.lobes));
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, bin, inputs)];
     if (state) return state;
     state = new osg::StateSet;
@@ -296,9 +301,9 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
     return state;
 }
 
-fbrdf::Plan MaterialStates::plan(const fbrdf::PlanRequest& request, bool attenuated) const
+fbrdf::Plan MaterialStates::plan(const fbrdf::PlanRequest& request, const LightHooks& hooks) const
 {
-    return fbrdf::planPasses(form_, request, assumedCapabilities(attenuated));
+    return fbrdf::planPasses(form_, request, assumedCapabilities(hooks));
 }
 
 std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanRequest& request,
@@ -309,7 +314,7 @@ std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanReq
     const Lock lock(mutex_);
     if (const auto known = planned_.find(key); known != planned_.end()) return known->second;
     const auto planned = std::make_shared<PlannedPasses>();
-    planned->plan = plan(request, inputs.attenuated);
+    planned->plan = plan(request, inputs.hooks);
     for (const fbrdf::Pass& pass : planned->plan.passes) {
         planned->states.push_back(
             stateOf(pass, static_cast<int>(planned->states.size()) + 1, inputs, lobes));

@@ -3,6 +3,7 @@
 #pragma once
 #include "ContextNeeds.h"
 #include "LobesOfMaterial.h"
+#include "ShadowHook.h"
 #include "TextureUnits.h"
 #include "VersionedProgram.h"
 
@@ -22,16 +23,16 @@
 namespace osgFbrdf {
 
 /// What plans assume of every context (a technique's validate() asks the context): GLSL 1.20,
-/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has, less what
-/// attenuation.glsl needs where lights are attenuated.
-fbrdf::Capabilities assumedCapabilities(bool attenuated = false);
+/// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has, less what the hooks
+/// need.
+fbrdf::Capabilities assumedCapabilities(const LightHooks& hooks = {});
 
 /// What an effect decides of its passes beside the plan.
 struct PassInputs {
     TextureUnits units;
     bool derivedTangents = false;
     bool preciseFiltering = false;  ///< in the shader
-    bool attenuated = false;        ///< some lights are, by attenuation.glsl (OsgLights.h)
+    LightHooks hooks;
 };
 
 /// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
@@ -39,7 +40,7 @@ struct PassInputs {
 struct PlannedPasses {
     fbrdf::Plan plan;
     std::vector<osg::ref_ptr<osg::StateSet>> states;
-    ContextLimits needed;  ///< by the passes that add lobes; nothing without
+    ContextLimits needed;  ///< by passes that add lobes or look into shadow maps; nothing without
 };
 
 class MaterialStates : public osg::Referenced {
@@ -62,7 +63,7 @@ public:
     }
 
     /// The plan for the request, or its reason for being none.
-    fbrdf::Plan plan(const fbrdf::PlanRequest& request, bool attenuated) const;
+    fbrdf::Plan plan(const fbrdf::PlanRequest& request, const LightHooks& hooks) const;
     /// The same with the states of its passes, from the last few that were asked for where they are
     /// among them: most frames ask for what the frame before asked for. lobes: from lobes(), where
     /// the request lights them.

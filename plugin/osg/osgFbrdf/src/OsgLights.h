@@ -23,8 +23,7 @@ struct PlacedOsgLight {
 
 /// What attenuation.glsl reads of one light: see there. OpenGL has eight lights.
 constexpr int kMostAttenuations = 8, kVectorsPerAttenuation = 3;
-/// What attenuation.glsl is told of lights that have none because they are the runtime's area
-/// lights.
+/// What attenuation.glsl is told of lights that have none.
 constexpr int kNotAttenuated = kMostAttenuations;
 using Attenuation = std::array<osg::Vec4f, kVectorsPerAttenuation>;
 

@@ -110,6 +110,56 @@ fbrdf::Sphere boundsInEye(const FactorizedBrdf& model, const osg::Matrixd& toEye
     return {toVec3(centre), static_cast<float>(largestScale(toEye) * radius)};
 }
 
+/// Leaves out what may be why nothing can be drawn; false where nothing is left to leave out.
+bool leavesOut(const EffectCull& cull, const InheritedState& inherited, Illumination& light,
+               const std::string& reason)
+{
+    if (!light.lobes.light().isEmpty())
+        light.lobes.leaveOut(reason);
+    else if (!light.shadows.maps.empty())
+        light.shadows = withoutShadows(reason);
+    else
+        return false;
+    light.lights = lightsOf(cull.view.lights(), worldToEye(cull.visitor), light.bounds, inherited,
+                            light.lobes.isMissing());
+    return true;
+}
+
+/// What is drawn by the plan; without the name of the technique.
+DrawReport reportOf(const EffectCull& cull, const fbrdf::Plan& plan, const Illumination& light)
+{
+    const SceneLights& scene = cull.view.lights();
+    DrawReport report;
+    report.passes = static_cast<int>(plan.passes.size());
+    report.lightsUsed = static_cast<int>(light.lights.lights.size()) + light.lobes.areaLights;
+    report.lightsDropped = scene.dropped + light.lights.dropped;
+    report.lightsCulled = light.lights.culled + light.lobes.culled;
+    report.whyLightsInvalid = scene.whyInvalid;
+    report.maxLookups = plan.maxLookups;
+    report.whyNoEnvironment = light.lobes.whyNot;
+    report.environmentsLeftOut = scene.environment.leftOut;
+    report.shadowMaps = static_cast<int>(light.hooks().shadows.units.size());
+    report.whyNoShadows = light.shadows.whyNot;
+    const int stray = cull.internals.strayShadowMap;
+    if (report.shadowMaps > 0 && stray >= 0)
+        report.whyNoShadows = fbrdf::Found("no light where the shadow map of texture unit " +
+                                           std::to_string(stray) + " is drawn from")
+                                  .expected("one of the scene");
+    return report;
+}
+
+/// Null where no shadows fall on lights of the effect.
+osg::ref_ptr<ShadowPlacement> placementOf(const EffectCull& cull, const Illumination& light)
+{
+    const ShadowMaps maps = light.hooks().shadows;
+    if (maps.empty()) return nullptr;
+    const osg::ref_ptr<ShadowPlacement> placement =
+        new ShadowPlacement(maps, light.lights.lights, toOsg(light.bounds.centre),
+                            *cull.visitor.getCurrentRenderBin()->getStage(), cull.internals);
+    cull.visitor.addPositionedAttribute(nullptr, placement);
+    return placement;
+}
+
 unsigned int contextOf(osgUtil::CullVisitor& visitor)
 {
     return visitor.getState() ? visitor.getState()->getContextID() : 0;
@@ -165,11 +215,11 @@ ContextNeeds PassTechnique::needs() const
     }
     // Two lights are the fewest whose passes add up.
     const MaterialStates& states = *effect_.getMaterial()->states();
-    const fbrdf::Plan several = states.plan(request(2, true, {}), false);
+    const fbrdf::Plan several = states.plan(request(2, true, {}), {});
     const bool reads = std::any_of(several.passes.begin(), several.passes.end(),
                                    [](const fbrdf::Pass& pass) { return pass.reads.has_value(); });
     needs.refusal = several.reason;
-    needs.withoutSurfaces = states.plan(request(2, false, {}), false).reason;
+    needs.withoutSurfaces = states.plan(request(2, false, {}), {}).reason;
     const TextureUnits units = textureUnits();
     needs.textureUnits = units.needed(states.textureUnits() + (reads ? 1 : 0));
     needs.unitsDescription = units.description();
@@ -194,18 +244,20 @@ fbrdf::PlanRequest PassTechnique::request(int lights, bool offscreen, const EyeL
     return request;
 }
 
-TextureUnits PassTechnique::textureUnits() const
+TextureUnits PassTechnique::textureUnits(const ReceivedShadows& shadows) const
 {
-    return TextureUnits(effect_.getFirstTextureUnit(), effect_.getFreeTextureUnits());
+    std::set<int> kept = shadows.unitsTaken;
+    kept.insert(effect_.getFreeTextureUnits().begin(), effect_.getFreeTextureUnits().end());
+    return TextureUnits(effect_.getFirstTextureUnit(), std::move(kept));
 }
 
-PassInputs PassTechnique::inputs(bool attenuated) const
+PassInputs PassTechnique::inputs(const Illumination& light) const
 {
     PassInputs inputs;
-    inputs.units = textureUnits();
+    inputs.units = textureUnits(light.shadows);
     inputs.derivedTangents = effect_.getDerivedTangents();
     inputs.preciseFiltering = effect_.getPreciseFiltering();
-    inputs.attenuated = attenuated;
+    inputs.hooks = light.hooks();
     return inputs;
 }
 
@@ -217,38 +269,56 @@ void PassTechnique::cull(const EffectCull& cull)
     if (visitor.getState() && !mayDraw(*visitor.getState()))
         return cullDiffuse(cull, internals_.choice->refusal());
     const InheritedState inherited(visitor);
-    const fbrdf::Sphere bounds = boundsInEye(cull.model, *visitor.getModelViewMatrix());
-    const SceneLights& scene = cull.view.lights();
-    const osg::Matrixd toEye = worldToEye(visitor);
-    EyeLobes lobes = lobesOf(scene, toEye, bounds, effect_, contextOf(visitor));
-    EyeLights lights = lightsOf(scene, toEye, bounds, inherited, lobes.isMissing());
-    Drawing drawing = drawingOfMost(cull, lights, bounds, lobes);
+    Illumination light = illuminationOf(cull, inherited);
+    Drawing drawing = drawingOfMost(cull, light);
     std::string reason = reasonAgainst(drawing);
-    while (!reason.empty() && !lobes.light().isEmpty()) {
-        lobes.leaveOut(reason);
-        lights = lightsOf(scene, toEye, bounds, inherited, lobes.isMissing());
-        drawing = drawingOfMost(cull, lights, bounds, lobes);
+    while (!reason.empty() && leavesOut(cull, inherited, light, reason)) {
+        drawing = drawingOfMost(cull, light);
         reason = reasonAgainst(drawing);
     }
     if (!reason.empty()) return cullDiffuse(cull, reason);
-    const fbrdf::Plan& plan = drawing.passes->plan;
     const osg::ref_ptr<osg::StateSet> fog = fogOfScene(inherited);
-    DrawReport report;
+    DrawReport report = reportOf(cull, drawing.passes->plan, light);
     report.technique = techniqueName();
-    report.passes = static_cast<int>(plan.passes.size()) + (fog ? 1 : 0);
-    report.lightsUsed = static_cast<int>(lights.lights.size()) + lobes.areaLights;
-    report.lightsDropped = scene.dropped + lights.dropped;
-    report.lightsCulled = lights.culled + lobes.culled;
-    report.whyLightsInvalid = scene.whyInvalid;
-    report.maxLookups = plan.maxLookups;
-    report.whyNoEnvironment = lobes.whyNot;
-    report.environmentsLeftOut = scene.environment.leftOut;
+    report.passes += fog ? 1 : 0;
     internals_.log.report(effect_, report);
-    cullPasses(cull, drawing, std::move(lights), lobes, fog);
+    cullPasses(cull, drawing, light, fog);
 }
 
-int PassTechnique::lightsInOnePass(const EyeLights& lights, const EyeLobes& lobes) const
+Illumination PassTechnique::illuminationOf(const EffectCull& cull,
+                                           const InheritedState& inherited) const
 {
+    const SceneLights& scene = cull.view.lights();
+    const osg::Matrixd toEye = worldToEye(cull.visitor);
+    Illumination light;
+    light.bounds = boundsInEye(cull.model, *cull.visitor.getModelViewMatrix());
+    light.lobes = lobesOf(scene, toEye, light.bounds, effect_, contextOf(cull.visitor));
+    light.lights = lightsOf(scene, toEye, light.bounds, inherited, light.lobes.isMissing());
+    light.shadows = shadowsOf(cull, inherited);
+    return light;
+}
+
+ReceivedShadows PassTechnique::shadowsOf(const EffectCull& cull,
+                                         const InheritedState& inherited) const
+{
+    ReceivedShadows shadows = shadowsOver(cull.visitor, inherited, cull.view.lights());
+    if (shadows.maps.empty()) return shadows;
+    const osg::State* state = cull.visitor.getState();
+    const auto* extensions = state ? state->get<osg::GLExtensions>() : nullptr;
+    if (extensions && !extensions->isShadowSupported && shadows.maps.filter != ShadowFilter::colour)
+        return withoutShadows(
+            fbrdf::Found("no textures that compare depths").expected("a compatibility profile"));
+    // A pass that reads a surface has a texture beside the maps.
+    const TextureUnits units = textureUnits(shadows);
+    const int needed = std::max(units.needed(effect_.getMaterial()->states()->textureUnits() + 1),
+                                *shadows.unitsTaken.rbegin() + 1),
+              limit = internals_.choice->limits().textureUnits;
+    return needed <= limit ? shadows : withoutShadows(tooFew(units.description(), needed, limit));
+}
+
+int PassTechnique::lightsInOnePass(const Illumination& light) const
+{
+    const EyeLobes& lobes = light.lobes;
     fbrdf::LobeShare share;
     if (lobes.lobes) {
         share = fbrdf::wholeShare(fbrdf::layoutOf(*lobes.lobes));
@@ -256,7 +326,7 @@ int PassTechnique::lightsInOnePass(const EyeLights& lights, const EyeLobes& lobe
         share.areaSlots = static_cast<int>(lobes.areas.size());
     }
     return fbrdf::maxLightsInUniforms(effect_.getMaterial()->states()->form(),
-                                      assumedCapabilities(!lights.attenuations.empty()), share);
+                                      assumedCapabilities(light.hooks()), share);
 }
 
 std::string PassTechnique::reasonAgainst(const Drawing& drawing) const
@@ -267,28 +337,28 @@ std::string PassTechnique::reasonAgainst(const Drawing& drawing) const
     return needed.textureUnits > 0 ? refusalBy(internals_.choice->limits(), needed) : "";
 }
 
-PassTechnique::Drawing PassTechnique::drawingOfMost(const EffectCull& cull, EyeLights& lights,
-                                                    const fbrdf::Sphere& bounds,
-                                                    const EyeLobes& lobes) const
+PassTechnique::Drawing PassTechnique::drawingOfMost(const EffectCull& cull,
+                                                    Illumination& light) const
 {
-    const Drawing drawing = drawingOf(cull, lights, lobes);
-    if (drawing.passes->plan.feasible() || lights.lights.empty() ||
+    const Drawing drawing = drawingOf(cull, light);
+    if (drawing.passes->plan.feasible() || light.lights.lights.empty() ||
         fbrdf::techniqueInfo(kind_).lightsPerPass != fbrdf::LightsPerPass::all)
         return drawing;
     // Passes cannot add up here, but the strongest lights are better than the fallback's eight.
-    lights = strongest(lights, bounds, lightsInOnePass(lights, lobes));
-    return drawingOf(cull, lights, lobes);
+    light.lights = strongest(light.lights, light.bounds, lightsInOnePass(light));
+    return drawingOf(cull, light);
 }
 
-PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull, const EyeLights& lights,
-                                                const EyeLobes& lobes) const
+PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
+                                                const Illumination& light) const
 {
     MaterialStates& states = *effect_.getMaterial()->states();
-    const int count = static_cast<int>(lights.lights.size());
-    const PassInputs inputs = this->inputs(!lights.attenuations.empty());
+    const int count = static_cast<int>(light.lights.lights.size());
+    const PassInputs inputs = this->inputs(light);
     Drawing drawing;
     const auto passes = [&](bool offscreen) {
-        return states.passes(request(count, offscreen, lobes), inputs, lobes.lobes.get());
+        return states.passes(request(count, offscreen, light.lobes), inputs,
+                             light.lobes.lobes.get());
     };
     drawing.passes = passes(!isMultisampled(cull.visitor));
     if (!needsSurfaces(drawing.passes->plan)) return drawing;
@@ -303,12 +373,13 @@ PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull, const Ey
     return drawing;
 }
 
-void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
-                               const EyeLobes& lobes, osg::StateSet* fog)
+void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing,
+                               const Illumination& light, osg::StateSet* fog)
 {
     osgUtil::CullVisitor& visitor = cull.visitor;
-    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), std::move(lights), lobes,
-                            drawing.surfaces, textureUnits());
+    const osg::ref_ptr<ShadowPlacement> shadows = placementOf(cull, light);
+    const FrameStates frame(effect_, *visitor.getProjectionMatrix(), light, drawing.surfaces,
+                            textureUnits(light.shadows), shadows);
     const auto& passes = drawing.passes->plan.passes;
     const auto cullPass = [&](size_t i) {
         cullUnder(cull, drawing.passes->states[i], frame.stateOf(passes[i]));

@@ -4,8 +4,7 @@
 #pragma once
 #include "ContextNeeds.h"
 #include "EffectCull.h"
-#include "EyeLights.h"
-#include "EyeLobes.h"
+#include "Illumination.h"
 #include "MaterialStates.h"
 #include "Surfaces.h"
 
@@ -14,6 +13,8 @@
 #include <memory>
 
 namespace osgFbrdf {
+
+class InheritedState;
 
 class PassTechnique : public EffectTechnique {
 public:
@@ -37,23 +38,25 @@ private:
     };
     /// offscreen: Surfaces can be used.
     fbrdf::PlanRequest request(int lights, bool offscreen, const EyeLobes& lobes) const;
-    TextureUnits textureUnits() const;
-    /// attenuated: some lights are, by attenuation.glsl.
-    PassInputs inputs(bool attenuated) const;
+    /// shadows: of which the units are left to the maps.
+    TextureUnits textureUnits(const ReceivedShadows& shadows = {}) const;
+    PassInputs inputs(const Illumination& light) const;
 
     /// False, with a refusal, where what is known of the context without asking OpenGL rules this
     /// technique out: before the first frame, or when it is forced.
     bool mayDraw(osg::State& state) const;
-    Drawing drawingOf(const EffectCull& cull, const EyeLights& lights, const EyeLobes& lobes) const;
+    Illumination illuminationOf(const EffectCull& cull, const InheritedState& inherited) const;
+    /// The shadows that fall on the effect, as far as its maps leave texture units to them.
+    ReceivedShadows shadowsOf(const EffectCull& cull, const InheritedState& inherited) const;
+    Drawing drawingOf(const EffectCull& cull, const Illumination& light) const;
     /// The same with fewer lights, where all are too many for the only pass that there can be.
-    Drawing drawingOfMost(const EffectCull& cull, EyeLights& lights, const fbrdf::Sphere& bounds,
-                          const EyeLobes& lobes) const;
+    Drawing drawingOfMost(const EffectCull& cull, Illumination& light) const;
     /// Why it cannot be drawn; empty where it can.
     std::string reasonAgainst(const Drawing& drawing) const;
-    int lightsInOnePass(const EyeLights& lights, const EyeLobes& lobes) const;
+    int lightsInOnePass(const Illumination& light) const;
     /// fog: of the scene, null where there is none.
-    void cullPasses(const EffectCull& cull, const Drawing& drawing, EyeLights lights,
-                    const EyeLobes& lobes, osg::StateSet* fog);
+    void cullPasses(const EffectCull& cull, const Drawing& drawing, const Illumination& light,
+                    osg::StateSet* fog);
 
     FactorizedBrdf& effect_;  ///< owns this
     EffectInternals& internals_;

@@ -70,6 +70,9 @@ struct DrawReport {
     int environmentsLeftOut = 0;  ///< all but the first
     /// What is wrong with the last area light that is not valid; empty where all are.
     std::string whyLightsInvalid = {};
+    int shadowMaps = 0;  ///< maps of osgShadow in which passes look for shadows
+    /// Why shadows of the scene do not fall on the effect; empty where they do, or there are none.
+    std::string whyNoShadows = {};
 };
 
 struct ContextNeeds;
