@@ -29,13 +29,16 @@ GlfwWindow* windowOf(GLFWwindow* handle)
 }
 
 /// 0 for other keys.
-char arrowKey(int key)
+char namedKey(int key)
 {
     switch (key) {
         case GLFW_KEY_LEFT: return scene::kLeftKey;
         case GLFW_KEY_RIGHT: return scene::kRightKey;
         case GLFW_KEY_UP: return scene::kUpKey;
         case GLFW_KEY_DOWN: return scene::kDownKey;
+        case GLFW_KEY_PAGE_UP: return scene::kPageUpKey;
+        case GLFW_KEY_PAGE_DOWN: return scene::kPageDownKey;
+        case GLFW_KEY_DELETE: return scene::kDeleteKey;
         default: return 0;
     }
 }
@@ -94,10 +97,16 @@ void GlfwWindow::installCallbacks()
         const char* const name = glfwGetKeyName(key, code);  // by the layout
         if (!taken && name && (mods & GLFW_MOD_CONTROL) != 0)
             self.controlKey(name[0], (mods & GLFW_MOD_SHIFT) != 0);
-        if (const char arrow = taken ? char(0) : arrowKey(key)) self.key(arrow);
+        if (const char named = taken ? char(0) : namedKey(key)) self.key(named);
         if (action != GLFW_PRESS) return;
         if (key == GLFW_KEY_ESCAPE) self.key(27);
         if (key == GLFW_KEY_F1) self.key('h');
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int button, int action, int) {
+        GlfwWindow& self = *windowOf(handle);
+        if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+        self.isTaken_ = false;
+        if (action == GLFW_PRESS) self.press();
     });
     glfwSetCursorPosCallback(
         window_, [](GLFWwindow* handle, double x, double y) { windowOf(handle)->drag(x, y); });
@@ -114,7 +123,9 @@ void GlfwWindow::installCallbacks()
 void GlfwWindow::drag(double x, double y)
 {
     const bool taken = filter_.takesMouse && filter_.takesMouse();
-    if (!taken && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+    if (isTaken_) {
+        filter_.drag(pixelAt(x, y));
+    } else if (!taken && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
         int height = 1;
         glfwGetWindowSize(window_, nullptr, &height);
         applyDrag(state_, x - lastX_, y - lastY_, height);
@@ -131,6 +142,24 @@ void GlfwWindow::key(char key)
 void GlfwWindow::controlKey(char key, bool withShift)
 {
     if (applyControlKey(state_, key, withShift) && filter_.afterKey) filter_.afterKey();
+}
+
+glm::dvec2 GlfwWindow::pixelAt(double x, double y) const
+{
+    Size window{1, 1};
+    glfwGetWindowSize(window_, &window.width, &window.height);
+    const Size pixels = framebufferSize();
+    return {x * pixels.width / std::max(1, window.width),
+            y * pixels.height / std::max(1, window.height)};
+}
+
+void GlfwWindow::press()
+{
+    const bool taken = filter_.takesMouse && filter_.takesMouse();
+    if (taken || !filter_.press) return;
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window_, &x, &y);
+    isTaken_ = filter_.press(pixelAt(x, y));
 }
 
 void GlfwWindow::scroll(double steps)

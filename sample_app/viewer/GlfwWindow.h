@@ -3,6 +3,8 @@
 #include <fbrdf/gl/Renderer.h>
 #include <fbrdf/scene/Controls.h>
 
+#include <glm/vec2.hpp>
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +16,10 @@ namespace fbrdf::viewer {
 /// Who else is interested in the input.
 struct InputFilter {
     std::function<bool()> takesMouse, takesKeys;  ///< true: something else (the panel) wants it
+    /// The left button goes down at a pixel of the framebuffer. True: the drag that begins goes to
+    /// `drag` instead of turning the view.
+    std::function<bool(const glm::dvec2& pixel)> press;
+    std::function<void(const glm::dvec2& pixel)> drag;
     std::function<void()> afterKey;  ///< a key has changed the state; several may come in a frame
 };
 
@@ -44,12 +50,15 @@ private:
     void installCallbacks();
     void key(char key);
     void controlKey(char key, bool withShift);
+    void press();
+    glm::dvec2 pixelAt(double x, double y) const;
     void drag(double x, double y);
     void scroll(double steps);
 
     GLFWwindow* window_ = nullptr;
     scene::ViewState& state_;
     InputFilter filter_;
+    bool isTaken_ = false;  ///< the drag goes to the filter
     double lastX_ = 0.0, lastY_ = 0.0;
     std::optional<double> lastScroll_;  ///< seconds of GLFW's clock
 };

@@ -7,6 +7,7 @@
 #include "MaterialEditor.h"
 
 #include <fbrdf/scene/Controls.h>
+#include <fbrdf/scene/LightEdit.h>
 
 #include <string>
 #include <vector>
@@ -18,8 +19,10 @@ namespace fbrdf::viewer {
 /// What the panel shows besides the state.
 struct PanelFacts {
     int triangles = 0, passes = 0, maxLookups = 0;
-    int lights = 0;         ///< area lights included
-    bool isFitted = false;  ///< the material that is shown is no file of one
+    int lights = 0;                                ///< area lights included
+    const scene::LightSet* drawnLights = nullptr;  ///< as they are drawn
+    std::vector<scene::LightHandle> handles;       ///< of lights, over the picture
+    bool isFitted = false;                         ///< the material that is shown is no file of one
     bool canUndo = false, canRedo = false;
     int samples = 0, samplesWanted = 0;  ///< of each pixel, so far and in the end
     double milliseconds = 0.0;
@@ -52,7 +55,8 @@ public:
 
 private:
     GLFWwindow* window_;
-    std::string title_;  ///< shown last; unused with Dear ImGui
+    std::string title_;   ///< shown last; unused with Dear ImGui
+    float scale_ = 1.0f;  ///< of letters, by the monitor; unused without
 };
 
 }  // namespace fbrdf::viewer

@@ -1,189 +1,50 @@
-#include "Panel.h"
 #include "PanelCompare.h"
+#include "PanelSections.h"
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <fbrdf/base/Number.h>
-#include <fbrdf/brdf/LobeTable.h>
-#include <fbrdf/sources/Model.h>
 
 #include <fmt/core.h>
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace fbrdf::viewer {
 namespace {
 
-constexpr float kMargin = 12.0f, kPanelWidth = 270.0f;
+constexpr float kMargin = 12.0f, kPanelWidth = 300.0f, kLabelWidth = 96.0f;
+constexpr float kFontPixels = 13.0f;
 
-/// A list to choose one of; changes `index` to what is clicked.
-template <class Name>
-void choose(const char* label, int& index, int count, const Name& name)
+void drawMenu(scene::ViewState& state, const PanelFacts& facts)
 {
-    if (!ImGui::BeginCombo(label, std::string(name(index)).c_str())) return;
-    for (int i = 0; i < count; ++i)
-        if (ImGui::Selectable((std::string(name(i)) + "##" + std::to_string(i)).c_str(),
-                              i == index))
-            index = i;
-    ImGui::EndCombo();
-}
-
-/// The same of names, which are shown without folders.
-void chooseName(const char* label, std::string& chosen, const std::vector<std::string>& names)
-{
-    auto index = static_cast<int>(std::find(names.begin(), names.end(), chosen) - names.begin());
-    const auto count = static_cast<int>(names.size());
-    choose(label, index, count,
-           [&](int i) { return shortName(i < count ? names[static_cast<size_t>(i)] : chosen); });
-    if (index < count) chosen = names[static_cast<size_t>(index)];
-}
-
-void drawLights(scene::SceneLights& lights, const PanelFacts& facts)
-{
-    constexpr int kMostBySlider = 4096;
-    int made = lights.made > 0 ? lights.made : facts.lights;
-    if (ImGui::SliderInt("lights", &made, 1, kMostBySlider,
-                         lights.made > 0 ? "%d made" : "%d of a list",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-        lights.made = made;
-}
-
-void drawEnvironment(scene::SceneEnvironment& environment, const scene::ViewState& state)
-{
-    chooseName("environment", environment.name, state.environments);
-    ImGui::SliderFloat("rotation", &environment.degrees, -180.0f, 180.0f, "%.0f degrees");
-    ImGui::SliderFloat("intensity", &environment.intensity, 0.0f, 4.0f, "%.2f");
-    choose("lobes", environment.lobes, kMostTiltedLobes + 1,
-           [](int i) { return i == 0 ? std::string("all") : std::to_string(i); });
-}
-
-void drawFields(scene::ViewState& state, const PanelFacts& facts)
-{
-    scene::Document& document = state.document;
-    choose("material", document.shown, static_cast<int>(document.materials.size()), [&](int i) {
-        const scene::SceneMaterial& material = document.materials[static_cast<size_t>(i)];
-        return shortName(material.source) + (material.slot < 0 ? " ..." : "");
-    });
-    chooseName("mesh", document.mesh, state.meshes);
-    int technique = static_cast<int>(document.technique);
-    choose("technique", technique, scene::kViewTechniqueCount, [](int i) {
-        return std::string(viewTechniqueName(static_cast<scene::ViewTechnique>(i)));
-    });
-    document.technique = static_cast<scene::ViewTechnique>(technique);
-    drawLights(document.lights, facts);
-    drawEnvironment(document.environment, state);
-    ImGui::Checkbox("turntable", &document.turning);
-    ImGui::Checkbox("compare (V)", &state.compare.on);
-    ImGui::SameLine();
-    ImGui::Checkbox("explain (I)", &state.cursor.on);
-    ImGui::SliderFloat("exposure", &document.exposure, 0.01f, 100.0f, "%.2f",
-                       ImGuiSliderFlags_Logarithmic);
-}
-
-/// What people would write for the place of a slider.
-double shortNumber(float place)
-{
-    constexpr int kDigits = 4;
-    const std::string text = numberText(static_cast<double>(place), kDigits);
-    double number = 0.0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
-}
-
-/// A number of a model; those that reach over several powers of ten move along a logarithm.
-void drawScalar(const ModelParameter& parameter, Vec3d& value)
-{
-    constexpr double kWide = 100.0;
-    const bool isWide = parameter.lower >= 0.0 && parameter.upper > kWide;
-    auto number = static_cast<float>(value.x);
-    if (ImGui::SliderFloat(
-            parameter.name.c_str(), &number, static_cast<float>(parameter.lower),
-            static_cast<float>(parameter.upper), "%.3g",
-            ImGuiSliderFlags_AlwaysClamp | (isWide ? ImGuiSliderFlags_Logarithmic : 0)))
-        value = Vec3d(std::clamp(shortNumber(number), parameter.lower, parameter.upper));
-}
-
-void drawColour(const ModelParameter& parameter, Vec3d& value)
-{
-    Vec3f colour(value);
-    if (ImGui::ColorEdit3(parameter.name.c_str(), &colour.x, ImGuiColorEditFlags_Float))
-        for (int c = 0; c < 3; ++c)
-            value[c] = std::clamp(shortNumber(colour[c]), parameter.lower, parameter.upper);
-}
-
-/// Changes the source of a material to the model that its sliders say.
-void drawModel(std::string& source)
-{
-    ModelSpec spec = parseModelSpec(source);
-    const ModelValues before = spec.values;
-    for (const ModelParameter& parameter : spec.model->parameters) {
-        const auto value = spec.values.find(parameter.name);
-        if (value == spec.values.end()) continue;
-        if (parameter.kind == ModelParameter::Kind::colour)
-            drawColour(parameter, value->second);
-        else
-            drawScalar(parameter, value->second);
-        if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-            ImGui::SetTooltip("%s", parameter.meaning.c_str());
+    if (!ImGui::BeginMenuBar()) return;
+    if (ImGui::BeginMenu("File")) {
+        state.save |= ImGui::MenuItem("Save the scene", "Ctrl+S");
+        state.screenshot |= ImGui::MenuItem("Save the picture as PNG", "S");
+        state.screenshotExr |= ImGui::MenuItem("Save its radiance as EXR", "Ctrl+E");
+        state.close |= ImGui::MenuItem("Quit", "Q");
+        ImGui::EndMenu();
     }
-    if (spec.values != before) source = modelSpecText(spec);
-}
-
-void drawSmoothness(std::optional<double>& smoothness)
-{
-    constexpr double kFirst = 1e-3;
-    bool isChosen = !smoothness;
-    if (ImGui::Checkbox("smoothness by held-out error", &isChosen)) {
-        smoothness.reset();
-        if (!isChosen) smoothness = kFirst;
+    if (ImGui::BeginMenu("Edit")) {
+        state.undo |= ImGui::MenuItem("Undo", "Ctrl+Z", false, facts.canUndo);
+        state.redo |= ImGui::MenuItem("Redo", "Ctrl+Shift+Z", false, facts.canRedo);
+        state.frame |= ImGui::MenuItem("Frame the mesh", "F");
+        if (ImGui::MenuItem("Camera home", "R")) state.document.camera = state.home;
+        ImGui::EndMenu();
     }
-    if (!smoothness) return;
-    auto number = static_cast<float>(*smoothness);
-    if (ImGui::SliderFloat("smooth", &number, 1e-6f, 1.0f, "%.1e",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-        smoothness = shortNumber(number);
-}
-
-void drawFit(scene::SceneMaterial& fields)
-{
-    constexpr int kMostTexels = 128, kMostKilobytes = 64;
-    ImGui::Separator();
-    if (namesModel(fields.source)) drawModel(fields.source);
-    const std::vector<NamedForm>& forms = namedForms();
-    const auto known = std::find_if(forms.begin(), forms.end(), [&fields](const NamedForm& form) {
-        return form.name == fields.form;
-    });
-    auto index = static_cast<int>(known - forms.begin());
-    const int before = index;
-    choose("form", index, static_cast<int>(forms.size()), [&](int i) {
-        return i < static_cast<int>(forms.size()) ? forms[static_cast<size_t>(i)].name
-                                                  : fields.form;  // a sum, or auto
-    });
-    if (index != before) fields.form = forms[static_cast<size_t>(index)].name;
-    ImGui::SliderInt("texels", &fields.resolution, 0, kMostTexels,
-                     fields.resolution == 0 ? "the form's own" : "%d",
-                     ImGuiSliderFlags_AlwaysClamp);
-    ImGui::SliderInt("KiB", &fields.kilobytes, 0, kMostKilobytes,
-                     fields.kilobytes == 0 ? "no limit" : "%d", ImGuiSliderFlags_AlwaysClamp);
-    drawSmoothness(fields.smoothness);
-}
-
-void drawFitFacts(scene::ViewState& state, const FitFacts& fit)
-{
-    if (!fit.result.empty()) ImGui::TextWrapped("%s", fit.result.c_str());
-    if (!fit.problem.empty()) ImGui::TextWrapped("%s", fit.problem.c_str());
-    if (fit.doing.empty()) return;
-    ImGui::TextWrapped("%s ...", fit.doing.c_str());
-    if (ImGui::SmallButton("cancel (C)")) state.cancel = true;
+    if (ImGui::BeginMenu("Show")) {
+        ImGui::MenuItem("Compare two pictures", "V", &state.compare.on);
+        ImGui::MenuItem("Explain a place", "I", &state.cursor.on);
+        ImGui::MenuItem("Lights", "W", &state.showsLights);
+        ImGui::EndMenu();
+    }
+    if (ImGui::MenuItem("Keys (H)")) state.help = !state.help;
+    ImGui::EndMenuBar();
 }
 
 void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
 {
     const auto line = [](const std::string& text) { ImGui::TextUnformatted(text.c_str()); };
-    ImGui::Separator();
     if (state.compare.on)
         line("two pictures, see compare");
     else if (isOnCpu(state.document.technique))
@@ -195,7 +56,6 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
     line(fmt::format("{} triangles", facts.triangles));
     ImGui::TextWrapped("%s", facts.renderer.c_str());
     if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());
-    if (!state.help) ImGui::TextDisabled("H: keys");
 }
 
 void drawHelp()
@@ -208,7 +68,50 @@ void drawHelp()
     }
 }
 
+bool section(const char* name, bool isOpen)
+{
+    return ImGui::CollapsingHeader(name, isOpen ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+void drawSections(scene::ViewState& state, const PanelFacts& facts)
+{
+    if (section("Material", true)) drawMaterialSection(state, facts);
+    if (section("Light", true)) drawLightSection(state, facts);
+    if (section("View", true)) drawViewSection(state);
+    if (section("Drawing", true)) {
+        int technique = static_cast<int>(state.document.technique);
+        choose("technique", technique, scene::kViewTechniqueCount, [](int i) {
+            return std::string(viewTechniqueName(static_cast<scene::ViewTechnique>(i)));
+        });
+        state.document.technique = static_cast<scene::ViewTechnique>(technique);
+        drawFacts(state, facts);
+    }
+}
+
+/// Letters and gaps are as large on a monitor of many pixels as on another.
+float contentScale(GLFWwindow* window)
+{
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window, &x, &y);
+    int points = 1, pixels = 1;
+    glfwGetWindowSize(window, &points, nullptr);
+    glfwGetFramebufferSize(window, &pixels, nullptr);
+    // Where a window is measured in points already, they are scaled already.
+    const float done =
+        static_cast<float>(std::max(1, pixels)) / static_cast<float>(std::max(1, points));
+    return std::clamp(x / done, 1.0f, 4.0f);
+}
+
 }  // namespace
+
+void chooseName(const char* label, std::string& chosen, const std::vector<std::string>& names)
+{
+    auto index = static_cast<int>(std::find(names.begin(), names.end(), chosen) - names.begin());
+    const auto count = static_cast<int>(names.size());
+    choose(label, index, count,
+           [&](int i) { return shortName(i < count ? names[static_cast<size_t>(i)] : chosen); });
+    if (index < count) chosen = names[static_cast<size_t>(index)];
+}
 
 Panel::Panel(GLFWwindow* window) : window_(window)
 {
@@ -218,6 +121,11 @@ Panel::Panel(GLFWwindow* window) : window_(window)
     ImGui::StyleColorsDark();
     ImGui::GetStyle().WindowRounding = 6.0f;
     ImGui::GetStyle().FrameRounding = 3.0f;
+    scale_ = contentScale(window_);
+    ImGui::GetStyle().ScaleAllSizes(scale_);
+    ImFontConfig font;
+    font.SizePixels = std::round(kFontPixels * scale_);
+    ImGui::GetIO().Fonts->AddFontDefault(&font);
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -249,19 +157,19 @@ void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({kPanelWidth, 0.0f});
-    ImGui::SetNextWindowBgAlpha(0.72f);
-    ImGui::Begin("fbrdf", nullptr, ImGuiWindowFlags_NoResize);
-    ImGui::PushItemWidth(-80.0f);
-    drawFields(state, facts);
-    scene::SceneMaterial* const material = shownMaterial(state.document);
-    if (material && facts.isFitted) drawFit(*material);
-    drawFitFacts(state, facts.fit);
-    drawFacts(state, facts);
+    const float margin = kMargin * scale_, width = kPanelWidth * scale_;
+    const float height = std::max(1.0f, ImGui::GetIO().DisplaySize.y - 2.0f * margin);
+    ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, height});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("fbrdf", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_MenuBar);
+    ImGui::PushItemWidth(-kLabelWidth * scale_);
+    drawMenu(state, facts);
+    drawSections(state, facts);
     if (state.help) drawHelp();
     ImGui::PopItemWidth();
     ImGui::End();
+    drawLightHandles(state, facts);
     if (facts.compare) drawCompare(state.compare, *facts.compare);
     if (facts.cursor) drawCursor(state.cursor, *facts.cursor);
     ImGui::Render();

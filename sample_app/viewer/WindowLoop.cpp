@@ -6,6 +6,7 @@
 #include "FreeName.h"
 #include "GlfwWindow.h"
 #include "Headless.h"
+#include "LightEditor.h"
 #include "MaterialEditor.h"
 #include "Panel.h"
 #include "Progressive.h"
@@ -13,6 +14,7 @@
 #include "WorldUpdate.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Text.h>
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <fbrdf/scene/History.h>
@@ -29,12 +31,22 @@ namespace {
 
 constexpr size_t kKeptTimes = 240;    ///< frames whose times a window remembers
 constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
+constexpr double kOrbitRate = 30.0;   ///< of the lights
 constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
 
 /// Adds a name to a list unless it is in there.
 void addName(const std::string& name, std::vector<std::string>& names)
 {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// True where a file, by its ending, may be a picture.
+bool isPicture(const std::string& path)
+{
+    const std::string ending = lowerCase(std::filesystem::path(path).extension().string());
+    constexpr const char* kEndings[] = {".exr", ".hdr",  ".pic", ".png",
+                                        ".jpg", ".jpeg", ".tif", ".tiff"};
+    return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
 }
 
 /// The document of a world as it was loaded: what had been left to the program is decided.
@@ -75,12 +87,15 @@ public:
           compare_(GlfwWindow::loader(), options_, world, scene_),
           inspector_(GlfwWindow::loader()),
           update_(world, scene_, toneMapper_, state_.document),
+          lightEditor_(state_, world),
           history_(state_.document),
           scenePath_(options.scene),
           stats_(statsOf(options, world))
     {
         window_.setFilter({[this] { return panel_.wantsMouse(); },
                            [this] { return panel_.wantsKeys(); },
+                           [this](const glm::dvec2& pixel) { return lightEditor_.press(pixel); },
+                           [this](const glm::dvec2& pixel) { lightEditor_.drag(pixel); },
                            [this] {
                                followWishes();
                                followHistory();
@@ -96,7 +111,7 @@ public:
         const int frames = options_.frames.value_or(0);
         for (int frame = 0; !window_.shouldClose() && (frames == 0 || frame < frames); ++frame)
             drawFrame();
-        if (state_.screenshot) saveScreenshot();  // asked for in the frame that closed the window
+        saveScreenshots();  // asked for in the frame that closed the window
         finishStats();
         if (state_.compare.on) {
             scene::Image image = composedNow();
@@ -127,7 +142,8 @@ private:
     scene::Image composedNow();
     void show(GlfwWindow::Size size);
     void showMaterial(size_t slot);
-    void saveScreenshot();
+    void saveScreenshot(const char* ending);
+    void saveScreenshots();
     void saveScene();
     void finishStats();
 
@@ -143,6 +159,7 @@ private:
     CompareStage compare_;
     CursorInspector inspector_;
     WorldUpdate update_;
+    LightEditor lightEditor_;
     scene::History history_;
     std::string scenePath_;  ///< that was opened or saved last; empty: none
     scene::Stats stats_;
@@ -158,8 +175,8 @@ void WindowLoop::showMaterial(size_t slot)
     update_.countChange();
 }
 
-/// Opens what was dropped: a mesh, lights, an environment, a scene, or else a material or what one
-/// is fitted to.
+/// Opens what was dropped: a mesh, lights, a scene, a picture of the shape of a panorama (others
+/// may be tables of reflectance), or else a material or what one is fitted to.
 void WindowLoop::open(const std::string& path)
 {
     const std::string extension = std::filesystem::path(path).extension().string();
@@ -171,7 +188,7 @@ void WindowLoop::open(const std::string& path)
         openScene(path);
     } else if (extension == ".json" && !readIfMaterial(path)) {
         document.lights = {0, document.lights.seed, scene::readLights(path)};
-    } else if (extension == ".hdr") {
+    } else if (isPicture(path) && update_.readEnvironment(path)) {
         document.environment.name = path;
         addName(path, state_.environments);
     } else {
@@ -212,6 +229,7 @@ void WindowLoop::followWishes()
     if (std::exchange(state_.redo, false))
         facts_.message = history_.redo(state_.document) ? "redone" : "nothing to redo";
     if (std::exchange(state_.save, false)) saveScene();
+    lightEditor_.follow();
     if (std::exchange(state_.frame, false)) {
         const GlfwWindow::Size size = window_.framebufferSize();
         state_.document.camera = framed(*state_.document.camera, scene::boundsOf(world_.mesh),
@@ -229,18 +247,22 @@ void WindowLoop::followFits()
         shown && shown->slot >= 0 && world_.materials[static_cast<size_t>(shown->slot)].source();
 }
 
-/// Turns objects and ground on, as long as the runtime draws: the CPU needs pictures that stand.
+/// Turns objects, ground and lights on, as long as the runtime draws: the CPU needs pictures that
+/// stand.
 void WindowLoop::turn()
 {
     const auto now = std::chrono::steady_clock::now();
     const double step = std::min(
         kLongestStep, std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count());
-    double& degrees = state_.document.moment.tableDegrees;
-    const scene::ViewTechnique technique = state_.document.technique;
-    const bool isStanding = state_.compare.on ? compare_.isOnCpu(technique) : isOnCpu(technique);
-    if (state_.document.turning && !isStanding)
-        degrees = std::fmod(degrees + kTurnRate * step, 360.0);
-    if (world_.ground) world_.ground->turnTo(degrees * kDegree);
+    scene::Document& document = state_.document;
+    const bool isStanding =
+        state_.compare.on ? compare_.isOnCpu(document.technique) : isOnCpu(document.technique);
+    if (isStanding) return;
+    const auto turnOn = [step](bool turns, double rate, double& degrees) {
+        if (turns) degrees = std::fmod(degrees + rate * step, 360.0);
+    };
+    turnOn(document.turning, kTurnRate, document.moment.tableDegrees);
+    turnOn(document.orbiting, kOrbitRate, document.moment.lightsDegrees);
 }
 
 /// Brings the world in line with what keys and panel chose.
@@ -249,6 +271,7 @@ void WindowLoop::followState()
     followDrops();
     followWishes();
     followFits();
+    turn();
     scene::Document& document = state_.document;
     try {
         update_.follow(document);
@@ -262,7 +285,7 @@ void WindowLoop::followState()
                                      viewTechniqueName(document.technique));
         document.technique = scene::ViewTechnique::path;
     }
-    turn();
+    if (world_.ground) world_.ground->turnTo(document.moment.tableDegrees * kDegree);
     followHistory();
     options_.document = document;
     facts_.triangles = static_cast<int>(world_.mesh.indices.size() / 3);
@@ -296,8 +319,11 @@ void WindowLoop::drawFrame()
     const GlfwWindow::Size size = window_.framebufferSize();
     const bool moved = state_.compare.on ? drawComparison(size) : drawMaterial(size);
     if (state_.cursor.on) inspect(size);
+    lightEditor_.see(wanted(size).view, size.width, size.height);
+    facts_.handles = lightEditor_.handles();
+    facts_.drawnLights = &world_.lights;
     panel_.draw(state_, facts_);
-    if (state_.screenshot) saveScreenshot();
+    saveScreenshots();
     window_.present(!moved);
 }
 
@@ -376,10 +402,10 @@ void WindowLoop::show(GlfwWindow::Size size)
     }
 }
 
-void WindowLoop::saveScreenshot()
+/// The picture with all its samples, sRGB as it is shown (.png) or linear radiance (.exr).
+void WindowLoop::saveScreenshot(const char* ending)
 {
-    state_.screenshot = false;
-    const std::string path = freeName("fbrdf-viewer", ".png");
+    const std::string path = freeName("fbrdf-viewer", ending);
     try {
         if (state_.compare.on) {
             writeImage(composedNow(), path, 1.0f);
@@ -392,6 +418,12 @@ void WindowLoop::saveScreenshot()
     } catch (const Error& error) {
         facts_.message = error.what();
     }
+}
+
+void WindowLoop::saveScreenshots()
+{
+    if (std::exchange(state_.screenshot, false)) saveScreenshot(".png");
+    if (std::exchange(state_.screenshotExr, false)) saveScreenshot(".exr");
 }
 
 void WindowLoop::saveScene()

@@ -1,10 +1,13 @@
 #include "World.h"
 
+#include <fbrdf/base/Error.h>
 #include <fbrdf/codecs/PanoramaFile.h>
 #include <fbrdf/environment/Sky.h>
 #include <fbrdf/plan/Plan.h>
-#include <fbrdf/scene/KeyLights.h>
+#include <fbrdf/scene/LightEdit.h>
 #include <fbrdf/truth/Occluders.h>
+
+#include <fstream>
 
 namespace fbrdf::viewer {
 namespace {
@@ -55,6 +58,24 @@ std::optional<scene::EnvironmentLight> environmentFrom(const scene::SceneEnviron
     return light;
 }
 
+std::optional<scene::EnvironmentLight> panoramaOf(const std::string& path)
+{
+    // The tables of fitter/sources/src/formats/ImageTable.h may name their layout in an attribute,
+    // which is in the header.
+    constexpr size_t kHeader = 65536;
+    std::ifstream file(path, std::ios::binary);
+    std::string begin(kHeader, '\0');
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    if (begin.find("fbrdf:layout") != std::string::npos) return std::nullopt;
+    scene::SceneEnvironment environment;
+    environment.name = path;
+    try {
+        return environmentFrom(environment);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
 void turnTo(const scene::SceneEnvironment& environment, scene::EnvironmentLight& light)
 {
     light.rotation = static_cast<double>(environment.degrees) * kDegree;
@@ -72,8 +93,10 @@ void loadWorld(const Options& options, World& world)
     world.mesh = scene::meshFromName(document.mesh);
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
-    world.lights = options.lights.empty() ? lightsOf(document.lights, bounds)
-                                          : scene::readLights(options.lights);
+    world.lights = options.lights.empty()
+                       ? orbited(lightsOf(document.lights, bounds), Vec3d(bounds.centre),
+                                 document.moment.lightsDegrees * kDegree)
+                       : scene::readLights(options.lights);
     world.environment = environmentFrom(document.environment);
     world.camera = cameraOf(options, world);
     if (document.ground) makeGround(world);

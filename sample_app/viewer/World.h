@@ -34,6 +34,9 @@ scene::SceneMaterial defaultMaterial(const std::string& form);
 
 /// Reads or makes an environment; none for one without a name. Throws what reading it throws.
 std::optional<scene::EnvironmentLight> environmentFrom(const scene::SceneEnvironment& environment);
+/// The panorama that a picture is; none where it has another shape, says that it is a table of
+/// reflectance, or cannot be read.
+std::optional<scene::EnvironmentLight> panoramaOf(const std::string& path);
 /// Gives a light that has been read the rotation and intensity of an environment.
 void turnTo(const scene::SceneEnvironment& environment, scene::EnvironmentLight& light);
 

@@ -1,6 +1,9 @@
 #include "WorldUpdate.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/scene/LightEdit.h>
+
+#include <utility>
 
 namespace fbrdf::viewer {
 
@@ -9,6 +12,7 @@ WorldUpdate::WorldUpdate(World& world, GlScene& scene, ToneMapper& toneMapper,
     : world_(world), scene_(scene), toneMapper_(toneMapper), shown_(std::move(document))
 {
     if (world_.environment) toneMapper_.setPanorama(world_.environment->panorama);
+    placed_ = lightsOf(shown_.lights, scene::boundsOf(world_.mesh));
 }
 
 void WorldUpdate::follow(scene::Document& document)
@@ -31,7 +35,7 @@ void WorldUpdate::followMesh(const scene::Document& document)
     if (document.mesh != shown_.mesh) {
         world_.mesh = scene::meshFromName(document.mesh);
         scene_.replaceMesh(world_.mesh);
-        world_.lights = lightsOf(document.lights, scene::boundsOf(world_.mesh));
+        placed_.reset();
     }
     world_.instances = {{&world_.mesh}};
     world_.ground.reset();
@@ -46,10 +50,23 @@ void WorldUpdate::followMesh(const scene::Document& document)
 
 void WorldUpdate::followLights(const scene::Document& document)
 {
-    if (document.lights == shown_.lights) return;
-    world_.lights = lightsOf(document.lights, scene::boundsOf(world_.mesh));
+    if (!(document.lights == shown_.lights)) placed_.reset();
+    const double degrees = document.moment.lightsDegrees;
+    if (placed_ && degrees == shown_.moment.lightsDegrees) return;
+    const scene::Bounds objects = scene::boundsOf(world_.mesh);
+    if (!placed_) placed_ = lightsOf(document.lights, objects);
+    world_.lights =
+        degrees == 0.0 ? *placed_ : orbited(*placed_, Vec3d(objects.centre), degrees * kDegree);
     shown_.lights = document.lights;
+    shown_.moment.lightsDegrees = degrees;
     countChange();
+}
+
+bool WorldUpdate::readEnvironment(const std::string& path)
+{
+    read_ = panoramaOf(path);
+    readPath_ = path;
+    return read_.has_value();
 }
 
 void WorldUpdate::followEnvironment(const scene::Document& document)
@@ -59,7 +76,9 @@ void WorldUpdate::followEnvironment(const scene::Document& document)
     if (wanted == shown) return;
     // Directions need a table beside the cube.
     const bool sampledAnew = (wanted.samples > 0) != (shown.samples > 0);
-    if (wanted.name != shown.name) world_.environment = environmentFrom(wanted);
+    if (wanted.name != shown.name)
+        world_.environment =
+            read_ && wanted.name == readPath_ ? std::exchange(read_, {}) : environmentFrom(wanted);
     scene_.setEnvironmentSamples(wanted.samples);
     if (wanted.name != shown.name || sampledAnew) {
         scene_.replaceEnvironment(world_.environment ? &*world_.environment : nullptr);

@@ -16,6 +16,9 @@ public:
     /// shown again.
     void follow(scene::Document& document);
 
+    /// Reads a picture (panoramaOf), so that follow() finds it read. False where it is no panorama.
+    bool readEnvironment(const std::string& path);
+
     /// Grows with each change of the picture.
     int revision() const { return revision_; }
     void countChange() { ++revision_; }
@@ -29,7 +32,11 @@ private:
     World& world_;
     GlScene& scene_;
     ToneMapper& toneMapper_;
-    scene::Document shown_;  ///< what the world is in line with
+    scene::Document shown_;                  ///< what the world is in line with
+    std::optional<scene::LightSet> placed_;  ///< lights before they orbit; none: to be made anew
+    /// What readEnvironment() has read last, and its path.
+    std::optional<scene::EnvironmentLight> read_;
+    std::string readPath_;
     int revision_ = 0;
 };
 

@@ -122,6 +122,7 @@ TEST(Keys, WithControlAreWishes)
     EXPECT_TRUE(applyControlKey(state, 'z', false) && state.undo && !state.redo);
     EXPECT_TRUE(applyControlKey(state, 'z', true) && state.redo);
     EXPECT_TRUE(applyControlKey(state, 's', false) && state.save);
+    EXPECT_TRUE(applyControlKey(state, 'e', false) && state.screenshotExr);
     EXPECT_FALSE(state.screenshot);
     state.redo = false;
     EXPECT_TRUE(applyControlKey(state, 'y', false) && state.redo);
@@ -131,9 +132,11 @@ TEST(Keys, WithControlAreWishes)
 
 TEST(Keys, ReachComparisonsAndThePlaceThatIsExplained)
 {
-    ViewState state;
+    ViewState state = seenState();
     EXPECT_TRUE(applyKey(state, 'v') && state.compare.on);
-    EXPECT_FALSE(applyKey(state, kLeftKey)) << "no place is explained yet";
+    EXPECT_TRUE(applyKey(state, kLeftKey));
+    EXPECT_LT(state.document.camera->eye.x, 0.0) << "no place is explained yet: the view turns";
+    EXPECT_EQ(state.cursor.x, 0.5);
     EXPECT_TRUE(applyKey(state, 'i') && state.cursor.on && state.cursor.followsMouse);
     EXPECT_TRUE(applyKey(state, kRightKey) && applyKey(state, kDownKey));
     EXPECT_FALSE(state.cursor.followsMouse);

@@ -59,7 +59,7 @@ TEST(History, TheMomentIsNoStep)
 {
     History history(exposed(1.0f));
     Document document = exposed(1.0f);
-    document.moment = {90.0, 100, 50};
+    document.moment = {90.0, 10.0, 100, 50};
     history.follow(document);
     EXPECT_FALSE(history.canUndo());
     document.exposure = 2.0f;

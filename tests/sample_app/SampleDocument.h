@@ -49,8 +49,8 @@ inline Document sampleDocument()
     document.pathSamples = 32;
     document.spread = true;
     document.exposure = 0.6f;
-    document.turning = true;
-    document.moment = {12.5, 640, 480};
+    document.turning = document.orbiting = true;
+    document.moment = {12.5, 33.0, 640, 480};
     return document;
 }
 

@@ -1,6 +1,8 @@
 // SceneFileTest.cpp - scenes on disk, and the files that they name.
 #include "viewer/SceneFile.h"
 
+#include "viewer/World.h"
+
 #include "SampleDocument.h"
 
 #include <fbrdf/base/Error.h>
@@ -76,6 +78,27 @@ TEST(SceneFile, WhatIsNoSceneIsRefusedAndNamed)
     EXPECT_TRUE(isSceneFile(path)) << "a damaged one is to be read as what it was meant to be";
     EXPECT_FALSE(isSceneFile(folder.file("none.json")));
     EXPECT_THROW(readScene(folder.file("none.json")), Error);
+}
+
+// A picture that is dropped may be a panorama or a table of reflectance: its shape decides.
+TEST(DroppedPicture, IsAPanoramaWhereItHasTheShapeOfOne)
+{
+    const test::TemporaryDir folder;
+    const std::string path = folder.file("p.exr");
+    const auto written = [&path](int width, int height) {
+        scene::Image image(width, height);
+        for (float& value : image.rgba) value = 0.5f;
+        writeImage(image, path, 1.0f, Transfer::srgb);
+        return path;
+    };
+    const auto wide = panoramaOf(written(16, 8));
+    ASSERT_TRUE(wide);
+    EXPECT_EQ(wide->panorama.width, 16);
+    EXPECT_FALSE(panoramaOf(written(16, 16))) << "a slice";
+    EXPECT_FALSE(panoramaOf(written(90, 9)));
+    writeFile(path, "fbrdf:layout");
+    EXPECT_FALSE(panoramaOf(path));
+    EXPECT_FALSE(panoramaOf(folder.file("none.exr")));
 }
 
 TEST(SceneFile, AFailureLeavesTheOldFile)

@@ -2,6 +2,7 @@
 #include "ViewerFixture.h"
 
 #include <fbrdf/base/OutputFile.h>
+#include <fbrdf/scene/TextFile.h>
 
 namespace fbrdf::scene {
 namespace {
@@ -18,6 +19,11 @@ protected:
     /// of the test's files.
     ProgramResult press(const std::string& arguments, const std::string& keys)
     {
+        return act(arguments, "for key in " + keys + "; do xdotool key $key; sleep 0.7; done\n");
+    }
+    /// The same with commands of a shell.
+    ProgramResult act(const std::string& arguments, const std::string& commands)
+    {
         const std::string program = file("keys.sh");
         writeFile(program,
                   "cd '" + file("") +
@@ -25,13 +31,11 @@ protected:
                       "until xdotool search --onlyvisible --name fbrdf >/dev/null 2>&1; do\n"
                       "  kill -0 $viewer || exit 1; sleep 0.1\n"
                       "done\n"
-                      "xdotool mousemove 60 40\nsleep 1\n"
-                      "for key in " +
-                      keys +
-                      " q; do xdotool key $key; sleep 0.7; done\n"
-                      "wait $viewer\n");
-        return runViewer("--size 96x64 " + arguments, xvfb_ + " bash '" + program + "'");
+                      "xdotool mousemove 60 40\nsleep 1\n" +
+                      commands + "xdotool key q\nwait $viewer\n");
+        return runViewer("--size " + size_ + " " + arguments, xvfb_ + " bash '" + program + "'");
     }
+    std::string size_ = "96x64";
     std::string saved() const { return file("fbrdf-viewer-001.json"); }
 };
 
@@ -96,6 +100,49 @@ TEST_F(ViewerDocument, AWindowGoesOnWithASceneAndSavesItToItsFile)
     EXPECT_EQ(scene["exposure"], 0.5);
     EXPECT_EQ(scene["ground"], false);
     EXPECT_FALSE(std::filesystem::exists(saved()));
+}
+
+TEST_F(ViewerDocument, ALightIsAddedAndDraggedAsOneChange)
+{
+    const std::string arguments = "--plain --light-count 0 --material '" + file("made.fbrdf") + "'";
+    size_ = "700x400";  // the panel ends at 312
+    // A directional light from where the camera is stands in the middle of the picture.
+    const std::string lights = file("lights.json");
+    writeFile(lights, R"({"lights": [{"type": "directional", "direction": [0, 0, 1],
+                                      "intensity": [1, 1, 1]}]})");
+    const std::string drag =
+        "xdotool mousemove 350 200 mousedown 1; sleep 0.5\n"
+        "for x in 370 390 410; do xdotool mousemove $x 200; sleep 0.3; done\n"
+        "xdotool mouseup 1; sleep 0.5; xdotool key ctrl+s; sleep 0.7\n";
+    const std::string with =
+        "--plain --lights '" + lights + "' --material '" + file("made.fbrdf") + "'";
+    ASSERT_EQ(act(with, drag).exitCode, 0);
+    const auto moved = readJson(saved())["lights"][0]["direction"];
+    EXPECT_GT(moved[0].get<double>(), 0.1) << moved;
+    EXPECT_NEAR(moved[1].get<double>(), 0.0, 0.05);
+    std::filesystem::remove(saved());
+    ASSERT_EQ(act(with, drag.substr(0, drag.rfind("xdotool")) +
+                            "xdotool key ctrl+z; sleep 0.7; xdotool key ctrl+s; sleep 0.7\n")
+                  .exitCode,
+              0);
+    EXPECT_EQ(readJson(saved())["lights"][0]["direction"], (nlohmann::json{0.0, 0.0, 1.0}))
+        << "a drag is one change";
+    std::filesystem::remove(saved());
+    ASSERT_EQ(press(arguments, "d Right Delete d d ctrl+s").exitCode, 0);
+    EXPECT_EQ(readJson(saved())["lights"].size(), 2u);
+}
+
+TEST_F(ViewerDocument, PicturesAreSavedAsShownAndAsRadiance)
+{
+    const ProgramResult result = press("--plain --exposure 0.5 --material '" + file("made.fbrdf") +
+                                           "' --out '" + file("w.exr") + "'",
+                                       "s ctrl+e ctrl+e");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const Image radiance = readExr(file("fbrdf-viewer-001.exr"));
+    EXPECT_EQ(radiance.rgba, readExr(file("w.exr")).rgba) << "before exposure and tone mapping";
+    EXPECT_TRUE(std::filesystem::exists(file("fbrdf-viewer-002.exr")));
+    const std::string png = readText(file("fbrdf-viewer-001.png"), "a picture");
+    EXPECT_EQ(png, encodeImage(radiance, "p.png", 0.5f, Transfer::srgb));
 }
 
 TEST_F(Viewer, OptionsChangePartsOfAScene)

@@ -48,10 +48,34 @@ bool applyViewKey(ViewState& state, char key)
 /// Lights are made twice or half as many; those of a list give way to one that is made.
 bool applyLightKey(ViewState& state, char key)
 {
-    if (key != 'l' && key != 'k') return false;
+    switch (key) {
+        case 'n': state.lightWishes.next = true; return true;
+        case 'd': state.lightWishes.add = 0; return true;
+        case 'w': state.showsLights = !state.showsLights; return true;
+        case 'j': state.document.orbiting = !state.document.orbiting; return true;
+        case 'l':
+        case 'k': break;
+        default: return false;
+    }
     int& made = state.document.lights.made;
     made = key == 'l' ? std::clamp(2 * made, 1, kMostMadeByKeys) : std::max(1, made / 2);
     return true;
+}
+
+/// Moves or removes the selected light; without one arrows turn the view.
+bool applyArrowKey(ViewState& state, char key)
+{
+    constexpr double kTurn = kPi / 36.0;  // of the view by an arrow, radians
+    const double right = (key == kRightKey) - (key == kLeftKey),
+                 up = (key == kUpKey) - (key == kDownKey),
+                 away = (key == kPageUpKey) - (key == kPageDownKey);
+    if (state.light >= 0 && key == kDeleteKey)
+        state.lightWishes.remove = true;
+    else if (state.light >= 0)
+        state.lightWishes.push += Vec3d(right, up, away);
+    else
+        state.document.camera = orbited(*state.document.camera, kTurn * right, kTurn * up, 1.0);
+    return key == kDeleteKey || right != 0.0 || up != 0.0 || away != 0.0;
 }
 
 bool applyEnvironmentKey(ViewState& state, char key)
@@ -87,8 +111,8 @@ bool applyKey(ViewState& state, char key)
             return true;
         default:
             return applyCompareKey(state.compare, key) || applyCursorKey(state.cursor, key) ||
-                   applyLightKey(state, key) || applyEnvironmentKey(state, key) ||
-                   applyViewKey(state, key);
+                   applyLightKey(state, key) || applyArrowKey(state, key) ||
+                   applyEnvironmentKey(state, key) || applyViewKey(state, key);
     }
 }
 
@@ -98,6 +122,7 @@ bool applyControlKey(ViewState& state, char key, bool withShift)
         case 'z': (withShift ? state.redo : state.undo) = true; return true;
         case 'y': state.redo = true; return true;
         case 's': state.save = true; return true;
+        case 'e': state.screenshotExr = true; return true;
         default: return false;
     }
 }
@@ -120,6 +145,13 @@ const std::vector<KeyHelp>& keyHelp()
                                             {"M", "next material"},
                                             {"T", "next technique"},
                                             {"L / K", "lights x2, / 2"},
+                                            {"D", "add a light"},
+                                            {"N", "select the next light"},
+                                            {"arrows, Page", "move it"},
+                                            {"Del", "remove it"},
+                                            {"W", "show lights"},
+                                            {"J", "lights orbit"},
+
                                             {"+ / -", "exposure"},
                                             {"O", "next mesh"},
                                             {"E", "next environment"},
@@ -127,7 +159,7 @@ const std::vector<KeyHelp>& keyHelp()
                                             {"Space", "turntable"},
                                             {"F", "frame the mesh"},
                                             {"R", "camera home"},
-                                            {"S", "screenshot"},
+                                            {"S, Ctrl+E", "picture PNG, EXR"},
                                             {"C", "cancel fits"},
                                             {"V", "compare: next way"},
                                             {"1 / 2", "next side A / B"},

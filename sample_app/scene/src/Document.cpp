@@ -23,7 +23,7 @@ auto valuesOf(const DrawLimits& l)
 
 auto valuesOf(const Moment& m)
 {
-    return std::tie(m.tableDegrees, m.width, m.height);
+    return std::tie(m.tableDegrees, m.lightsDegrees, m.width, m.height);
 }
 
 bool isSame(const Background& a, const Background& b)
@@ -72,7 +72,7 @@ bool Document::operator==(const Document& o) const
            precise == o.precise && limits == o.limits && ground == o.ground &&
            shadows == o.shadows && toneMap == o.toneMap && samples == o.samples &&
            pathSamples == o.pathSamples && spread == o.spread && exposure == o.exposure &&
-           turning == o.turning && moment == o.moment;
+           turning == o.turning && orbiting == o.orbiting && moment == o.moment;
 }
 
 const SceneMaterial* shownMaterial(const Document& document)

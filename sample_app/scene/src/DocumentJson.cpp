@@ -234,7 +234,9 @@ void readPicture(JsonFields& fields, Document& document)
     fields.read("spread", document.spread);
     fields.read("exposure", document.exposure, {kSmallest, kLargest});
     fields.read("turning", document.turning);
+    fields.read("orbiting", document.orbiting);
     fields.read("table_degrees", document.moment.tableDegrees, kAnyDegrees);
+    fields.read("lights_degrees", document.moment.lightsDegrees, kAnyDegrees);
     readSize(fields, document.moment);
 }
 
@@ -285,7 +287,9 @@ std::string documentToJson(const Document& document)
               {"spread", document.spread},
               {"exposure", jsonFromFloat(document.exposure)},
               {"turning", document.turning},
-              {"table_degrees", document.moment.tableDegrees}};
+              {"orbiting", document.orbiting},
+              {"table_degrees", document.moment.tableDegrees},
+              {"lights_degrees", document.moment.lightsDegrees}};
     for (const SceneMaterial& material : document.materials)
         json["materials"].push_back(jsonFrom(material));
     if (document.camera) json["camera"] = jsonFrom(*document.camera);

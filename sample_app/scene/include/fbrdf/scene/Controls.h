@@ -9,6 +9,14 @@
 
 namespace fbrdf::scene {
 
+/// What is wished for the lights.
+struct LightWishes {
+    int add = -1;         ///< a LightKind (LightEdit.h); -1: none
+    bool remove = false;  ///< the selected one
+    bool next = false;    ///< select the next one
+    Vec3d push{0.0};      ///< steps of the selected one to the right, up and away from the camera
+};
+
 /// What the window shows, and what is wished for it.
 struct ViewState {
     Document document;                              ///< with a camera
@@ -16,10 +24,13 @@ struct ViewState {
     std::vector<std::string> meshes, environments;  ///< names that keys and lists go through
     CompareView compare;
     CursorView cursor;
+    int light = -1;           ///< selected, as in LightEdit.h; -1: none
+    bool showsLights = true;  ///< by handles over the picture
+    LightWishes lightWishes;
     bool help = false;
-    bool screenshot = false, frame = false, cancel = false, close = false, undo = false,
-         redo = false, save = false;   ///< wishes, for the window to fulfil
-    std::vector<std::string> dropped;  ///< files, in the order in which they came
+    bool screenshot = false, screenshotExr = false, frame = false, cancel = false, close = false,
+         undo = false, redo = false, save = false;  ///< wishes, for the window to fulfil
+    std::vector<std::string> dropped;               ///< files, in the order in which they came
 };
 
 /// Applies a key by its character (lower case; escape is 27). Returns false for a key without

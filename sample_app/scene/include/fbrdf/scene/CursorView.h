@@ -4,7 +4,8 @@
 namespace fbrdf::scene {
 
 /// Keys that have no character of their own.
-constexpr char kLeftKey = 1, kRightKey = 2, kUpKey = 3, kDownKey = 4;
+constexpr char kLeftKey = 1, kRightKey = 2, kUpKey = 3, kDownKey = 4, kPageUpKey = 5,
+               kPageDownKey = 6, kDeleteKey = 127;
 
 struct CursorView {
     bool on = false;

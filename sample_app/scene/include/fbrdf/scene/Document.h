@@ -61,8 +61,9 @@ struct DrawLimits {
 
 /// What goes on by itself, and what the window's border says: no step of undo.
 struct Moment {
-    double tableDegrees = 0.0;  ///< by which objects and ground are turned about +y
-    int width = 0, height = 0;  ///< pixels of the picture; 0: as the program chooses
+    double tableDegrees = 0.0;   ///< by which objects and ground are turned about +y
+    double lightsDegrees = 0.0;  ///< by which the lights are turned about the objects
+    int width = 0, height = 0;   ///< pixels of the picture; 0: as the program chooses
 
     bool operator==(const Moment& other) const;
 };
@@ -84,7 +85,8 @@ struct Document {
     int pathSamples = 64;  ///< of a pixel, of ViewTechnique::path: enough to see what it will be
     bool spread = false;   ///< those of `path` lie all over the pixel, not in its middle
     float exposure = 1.0f;
-    bool turning = false;  ///< the turntable turns
+    bool turning = false;   ///< the turntable turns
+    bool orbiting = false;  ///< the lights turn about the objects
     Moment moment;
 
     bool operator==(const Document& other) const;
@@ -103,7 +105,7 @@ inline Transfer transferOf(const Document& document)
     return document.toneMap ? Transfer::toneMap : Transfer::srgb;
 }
 
-/// The lights of a scene whose objects are in a ball.
+/// The lights of a scene whose objects are in a ball, before they orbit.
 LightSet lightsOf(const SceneLights& lights, const Bounds& bounds);
 
 }  // namespace fbrdf::scene
