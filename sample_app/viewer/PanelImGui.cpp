@@ -58,14 +58,21 @@ void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
     if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());
 }
 
-void drawHelp()
+/// In a window of its own, at the right.
+void drawHelp(float margin, float scale)
 {
-    ImGui::Separator();
+    constexpr float kMeaning = 110.0f;  // where the second column begins
+    ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - margin, margin}, ImGuiCond_Always,
+                            {1.0f, 0.0f});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("keys", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     for (const scene::KeyHelp& line : scene::keyHelp()) {
-        ImGui::TextDisabled("%-12s", line.key);
-        ImGui::SameLine(100.0f);
+        ImGui::TextDisabled("%s", line.key);
+        ImGui::SameLine(kMeaning * scale);
         ImGui::TextUnformatted(line.meaning);
     }
+    ImGui::End();
 }
 
 bool section(const char* name, bool isOpen)
@@ -166,9 +173,9 @@ void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
     ImGui::PushItemWidth(-kLabelWidth * scale_);
     drawMenu(state, facts);
     drawSections(state, facts);
-    if (state.help) drawHelp();
     ImGui::PopItemWidth();
     ImGui::End();
+    if (state.help) drawHelp(margin, scale_);
     drawLightHandles(state, facts);
     if (facts.compare) drawCompare(state.compare, *facts.compare);
     if (facts.cursor) drawCursor(state.cursor, *facts.cursor);

@@ -134,7 +134,7 @@ void drawLightSection(scene::ViewState& state, const PanelFacts& facts)
                          lights.made > 0 ? "%d made" : "%d of a list",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
         lights.made = made;
-    if (ImGui::BeginCombo("add", "a light (D)")) {
+    if (ImGui::BeginCombo("add", "a light (A)")) {
         for (int kind = 0; kind < scene::kLightKinds; ++kind)
             if (ImGui::Selectable(lightKindName(static_cast<scene::LightKind>(kind))))
                 state.lightWishes.add = kind;

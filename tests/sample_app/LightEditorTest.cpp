@@ -117,7 +117,7 @@ TEST_F(LightsOfAWindow, KeysGoThroughMoveAndRemoveThem)
 
 TEST_F(LightsOfAWindow, PageKeysMoveAlongTheView)
 {
-    applyKey(state_, 'd');
+    applyKey(state_, 'a');
     wish();
     const double before = glm::length(Vec3d(world_.lights.lights[0].position));
     const double z = double(world_.lights.lights[0].position.z);
@@ -128,7 +128,7 @@ TEST_F(LightsOfAWindow, PageKeysMoveAlongTheView)
 
 TEST_F(LightsOfAWindow, NothingIsTakenBesideAHandleOrWhereLightsAreNotShown)
 {
-    applyKey(state_, 'd');
+    applyKey(state_, 'a');
     wish();
     EXPECT_FALSE(editor_.press(handleOf(0) + glm::dvec2(40.0, 0.0)));
     const glm::dvec2 at = handleOf(0);

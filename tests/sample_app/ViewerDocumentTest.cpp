@@ -128,7 +128,7 @@ TEST_F(ViewerDocument, ALightIsAddedAndDraggedAsOneChange)
     EXPECT_EQ(readJson(saved())["lights"][0]["direction"], (nlohmann::json{0.0, 0.0, 1.0}))
         << "a drag is one change";
     std::filesystem::remove(saved());
-    ASSERT_EQ(press(arguments, "d Right Delete d d ctrl+s").exitCode, 0);
+    ASSERT_EQ(press(arguments, "a Right Delete a a ctrl+s").exitCode, 0);
     EXPECT_EQ(readJson(saved())["lights"].size(), 2u);
 }
 

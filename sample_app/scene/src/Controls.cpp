@@ -50,7 +50,7 @@ bool applyLightKey(ViewState& state, char key)
 {
     switch (key) {
         case 'n': state.lightWishes.next = true; return true;
-        case 'd': state.lightWishes.add = 0; return true;
+        case 'a': state.lightWishes.add = 0; return true;
         case 'w': state.showsLights = !state.showsLights; return true;
         case 'j': state.document.orbiting = !state.document.orbiting; return true;
         case 'l':
@@ -145,13 +145,12 @@ const std::vector<KeyHelp>& keyHelp()
                                             {"M", "next material"},
                                             {"T", "next technique"},
                                             {"L / K", "lights x2, / 2"},
-                                            {"D", "add a light"},
+                                            {"A", "add a light"},
                                             {"N", "select the next light"},
                                             {"arrows, Page", "move it"},
                                             {"Del", "remove it"},
                                             {"W", "show lights"},
                                             {"J", "lights orbit"},
-
                                             {"+ / -", "exposure"},
                                             {"O", "next mesh"},
                                             {"E", "next environment"},
