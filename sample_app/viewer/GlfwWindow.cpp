@@ -38,6 +38,8 @@ char namedKey(int key)
         case GLFW_KEY_DOWN: return scene::kDownKey;
         case GLFW_KEY_PAGE_UP: return scene::kPageUpKey;
         case GLFW_KEY_PAGE_DOWN: return scene::kPageDownKey;
+        case GLFW_KEY_KP_ENTER:
+        case GLFW_KEY_ENTER: return scene::kEnterKey;
         case GLFW_KEY_DELETE: return scene::kDeleteKey;
         default: return 0;
     }

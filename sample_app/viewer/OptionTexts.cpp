@@ -108,6 +108,11 @@ void describeScene(CLI::App& app, Options& options, Texts& texts)
 
 void describePicture(CLI::App& app, Options& options, Texts& texts)
 {
+    app.add_option("--browse", options.browse,
+                   "Folder whose materials a window lists with thumbnails (default: that of the "
+                   "first material)")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
     app.add_flag("--headless", options.headless, "No window, no display");
     app.add_option("--backend", texts.backend,
                    "How to get GL without a display: egl (default) or osmesa");

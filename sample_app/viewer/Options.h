@@ -20,15 +20,16 @@ struct Options {
     std::vector<std::string> under;
     bool headless = false;
     Backend backend = Backend::egl;
-    std::optional<int> device;      ///< of headlessDevices()
-    bool listDevices = false;       ///< nothing else is asked for
-    std::string scene;              ///< path of the scene that the document began as; empty: none
-    scene::Document document;       ///< what is drawn; with a window, what it begins with
-    std::string lights;             ///< path; what is in there takes the place of document.lights
-    std::string figureForm;         ///< of Command::figures
-    bool full = false;              ///< the full scene: its camera looks from above
-    std::optional<int> bounces;     ///< of `path`; unset: as PathOptions
-    int width = 512, height = 512;  ///< of a window unless told: 1280 x 800
+    std::optional<int> device;  ///< of headlessDevices()
+    bool listDevices = false;   ///< nothing else is asked for
+    std::string scene;          ///< path of the scene that the document began as; empty: none
+    scene::Document document;   ///< what is drawn; with a window, what it begins with
+    std::string lights;         ///< path; what is in there takes the place of document.lights
+    std::string browse;  ///< folder whose materials a window lists; empty: that of the first one
+    std::string figureForm;            ///< of Command::figures
+    bool full = false;                 ///< the full scene: its camera looks from above
+    std::optional<int> bounces;        ///< of `path`; unset: as PathOptions
+    int width = 512, height = 512;     ///< of a window unless told: 1280 x 800
     std::vector<std::string> compare;  ///< two sides (CompareSide.h), or none
     scene::CompareMode compareMode = scene::CompareMode::split;
     double compareAt = 0.5, compareGain = 8.0;  ///< of split and wipe, and of difference

@@ -2,6 +2,7 @@
 // whose fields can be changed with the mouse (PanelImGui.cpp), else the window's title
 // (PanelTitle.cpp).
 #pragma once
+#include "Browser.h"
 #include "CompareStage.h"
 #include "CursorInspector.h"
 #include "MaterialEditor.h"
@@ -19,10 +20,11 @@ namespace fbrdf::viewer {
 /// What the panel shows besides the state.
 struct PanelFacts {
     int triangles = 0, passes = 0, maxLookups = 0;
-    int lights = 0;                                ///< area lights included
-    const scene::LightSet* drawnLights = nullptr;  ///< as they are drawn
-    std::vector<scene::LightHandle> handles;       ///< of lights, over the picture
-    bool isFitted = false;                         ///< the material that is shown is no file of one
+    int lights = 0;                                     ///< area lights included
+    const scene::LightSet* drawnLights = nullptr;       ///< as they are drawn
+    std::vector<scene::LightHandle> handles;            ///< of lights, over the picture
+    const std::vector<BrowserItem>* browser = nullptr;  ///< materials to choose from
+    bool isFitted = false;  ///< the material that is shown is no file of one
     bool canUndo = false, canRedo = false;
     int samples = 0, samplesWanted = 0;  ///< of each pixel, so far and in the end
     double milliseconds = 0.0;

@@ -36,6 +36,7 @@ void drawMenu(scene::ViewState& state, const PanelFacts& facts)
         ImGui::MenuItem("Compare two pictures", "V", &state.compare.on);
         ImGui::MenuItem("Explain a place", "I", &state.cursor.on);
         ImGui::MenuItem("Lights", "W", &state.showsLights);
+        ImGui::MenuItem("Materials to choose from", "Y", &state.browser.on);
         ImGui::EndMenu();
     }
     if (ImGui::MenuItem("Keys (H)")) state.help = !state.help;
@@ -176,6 +177,7 @@ void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
     ImGui::PopItemWidth();
     ImGui::End();
     if (state.help) drawHelp(margin, scale_);
+    drawBrowser(state, facts, scale_);
     drawLightHandles(state, facts);
     if (facts.compare) drawCompare(state.compare, *facts.compare);
     if (facts.cursor) drawCursor(state.cursor, *facts.cursor);

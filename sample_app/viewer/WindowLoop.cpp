@@ -1,7 +1,9 @@
 #include "WindowLoop.h"
 
+#include "Browser.h"
 #include "CompareStage.h"
 #include "CursorInspector.h"
+#include "DocumentFiles.h"
 #include "FrameTimer.h"
 #include "FreeName.h"
 #include "GlfwWindow.h"
@@ -10,7 +12,6 @@
 #include "MaterialEditor.h"
 #include "Panel.h"
 #include "Progressive.h"
-#include "SceneFile.h"
 #include "WorldUpdate.h"
 
 #include <fbrdf/base/Error.h>
@@ -34,19 +35,16 @@ constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
 constexpr double kOrbitRate = 30.0;   ///< of the lights
 constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
 
-/// Adds a name to a list unless it is in there.
-void addName(const std::string& name, std::vector<std::string>& names)
+/// The folder whose materials are shown to choose from.
+std::string folderOf(const Options& options)
 {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
-/// True where a file, by its ending, may be a picture.
-bool isPicture(const std::string& path)
-{
-    const std::string ending = lowerCase(std::filesystem::path(path).extension().string());
-    constexpr const char* kEndings[] = {".exr", ".hdr",  ".pic", ".png",
-                                        ".jpg", ".jpeg", ".tif", ".tiff"};
-    return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
+    if (!options.browse.empty()) return options.browse;
+    for (const scene::SceneMaterial& material : options.document.materials)
+        if (std::filesystem::is_regular_file(material.source)) {
+            const auto folder = std::filesystem::path(material.source).parent_path();
+            return folder.empty() ? "." : folder.string();
+        }
+    return "";
 }
 
 /// The document of a world as it was loaded: what had been left to the program is decided.
@@ -89,7 +87,8 @@ public:
           update_(world, scene_, toneMapper_, state_.document),
           lightEditor_(state_, world),
           history_(state_.document),
-          scenePath_(options.scene),
+          files_(state_, editor_, update_, options.scene),
+          browser_(GlfwWindow::loader(), folderOf(options), ThumbnailCache(thumbnailFolder())),
           stats_(statsOf(options, world))
     {
         window_.setFilter({[this] { return panel_.wantsMouse(); },
@@ -104,6 +103,7 @@ public:
         facts_.compare = &compare_.facts();
         facts_.cursor = &inspector_.facts();
         facts_.renderer = scene_.renderer().glRenderer();
+        state_.browser.on = browser_.fileCount() + world.materials.size() > 1;
     }
 
     Picture run()
@@ -122,8 +122,6 @@ public:
 
 private:
     void followDrops();
-    void open(const std::string& path);
-    void openScene(const std::string& path);
     void followWishes();
     void followFits();
     void turn();
@@ -134,6 +132,7 @@ private:
     bool drawMaterial(GlfwWindow::Size size);
     bool drawComparison(GlfwWindow::Size size);
     void inspect(GlfwWindow::Size size);
+    void browse();
     Look lookOf(const gl::View& view) const;
     double secondsNow() const
     {
@@ -161,9 +160,11 @@ private:
     WorldUpdate update_;
     LightEditor lightEditor_;
     scene::History history_;
-    std::string scenePath_;  ///< that was opened or saved last; empty: none
+    DocumentFiles files_;
+    Browser browser_;
     scene::Stats stats_;
     PanelFacts facts_;
+    int lastShown_ = 0;  ///< of the document, in the frame before
     int drawnSlot_ = 0;  ///< of the world's materials
     std::chrono::steady_clock::time_point lastFrame_ = std::chrono::steady_clock::now();
 };
@@ -172,46 +173,14 @@ private:
 void WindowLoop::showMaterial(size_t slot)
 {
     scene_.setMaterial(slot, world_.materials[slot].material());
+    browser_.forget(slot);
     update_.countChange();
-}
-
-/// Opens what was dropped: a mesh, lights, a scene, a picture of the shape of a panorama (others
-/// may be tables of reflectance), or else a material or what one is fitted to.
-void WindowLoop::open(const std::string& path)
-{
-    const std::string extension = std::filesystem::path(path).extension().string();
-    scene::Document& document = state_.document;
-    if (extension == ".obj") {
-        document.mesh = path;
-        addName(path, state_.meshes);
-    } else if (isSceneFile(path)) {
-        openScene(path);
-    } else if (extension == ".json" && !readIfMaterial(path)) {
-        document.lights = {0, document.lights.seed, scene::readLights(path)};
-    } else if (isPicture(path) && update_.readEnvironment(path)) {
-        document.environment.name = path;
-        addName(path, state_.environments);
-    } else {
-        editor_.open(path);
-    }
-}
-
-void WindowLoop::openScene(const std::string& path)
-{
-    scene::Document document = readScene(path);
-    if (!document.camera) document.camera = state_.home;
-    if (document.materials.empty()) document.materials.push_back(defaultMaterial("auto"));
-    document.shown = std::max(0, document.shown);
-    addName(document.mesh, state_.meshes);
-    addName(document.environment.name, state_.environments);
-    state_.document = std::move(document);
-    scenePath_ = path;
 }
 
 void WindowLoop::followDrops()
 {
     for (const std::string& path : std::exchange(state_.dropped, {})) try {
-            open(path);
+            files_.open(path);
             facts_.message = "opened " + shortName(path);
         } catch (const Error& error) {
             facts_.message = error.what();
@@ -322,6 +291,7 @@ void WindowLoop::drawFrame()
     lightEditor_.see(wanted(size).view, size.width, size.height);
     facts_.handles = lightEditor_.handles();
     facts_.drawnLights = &world_.lights;
+    browse();
     panel_.draw(state_, facts_);
     saveScreenshots();
     window_.present(!moved);
@@ -372,6 +342,24 @@ void WindowLoop::inspect(GlfwWindow::Size size)
                        &world_.lights,
                        compare_.subjects(state_.compare, material, shown.revision),
                        material.source()});
+}
+
+/// Makes a thumbnail that is missing, and shows or opens what was chosen.
+void WindowLoop::browse()
+{
+    scene::BrowserView& view = state_.browser;
+    if (!options_.frames) browser_.follow(state_.document, world_, view.on);
+    facts_.browser = &browser_.items();
+    view.count = static_cast<int>(browser_.items().size());
+    if (std::exchange(lastShown_, state_.document.shown) != state_.document.shown)
+        view.chosen = state_.document.shown;
+    view.chosen = std::clamp(view.chosen, 0, std::max(0, view.count - 1));
+    if (!std::exchange(view.open, false) || view.count == 0) return;
+    const BrowserItem item = browser_.items()[static_cast<size_t>(view.chosen)];
+    if (item.place >= 0)
+        state_.document.shown = item.place;
+    else
+        state_.dropped.push_back(item.source);
 }
 
 /// Both sides with all their samples, laid over each other.
@@ -428,15 +416,9 @@ void WindowLoop::saveScreenshots()
 
 void WindowLoop::saveScene()
 {
-    scene::Document document = state_.document;
     const GlfwWindow::Size size = window_.framebufferSize();
-    document.moment.width = size.width;
-    document.moment.height = size.height;
-    const std::string path = scenePath_.empty() ? freeName("fbrdf-viewer", ".json") : scenePath_;
     try {
-        writeScene(document, path);
-        scenePath_ = path;
-        facts_.message = "wrote " + path;
+        facts_.message = "wrote " + files_.save(size.width, size.height);
     } catch (const Error& error) {
         facts_.message = error.what();
     }

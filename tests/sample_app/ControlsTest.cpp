@@ -150,6 +150,25 @@ TEST(Keys, ReachComparisonsAndThePlaceThatIsExplained)
     EXPECT_EQ(state.cursor.y, 0.0);
 }
 
+TEST(Keys, ChooseAMaterialWhileTheyAreAskedTo)
+{
+    ViewState state = seenState();
+    state.browser.count = 3;
+    applyKey(state, kRightKey);
+    EXPECT_EQ(state.browser.chosen, 0) << "arrows turn the view";
+    EXPECT_TRUE(applyKey(state, 'y') && state.browser.on && state.browser.focused);
+    for (const int expected : {1, 2, 2}) {
+        EXPECT_TRUE(applyKey(state, kRightKey));
+        EXPECT_EQ(state.browser.chosen, expected);
+    }
+    for (int i = 0; i < 5; ++i) applyKey(state, kLeftKey);
+    EXPECT_EQ(state.browser.chosen, 0);
+    EXPECT_TRUE(applyKey(state, kEnterKey) && state.browser.open);
+    applyKey(state, 'y');
+    state.browser.open = false;
+    EXPECT_FALSE(applyKey(state, kEnterKey) || state.browser.open);
+}
+
 TEST(Keys, AllOfTheHelpExist)
 {
     for (const KeyHelp& line : keyHelp()) {

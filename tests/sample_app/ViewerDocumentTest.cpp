@@ -27,7 +27,7 @@ protected:
         const std::string program = file("keys.sh");
         writeFile(program,
                   "cd '" + file("") +
-                      "'\n\"$@\" & viewer=$!\n"
+                      "'\nexport XDG_CACHE_HOME=$PWD/caches\n\"$@\" & viewer=$!\n"
                       "until xdotool search --onlyvisible --name fbrdf >/dev/null 2>&1; do\n"
                       "  kill -0 $viewer || exit 1; sleep 0.1\n"
                       "done\n"
@@ -130,6 +130,19 @@ TEST_F(ViewerDocument, ALightIsAddedAndDraggedAsOneChange)
     std::filesystem::remove(saved());
     ASSERT_EQ(press(arguments, "a Right Delete a a ctrl+s").exitCode, 0);
     EXPECT_EQ(readJson(saved())["lights"].size(), 2u);
+}
+
+TEST_F(ViewerDocument, AMaterialOfTheFolderIsChosenByKeys)
+{
+    writeMaterial(madeMaterial(formPqp(16, 0.9)), file("other.fbrdf"));
+    const ProgramResult result =
+        press("--plain --material '" + file("made.fbrdf") + "'", "y Right Return ctrl+s");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto scene = readJson(saved());
+    ASSERT_EQ(scene["materials"].size(), 2u);
+    EXPECT_EQ(scene["materials"][1]["source"], "other.fbrdf");
+    EXPECT_EQ(scene["shown"], 1);
+    EXPECT_TRUE(std::filesystem::is_directory(file("caches/fbrdf/thumbnails")));
 }
 
 TEST_F(ViewerDocument, PicturesAreSavedAsShownAndAsRadiance)

@@ -111,8 +111,9 @@ bool applyKey(ViewState& state, char key)
             return true;
         default:
             return applyCompareKey(state.compare, key) || applyCursorKey(state.cursor, key) ||
-                   applyLightKey(state, key) || applyArrowKey(state, key) ||
-                   applyEnvironmentKey(state, key) || applyViewKey(state, key);
+                   applyBrowserKey(state.browser, key) || applyLightKey(state, key) ||
+                   applyArrowKey(state, key) || applyEnvironmentKey(state, key) ||
+                   applyViewKey(state, key);
     }
 }
 
@@ -143,6 +144,8 @@ const std::vector<KeyHelp>& keyHelp()
 {
     static const std::vector<KeyHelp> lines{{"drag, wheel", "orbit, zoom"},
                                             {"M", "next material"},
+                                            {"Y, arrows", "choose a material"},
+                                            {"Enter", "show or open it"},
                                             {"T", "next technique"},
                                             {"L / K", "lights x2, / 2"},
                                             {"A", "add a light"},

@@ -1,5 +1,6 @@
 // Controls.h - what the keys and the mouse of the window do to what is shown; no window here.
 #pragma once
+#include <fbrdf/scene/BrowserView.h>
 #include <fbrdf/scene/CompareView.h>
 #include <fbrdf/scene/CursorView.h>
 #include <fbrdf/scene/Document.h>
@@ -22,6 +23,7 @@ struct ViewState {
     Document document;                              ///< with a camera
     Camera home;                                    ///< what `r` goes back to
     std::vector<std::string> meshes, environments;  ///< names that keys and lists go through
+    BrowserView browser;
     CompareView compare;
     CursorView cursor;
     int light = -1;           ///< selected, as in LightEdit.h; -1: none

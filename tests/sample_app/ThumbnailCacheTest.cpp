@@ -1,0 +1,99 @@
+// ThumbnailCacheTest.cpp - thumbnails that are kept between runs.
+#include "viewer/ThumbnailCache.h"
+
+#include <fbrdf/base/OutputFile.h>
+#include <fbrdf/scene/TextFile.h>
+#include <gtest/gtest.h>
+#include <support/TemporaryDir.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+namespace fbrdf::viewer {
+namespace {
+
+PngImage picture(uint16_t code)
+{
+    PngImage image{kThumbnailSide, kThumbnailSide, 3, 8, {}};
+    image.codes.assign(size_t{3} * kThumbnailSide * kThumbnailSide, code);
+    image.codes[7] = 200;
+    return image;
+}
+
+TEST(ThumbnailCache, GivesBackWhatWasStored)
+{
+    const test::TemporaryDir folder;
+    const ThumbnailCache cache(folder.file("a/b"));
+    const std::string key = thumbnailKey("material");
+    EXPECT_FALSE(cache.load(key));
+    cache.store(key, picture(10));
+    ASSERT_TRUE(cache.load(key));
+    EXPECT_EQ(cache.load(key)->codes, picture(10).codes);
+    EXPECT_FALSE(cache.load(thumbnailKey("other")));
+    cache.store(key, picture(11));
+    EXPECT_EQ(cache.load(key)->codes, picture(11).codes);
+}
+
+TEST(ThumbnailCache, KeysChangeWithEveryByteAndLength)
+{
+    std::set<std::string> keys;
+    std::string bytes(37, 'x');
+    keys.insert(thumbnailKey(bytes));
+    for (size_t i = 0; i < bytes.size(); ++i) {
+        std::string changed = bytes;
+        changed[i] = 'y';
+        keys.insert(thumbnailKey(changed));
+    }
+    keys.insert(thumbnailKey(bytes + '\0'));
+    keys.insert(thumbnailKey(""));
+    EXPECT_EQ(keys.size(), bytes.size() + 3);
+    for (const std::string& key : keys) {
+        EXPECT_EQ(key.size(), 32u);
+        EXPECT_EQ(key.find_first_not_of("0123456789abcdef"), std::string::npos);
+    }
+}
+
+TEST(ThumbnailCache, WhatIsNoThumbnailIsNone)
+{
+    const test::TemporaryDir folder;
+    const ThumbnailCache cache(folder.file(""));
+    const std::string key = thumbnailKey("material"), path = folder.file(key + ".png");
+    cache.store(key, picture(10));
+    const std::string whole = scene::readText(path, "it");
+    for (size_t length = 0; length < whole.size(); length += 7) {
+        writeFile(path, whole.substr(0, length));
+        EXPECT_FALSE(cache.load(key)) << length;
+    }
+    PngImage small{8, 8, 3, 8, std::vector<uint16_t>(192, 1)};
+    writeFile(path, encodePng(small, path));
+    EXPECT_FALSE(cache.load(key)) << "of another size";
+    cache.store(key, picture(10));
+    EXPECT_TRUE(cache.load(key)) << "it is made anew";
+}
+
+TEST(ThumbnailCache, AFolderThatCannotBeIsLikeNone)
+{
+    const test::TemporaryDir folder;
+    writeFile(folder.file("taken"), "");
+    for (const std::string& path : {std::string(), folder.file("taken/a")}) {
+        const ThumbnailCache cache(path);
+        cache.store(thumbnailKey("m"), picture(1));
+        EXPECT_FALSE(cache.load(thumbnailKey("m")));
+    }
+}
+
+TEST(ThumbnailCache, IsInTheUsersFolderOfCaches)
+{
+    setenv("XDG_CACHE_HOME", "/somewhere", 1);
+    EXPECT_EQ(thumbnailFolder(), "/somewhere/fbrdf/thumbnails");
+    setenv("XDG_CACHE_HOME", "not/absolute", 1);
+    setenv("HOME", "/home/someone", 1);
+    EXPECT_EQ(thumbnailFolder(), "/home/someone/.cache/fbrdf/thumbnails");
+    unsetenv("XDG_CACHE_HOME");
+    unsetenv("HOME");
+    EXPECT_EQ(thumbnailFolder(), "");
+}
+
+}  // namespace
+}  // namespace fbrdf::viewer
