@@ -1,6 +1,7 @@
 // fbrdf-viewer: shows factored materials, and what they are judged by. See README.md.
 #include "viewer/CommandLine.h"
 #include "viewer/CompareDrawing.h"
+#include "viewer/CompareSheet.h"
 #include "viewer/CpuDrawing.h"
 #include "viewer/Figures.h"
 #include "viewer/Headless.h"
@@ -51,6 +52,10 @@ int run(int argc, char** argv)
         return 0;
     }
 
+    if (options.command == viewer::Command::compare) {
+        viewer::writeCompareSheet(options, world);
+        return 0;
+    }
     if (!options.compare.empty() && options.headless) {
         viewer::writeComparison(options, world);
         return 0;

@@ -1,7 +1,6 @@
 #include "CompareDrawing.h"
 
 #include "ComparePicture.h"
-#include "CompareSide.h"
 #include "CpuDrawing.h"
 #include "Headless.h"
 
@@ -23,11 +22,6 @@ using scene::CompareMode;
 
 constexpr int kWipeFramesPerSecond = 20;  // a GIF knows hundredths of a second alone
 
-struct DrawnSide {
-    Picture picture;
-    scene::CompareSideStats stats;
-};
-
 /// What a side needs beside the shown material, fitted now.
 std::optional<MaterialSlot> fittedSlot(const CompareSide& side, const MaterialSlot& shown,
                                        bool hasEnvironment, scene::CompareSideStats& stats)
@@ -44,35 +38,6 @@ std::optional<MaterialSlot> fittedSlot(const CompareSide& side, const MaterialSl
     stats.fitSeconds = clock.seconds();
     stats.note = reply.note;
     return slotOf(side, reply);
-}
-
-DrawnSide drawn(const CompareSide& side, Options options, World& world)
-{
-    DrawnSide drawn;
-    scene::CompareSideStats& stats = drawn.stats;
-    std::deque<MaterialSlot> made;
-    if (auto slot = fittedSlot(side, world.materials.front(), world.environment.has_value(), stats))
-        made.push_back(std::move(*slot));
-    const bool isMade = !made.empty();
-    if (isMade) std::swap(world.materials, made);
-    MaterialSlot& slot = world.materials.front();
-    const SideDrawing how =
-        drawingOf(side, slot, options.document.technique, world.environment.has_value());
-    options.document.technique = how.technique;
-    if (!how.bounces) options.bounces = 0;
-    drawn.picture =
-        isOnCpu(how.technique) ? drawOnCpu(options, world) : drawHeadless(options, world);
-    stats.name = side.name;
-    stats.technique = viewTechniqueName(how.technique);
-    stats.samples = samplesOf(options.document, how.technique);
-    if (!isOnCpu(how.technique)) {
-        stats.bytes = materialBytes(slot.material());
-        if (stats.note.empty()) stats.note = describe(slot.material().form);
-    } else if (stats.note.empty()) {
-        stats.note = noteOf(side, slot);
-    }
-    if (isMade) std::swap(world.materials, made);
-    return drawn;
 }
 
 CompareLayout layoutOf(const Options& options)
@@ -111,11 +76,37 @@ void writePicture(const Options& options, const ComparePair& pair)
 
 }  // namespace
 
+DrawnSide drawnSide(const CompareSide& side, Options options, World& world)
+{
+    DrawnSide drawn;
+    scene::CompareSideStats& stats = drawn.stats;
+    std::deque<MaterialSlot> made;
+    if (auto slot = fittedSlot(side, world.materials.front(), world.environment.has_value(), stats))
+        made.push_back(std::move(*slot));
+    const bool isMade = !made.empty();
+    if (isMade) std::swap(world.materials, made);
+    MaterialSlot& slot = world.materials.front();
+    const scene::ViewTechnique technique = techniqueOf(side, slot, options.document.technique);
+    options.document.technique = technique;
+    drawn.picture = isOnCpu(technique) ? drawOnCpu(options, world) : drawHeadless(options, world);
+    stats.name = side.name;
+    stats.technique = viewTechniqueName(technique);
+    stats.samples = samplesOf(options, technique);
+    if (!isOnCpu(technique)) {
+        stats.bytes = materialBytes(slot.material());
+        if (stats.note.empty()) stats.note = describe(slot.material().form);
+    } else if (stats.note.empty()) {
+        stats.note = noteOf(side, slot);
+    }
+    if (isMade) std::swap(world.materials, made);
+    return drawn;
+}
+
 void writeComparison(const Options& options, World& world)
 {
     const CompareSide a = compareSideFromName(options.compare[0]),
                       b = compareSideFromName(options.compare[1]);
-    DrawnSide drawnA = drawn(a, options, world), drawnB = drawn(b, options, world);
+    DrawnSide drawnA = drawnSide(a, options, world), drawnB = drawnSide(b, options, world);
     const Exposing exposing{options.document.exposure, transferOf(options.document)};
     scene::Stats stats = drawnA.picture.stats;
     stats.coveredPixels = coveredPixels(drawnA.picture.image);

@@ -98,9 +98,9 @@ scene::Image whole(const ComparePair& pair, const Codes& codes, bool isB)
     return image;
 }
 
-std::string differenceLabel(const ComparePair& pair, float gain)
+std::string differenceLabel(const ComparePair& pair)
 {
-    return fmt::format("|{} - {}| x {:g}", pair.titleA, pair.titleB, gain);
+    return fmt::format("|{} - {}|", pair.titleA, pair.titleB);
 }
 
 scene::Image difference(const ComparePair& pair, const Codes& a, const Codes& b, float gain)
@@ -110,15 +110,15 @@ scene::Image difference(const ComparePair& pair, const Codes& a, const Codes& b,
         return static_cast<int>(std::lround(std::min(255.0f, gain * off)));
     });
     if (hasRoom(image))
-        drawCaption(image, 0, image.width, Corner::topLeft, differenceLabel(pair, gain));
+        drawCaption(image, 0, image.width, Corner::topLeft,
+                    fmt::format("{} x {:g}", differenceLabel(pair), gain));
     return image;
 }
 
 scene::Image heat(const ComparePair& pair, const Codes& a, const Codes& b)
 {
     scene::Image image = heatMap(pair.a.width, pair.a.height, a, b);
-    if (hasRoom(image))
-        drawCaption(image, 0, image.width, Corner::topLeft, differenceLabel(pair, 1.0f));
+    if (hasRoom(image)) drawCaption(image, 0, image.width, Corner::topLeft, differenceLabel(pair));
     return image;
 }
 
@@ -144,6 +144,12 @@ int lineColumn(int width, float at)
     return std::clamp(static_cast<int>(std::lround(at * static_cast<float>(width))), 0, width);
 }
 
+scene::Image shownCodes(const scene::Image& image, const Exposing& exposing)
+{
+    const Codes codes = srgbCodes(image, exposing.exposure, exposing.transfer);
+    return ofCodes(image.width, image.height, [&](size_t i, size_t c) { return codes[3 * i + c]; });
+}
+
 ShownImage shownImage(const scene::Image& image, const Exposing& exposing)
 {
     ShownImage shown{image.width, image.height, {}, {}};
@@ -163,8 +169,8 @@ ShownImage shownImage(const scene::Image& image, const Exposing& exposing)
 std::string numbersText(const scene::CompareNumbers& numbers)
 {
     if (numbers.largest == 0.0) return "no difference";
-    return fmt::format("PSNR {:.1f} dB, FLIP {:.3f}, Delta E {:.1f}", numbers.psnrSrgb,
-                       numbers.flip, numbers.deltaEItp);
+    return fmt::format("PSNR {:.1f} dB, FLIP {:.3f}, dE {:.1f}", numbers.psnrSrgb, numbers.flip,
+                       numbers.deltaEItp);
 }
 
 scene::Image composed(const ComparePair& pair, const CompareLayout& layout)

@@ -35,6 +35,8 @@ struct CompareLayout {
     float at = 0.5f, gain = 1.0f;
     bool showsB = false;
 };
+/// A picture as it is shown: linear values of its codes.
+scene::Image shownCodes(const scene::Image& image, const Exposing& exposing);
 /// Columns to the left of the line.
 int lineColumn(int width, float at);
 scene::Image composed(const ComparePair& pair, const CompareLayout& layout);
@@ -42,7 +44,7 @@ scene::Image composed(const ComparePair& pair, const CompareLayout& layout);
 /// A and B side by side, with labels: what a flip is on paper.
 scene::Image sideBySide(const ComparePair& pair);
 
-/// "PSNR 32.6 dB, FLIP 0.13, Delta E 6.7", or that there is no difference.
+/// "PSNR 32.6 dB, FLIP 0.130, dE 6.7", or that there is no difference.
 std::string numbersText(const scene::CompareNumbers& numbers);
 
 /// Of A against B, over the pixels that either covers before it has a background.

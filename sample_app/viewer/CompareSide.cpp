@@ -209,17 +209,12 @@ std::string noteOf(const CompareSide& side, const MaterialSlot& shown)
                           : "a material file: this is the material, in double";
 }
 
-SideDrawing drawingOf(const CompareSide& side, const MaterialSlot& slot,
-                      scene::ViewTechnique chosen, bool hasEnvironment)
+scene::ViewTechnique techniqueOf(const CompareSide& side, const MaterialSlot& slot,
+                                 scene::ViewTechnique chosen)
 {
-    scene::ViewTechnique technique =
-        isOnCpu(chosen) ? scene::viewTechnique(Technique::single) : chosen;
-    if (side.kind == Kind::technique)
-        technique = scene::viewTechniqueFromName(side.name);
-    else if (side.kind != Kind::drawn && !slot.hasMaterial())
-        technique = scene::ViewTechnique::reference;
-    if (technique != scene::ViewTechnique::reference || !hasEnvironment) return {technique};
-    return {scene::ViewTechnique::path, false};
+    if (side.kind == Kind::technique) return scene::viewTechniqueFromName(side.name);
+    if (side.kind != Kind::drawn && !slot.hasMaterial()) return scene::ViewTechnique::reference;
+    return isOnCpu(chosen) ? scene::viewTechnique(Technique::single) : chosen;
 }
 
 }  // namespace fbrdf::viewer

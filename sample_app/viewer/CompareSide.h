@@ -48,14 +48,9 @@ MaterialSlot slotOf(const CompareSide& side, const fitting::FitReply& reply);
 /// What people should know of a side of the shown material: that its truth is a fit; may be empty.
 std::string noteOf(const CompareSide& side, const MaterialSlot& shown);
 
-/// How a side is drawn. `slot`: what orderOf was fitted to, else the shown material. Functions that
-/// no renderer has as maps are drawn per pixel; in an environment, whose sum over all texels would
-/// take minutes, by paths without bounces.
-struct SideDrawing {
-    scene::ViewTechnique technique;
-    bool bounces = true;  ///< of paths
-};
-SideDrawing drawingOf(const CompareSide& side, const MaterialSlot& slot,
-                      scene::ViewTechnique chosen, bool hasEnvironment);
+/// The technique by which a side is drawn. `slot`: what orderOf was fitted to, else the shown
+/// material. Functions that no renderer has as maps are drawn as `reference`.
+scene::ViewTechnique techniqueOf(const CompareSide& side, const MaterialSlot& slot,
+                                 scene::ViewTechnique chosen);
 
 }  // namespace fbrdf::viewer

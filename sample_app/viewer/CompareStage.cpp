@@ -155,27 +155,24 @@ std::string CompareStage::whyNotHere(const CompareSide& side) const
                .expected("none (key E)");
 }
 
-SideDrawing CompareStage::drawingNow(const Seat& seat, scene::ViewTechnique chosen) const
+scene::ViewTechnique CompareStage::techniqueNow(const Seat& seat, scene::ViewTechnique chosen) const
 {
     const MaterialSlot& slot = seat.slot ? *seat.slot : world_.materials.front();
-    return drawingOf(seat.standsIn() ? CompareSide{} : seat.side, slot, chosen,
-                     world_.environment.has_value());
+    return techniqueOf(seat.standsIn() ? CompareSide{} : seat.side, slot, chosen);
 }
 
 bool CompareStage::isOnCpu(scene::ViewTechnique chosen) const
 {
     return std::any_of(seats_.begin(), seats_.end(), [&](const Seat& seat) {
-        return scene::isOnCpu(drawingNow(seat, chosen).technique);
+        return scene::isOnCpu(techniqueNow(seat, chosen));
     });
 }
 
 Shown CompareStage::shownOf(Seat& seat, const CompareScene& scene) const
 {
     Shown shown = scene.shown;
-    const SideDrawing how = drawingNow(seat, shown.technique);
-    shown.technique = seat.technique = how.technique;
+    shown.technique = seat.technique = techniqueNow(seat, shown.technique);
     seat.options = options_;  // with the document of now
-    seat.options.bounces = how.bounces ? options_.bounces : std::optional<int>(0);
     if (seat.standsIn() || !seat.slot) return shown;
     shown.made = {seat.slot.get(), seat.uploaded.get(), seat.revision};
     shown.instance.material = 0;
@@ -237,7 +234,7 @@ void CompareStage::fillFacts(int side)
     facts.bytes = seat.slot && seat.slot->hasMaterial() ? materialBytes(seat.slot->material()) : 0;
     if (!seat.progressive) return;
     facts.samples = seat.progressive->samples();
-    facts.samplesWanted = samplesOf(options_.document, seat.technique);
+    facts.samplesWanted = samplesOf(options_, seat.technique);
 }
 
 /// The numbers of what there is so far, on a thread.

@@ -98,7 +98,7 @@ private:
     void orderFor(Seat& seat, const MaterialSlot& shown);
     void takeFor(Seat& seat);
     bool drawSeat(int side, const CompareScene& scene, bool isStale, ToneMapper& toneMapper);
-    SideDrawing drawingNow(const Seat& seat, scene::ViewTechnique chosen) const;
+    scene::ViewTechnique techniqueNow(const Seat& seat, scene::ViewTechnique chosen) const;
     Shown shownOf(Seat& seat, const CompareScene& scene) const;
     std::string whyNotHere(const CompareSide& side) const;
     void fillFacts(int side);

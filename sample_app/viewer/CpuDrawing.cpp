@@ -53,6 +53,10 @@ truth::PathOptions pathOptionsOf(const Options& options, const CpuRequest& reque
     truth::PathOptions path;
     path.picture = {request.width, request.height};
     path.bounces = options.bounces.value_or(path.bounces);
+    if (request.technique == scene::ViewTechnique::reference) {
+        path.bounces = 0;
+        path.shadows = false;
+    }
     path.spread = options.document.spread;
     return path;
 }
@@ -80,10 +84,11 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 CpuDrawing::CpuDrawing(const Options& options, World& world, CpuRequest request)
     : request_(std::move(request)), scene_(sceneOf(world, request_))
 {
-    left_ = samplesOf(options.document, request_.technique);
-    if (request_.technique != scene::ViewTechnique::path) {
+    left_ = samplesOf(options, request_.technique);
+    if (options.document.shadows && request_.technique != scene::ViewTechnique::path)
+        occluders_.emplace(request_.instances);
+    if (!isRandom(options, request_.technique)) {
         sum_ = scene::Image(request_.width, request_.height);
-        if (options.document.shadows) occluders_.emplace(request_.instances);
         return;
     }
     const truth::PathOptions path = pathOptionsOf(options, request_);
@@ -94,6 +99,9 @@ CpuDrawing::CpuDrawing(const Options& options, World& world, CpuRequest request)
 
 void CpuDrawing::goOn(double milliseconds)
 {
+    if (occluders_)
+        scene_.shadow = shadowOf(
+            *occluders_, shadowedLights(scene_.lights, scene::boundsOf(request_.instances), done_));
     if (tracer_) {
         constexpr int kRows = 8;  // enough for every core to have some
         const auto start = std::chrono::steady_clock::now();
@@ -103,10 +111,6 @@ void CpuDrawing::goOn(double milliseconds)
     } else {
         scene::PictureOptions options{request_.width, request_.height};
         options.firstSample = done_;
-        if (occluders_)
-            scene_.shadow =
-                shadowOf(*occluders_,
-                         shadowedLights(scene_.lights, scene::boundsOf(request_.instances), done_));
         add(request_.technique == scene::ViewTechnique::vertex ? renderVertex(scene_, options)
                                                                : renderReference(scene_, options),
             sum_);

@@ -156,8 +156,9 @@ void describeComparison(CLI::App& app, Options& options, Texts& texts)
 {
     app.add_option("--compare", options.compare,
                    "Two pictures of the material in one, each " + compareSideHelp() +
-                       ". Functions are drawn as --technique reference, with an environment as "
-                       "path without bounces; --stats has PSNR, FLIP and Delta E")
+                       ". Functions are drawn as --technique reference, which here draws "
+                       "directions to an environment at random, a sample each; --stats has PSNR, "
+                       "FLIP and Delta E")
         ->expected(2)
         ->type_name("A B");
     app.add_option("--compare-mode", texts.compareMode,
@@ -213,6 +214,22 @@ CLI::App* describeTurntable(CLI::App& app, Texts& texts)
         "or FILE.webp), or a folder of PNG files; --frames N of them (default: 60)");
     describeMaterials(*turntable, texts);
     return turntable;
+}
+
+CLI::App* describeCompareSheet(CLI::App& app, Texts& texts)
+{
+    auto* compare = app.add_subcommand(
+        "compare",
+        "Writes a material as several sides have it, in the full scene, with labels, and below a "
+        "map of how far each is from the first; --stats has the numbers");
+    describeMaterials(*compare, texts);
+    compare
+        ->add_option("--side", texts.sides,
+                     "A column of the sheet, as the sides of --compare. Repeatable (default: "
+                     "reference, drawn, pqp-2001, svd4, ggx and ggx2, as far as there are such)")
+        ->type_name("NAME|FILE|SOURCE")
+        ->allow_extra_args(false);
+    return compare;
 }
 
 CLI::App* describeFigures(CLI::App& app)

@@ -13,7 +13,7 @@ namespace fbrdf::viewer {
 /// Texts that CLI11 fills in, to be interpreted afterwards.
 struct Texts {
     std::string backend, device, technique, lookUp, camera, size, background, compareMode;
-    std::vector<std::string> materials;
+    std::vector<std::string> materials, sides;
     std::string form = "auto";
     bool plain = false, full = false;
     std::optional<float> exposure;
@@ -27,6 +27,7 @@ void describeOptions(CLI::App& app, Options& options, Texts& texts);
 /// Subcommands.
 CLI::App* describeSheet(CLI::App& app, Options& options, Texts& texts);
 CLI::App* describeTurntable(CLI::App& app, Texts& texts);
+CLI::App* describeCompareSheet(CLI::App& app, Texts& texts);
 CLI::App* describeFigures(CLI::App& app);
 
 }  // namespace fbrdf::viewer

@@ -65,8 +65,13 @@ void checkComparison(const CLI::App& app, const Options& options)
             if (app.count(option) > 0)
                 throw Error(ErrorKind::usage, option,
                             Found("nothing to compare").expected("--compare A B as well"));
-    if (options.compare.empty()) return;
-    if (options.command != Command::view)
+    const bool isSheet = options.command == Command::compare;
+    if (isSheet && app.count("--compare") > 0)
+        throw Error(ErrorKind::usage, "--compare", Found("it with a sheet").expected("--side"));
+    if (isSheet && options.compare.size() == 1)
+        throw Error(ErrorKind::usage, "--side", Found("one").expected("at least two"));
+    if (options.compare.empty() && !isSheet) return;
+    if (options.command != Command::view && !isSheet)
         throw Error(ErrorKind::usage, "--compare",
                     Found("it with a subcommand").expected("it with a single picture"));
     if (options.headless && options.document.materials.size() > 1)
@@ -165,7 +170,7 @@ void checkCommand(const Options& options)
     if (!options.scene.empty())
         throw Error(ErrorKind::usage, "--scene",
                     Found("it with a subcommand").expected("it with a single picture"));
-    if (!options.stats.empty())
+    if (!options.stats.empty() && options.command != Command::compare)
         throw Error(ErrorKind::usage, "--stats",
                     Found("it with a subcommand").expected("it with a single picture"));
     const bool isTurntable = options.command == Command::turntable;
@@ -191,7 +196,8 @@ Size sizeOf(const Texts& texts, const Options& options)
     const scene::Moment& moment = options.document.moment;
     if (moment.width > 0) return {moment.width, moment.height};
     switch (options.command) {
-        case Command::sheet: return {320, 320};
+        case Command::sheet:
+        case Command::compare: return {320, 320};
         case Command::turntable: return {480, 480};
         case Command::figures:
         case Command::view: break;
@@ -248,6 +254,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
         app.add_subcommand("list-devices", "Prints what --device can choose, a line each");
     const auto* sheet = describeSheet(app, options, texts);
     const auto* turntable = describeTurntable(app, texts);
+    const auto* compare = describeCompareSheet(app, texts);
     const auto* figures = describeFigures(app);
     try {
         app.parse(argc, argv);
@@ -261,11 +268,17 @@ Options optionsFromArguments(int argc, const char* const* argv)
     if (devices->parsed()) texts.device = "list";
     if (sheet->parsed()) options.command = Command::sheet;
     if (turntable->parsed()) options.command = Command::turntable;
+    if (compare->parsed()) {
+        options.command = Command::compare;
+        options.compare = texts.sides;
+    }
     if (figures->parsed()) options.command = Command::figures;
     if (options.command != Command::view) options.headless = true;
     understand(texts, options);
     checkEnvironment(app, options);
     checkComparison(app, options);
+    options.drawsEnvironment = options.command == Command::compare || !options.compare.empty() ||
+                               (!options.headless && !options.frames);
     return options;
 }
 

@@ -129,14 +129,14 @@ void drawSubject(const CursorFacts::Subject& subject, size_t index, bool withMap
     ImGui::PopStyleColor();
     ImGui::Text("f = %s", valueText(subject.f).c_str());
     if (!withMaps) return;
-    constexpr size_t kMapsALine = 3;
-    for (size_t i = 0; i < subject.maps.size() && i < 2 * kMapsALine; ++i) {
-        if (i % kMapsALine != 0) ImGui::SameLine();
+    constexpr size_t kMapsALine = 2, kMostMaps = 6;
+    for (size_t i = 0; i < std::min(kMostMaps, subject.maps.size()); ++i) {
+        if (i % kMapsALine != 0) ImGui::SameLine(0.5f * kCursorWidth);
         drawMap(subject.maps[i]);
     }
-    if (subject.maps.size() > 2 * kMapsALine)
+    if (subject.maps.size() > kMostMaps)
         ImGui::TextDisabled("and %d look-ups more",
-                            static_cast<int>(subject.maps.size() - 2 * kMapsALine));
+                            static_cast<int>(subject.maps.size() - kMostMaps));
 }
 
 /// A cross hair where the place is.

@@ -59,7 +59,7 @@ public:
     scene::Image finishedImage();
 
 private:
-    int wantedSamples() const { return samplesOf(options_.document, shown_->technique); }
+    int wantedSamples() const { return samplesOf(options_, shown_->technique); }
     void restartSum(bool coarse);
     void drawByRuntime(int samples, scene::Stats& stats);
     bool drawByCpu(bool changed, scene::Stats& stats);

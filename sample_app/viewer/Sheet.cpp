@@ -2,9 +2,7 @@
 
 #include "LabelFont.h"
 #include "SceneDrawing.h"
-
-#include <fbrdf/base/Error.h>
-#include <fbrdf/base/Found.h>
+#include "SheetLayout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +11,6 @@
 namespace fbrdf::viewer {
 namespace {
 
-constexpr int kGap = 8;                       ///< pixels between pictures
-constexpr int kPixelsPerScale = 320;          ///< of a picture's width, for labels to grow with it
-constexpr int kLargestSheet = 16384;          ///< pixels on a side
-constexpr float kPaper = 0.02f, kInk = 0.8f;  ///< shares of what is shown white
-
-/// Where the pictures are.
-struct SheetLayout {
-    int columns = 1, rows = 1;
-    int width = 0, height = 0, label = 0;  ///< of a picture and of the strip below it, pixels
-
-    int sheetWidth() const { return kGap + columns * (width + kGap); }
-    int sheetHeight() const { return kGap + rows * (height + label + kGap); }
-    int left(int column) const { return kGap + column * (width + kGap); }
-    int top(int row) const { return kGap + row * (height + label + kGap); }
-};
-
 SheetLayout layoutOf(const Options& options, int materials, int lights, int label)
 {
     SheetLayout layout{lights, materials, options.width, options.height, label};
@@ -36,12 +18,7 @@ SheetLayout layoutOf(const Options& options, int materials, int lights, int labe
         layout.columns = static_cast<int>(std::ceil(std::sqrt(materials)));
         layout.rows = (materials + layout.columns - 1) / layout.columns;
     }
-    if (layout.sheetWidth() > kLargestSheet || layout.sheetHeight() > kLargestSheet)
-        throw Error(
-            ErrorKind::usage, "sheet",
-            Found(std::to_string(layout.sheetWidth()) + "x" + std::to_string(layout.sheetHeight()) +
-                  " pixels")
-                .expected("up to " + std::to_string(kLargestSheet) + " a side; see --size"));
+    checkLayout(layout);
     return layout;
 }
 
@@ -63,28 +40,16 @@ std::string labelOf(const std::string& name)
     return std::filesystem::exists(path) ? path.stem().string() : name;
 }
 
-void paste(const scene::Image& picture, int left, int top, scene::Image& sheet)
-{
-    for (int y = 0; y < picture.height; ++y)
-        std::copy_n(picture.pixel(0, y), 4 * picture.width, sheet.pixel(left, top + y));
-}
-
-scene::Image paper(const SheetLayout& layout, float radiance)
-{
-    scene::Image sheet(layout.sheetWidth(), layout.sheetHeight());
-    for (size_t i = 0; i < sheet.rgba.size(); ++i) sheet.rgba[i] = i % 4 == 3 ? 1.0f : radiance;
-    return sheet;
-}
-
 /// The name of the material to the left, and what lights it, where that differs, to the right.
 void drawLabels(const LabelFont& font, const LabelPlace& strip, const std::string& material,
                 const std::string& light, float ink, scene::Image& sheet)
 {
-    const int right = light.empty() ? 0 : std::min(font.widthOf(light) + kGap, strip.width / 2);
+    const int right =
+        light.empty() ? 0 : std::min(font.widthOf(light) + kSheetGap, strip.width / 2);
     font.draw(sheet, {strip.x, strip.y, strip.width - right}, material, ink);
     if (!light.empty())
-        font.draw(sheet, {strip.x + strip.width - right + kGap, strip.y, right - kGap}, light,
-                  0.5f * ink);
+        font.draw(sheet, {strip.x + strip.width - right + kSheetGap, strip.y, right - kSheetGap},
+                  light, 0.5f * ink);
 }
 
 }  // namespace
@@ -97,7 +62,7 @@ scene::Image drawSheet(const Options& options, World& world)
     const LabelFont font(std::max(1, options.width / kPixelsPerScale));
     const SheetLayout layout = layoutOf(options, materials, static_cast<int>(lights.size()),
                                         font.height() + font.height() / 2);
-    scene::Image sheet = paper(layout, kPaper / options.document.exposure);
+    scene::Image sheet = paperOf(layout, kSheetPaper / options.document.exposure);
     const scene::LightSet ownLights = world.lights;
     std::optional<SceneDrawing> drawing;
     for (size_t i = 0; i < lights.size(); ++i) {
@@ -116,7 +81,7 @@ scene::Image drawSheet(const Options& options, World& world)
             drawLabels(font, {left, top + layout.height + font.height() / 4, layout.width},
                        labelOf(world.materials[static_cast<size_t>(material)].name()),
                        lights.size() == 1 ? "" : labelOf(lights[i]),
-                       kInk / options.document.exposure, sheet);
+                       kSheetInk / options.document.exposure, sheet);
         }
     }
     return sheet;

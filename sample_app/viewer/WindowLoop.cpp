@@ -248,8 +248,8 @@ void WindowLoop::followState()
         facts_.message = error.what();
     }
     // Each pixel would take the sum over all texels: minutes, in which the window stands still.
-    if (!options_.frames && world_.environment && isOnCpu(document.technique) &&
-        document.technique != scene::ViewTechnique::path) {
+    if (!options_.frames && world_.environment &&
+        document.technique == scene::ViewTechnique::vertex) {
         facts_.message = fmt::format("path instead of {}, which takes minutes with an environment",
                                      viewTechniqueName(document.technique));
         document.technique = scene::ViewTechnique::path;
@@ -310,7 +310,7 @@ bool WindowLoop::drawMaterial(GlfwWindow::Size size)
     facts_.passes = stats_.passes;
     facts_.maxLookups = stats_.maxLookups;
     facts_.samples = progressive_.samples();
-    facts_.samplesWanted = samplesOf(options_.document, options_.document.technique);
+    facts_.samplesWanted = samplesOf(options_, options_.document.technique);
     show(size);
     return milliseconds.has_value();
 }
@@ -429,7 +429,7 @@ void WindowLoop::finishStats()
     const scene::Document& document = state_.document;
     stats_.backend = "window";
     stats_.technique = viewTechniqueName(document.technique);
-    stats_.samples = samplesOf(document, document.technique);
+    stats_.samples = samplesOf(options_, document.technique);
     stats_.mesh = document.mesh;
     stats_.lightsGiven = static_cast<int>(world_.lights.size());
 }

@@ -141,7 +141,7 @@ scene::Stats statsOf(const Options& options, const World& world)
     for (const MaterialSlot& slot : world.materials) stats.materials.push_back(slot.name());
     stats.evaluated = "material";
     stats.width = options.width;
-    stats.samples = samplesOf(options.document, options.document.technique);
+    stats.samples = samplesOf(options, options.document.technique);
     stats.ground = world.ground != nullptr;
     stats.shadows =
         options.document.shadows || options.document.technique == scene::ViewTechnique::path;

@@ -95,6 +95,49 @@ TEST_F(Compare, PeersAreDrawnPerPixel)
     EXPECT_GT(compare["psnr_srgb"], 50.0) << "the source is a GGX lobe";
 }
 
+TEST_F(Compare, SheetsHaveAColumnForEachSide)
+{
+    const std::string arguments = "compare '" + file("made.fbrdf") +
+                                  "' --plain --size 40x32 --side reference --side drawn --side "
+                                  "vertex --out '" +
+                                  file("sheet.exr") + "'";
+    const ProgramResult result = runViewer(arguments + " --stats '" + file("s.json") + "'");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const Image sheet = readExr(file("sheet.exr"));
+    EXPECT_EQ(sheet.width, 3 * (40 + 8) + 8);
+    const auto numbers = readJson(file("s.json"));
+    ASSERT_EQ(numbers.size(), 3u);
+    EXPECT_TRUE(numbers[0]["psnr_srgb"].is_null()) << "the first with itself";
+    EXPECT_EQ(numbers[2]["a"]["name"], "vertex");
+    EXPECT_EQ(numbers[2]["b"]["name"], "reference");
+    EXPECT_GT(numbers[1]["psnr_srgb"], 30.0);
+    // A material file has no sides that are fitted; the usual ones are those that it has.
+    EXPECT_EQ(runViewer("compare '" + file("made.fbrdf") + "' --plain --size 16x16 --out '" +
+                        file("sheet.png") + "'")
+                  .exitCode,
+              0);
+    expectError(runViewer(arguments + " --side hdio"), 2, "hdio: found a material file");
+    expectError(runViewer(arguments + " --side nonsense"), 2, "--compare: found 'nonsense'");
+    expectError(runViewer("compare lambert --side drawn -o '" + file("a.png") + "'"), 2,
+                "--side: found one");
+    expectError(runViewer("compare lambert lambert -o '" + file("a.png") + "'"), 2,
+                "found 2 materials");
+    expectError(runViewer("compare lambert"), 2, "-o: found none");
+}
+
+TEST_F(Compare, FunctionsUnderAnEnvironmentAreDrawnAtRandom)
+{
+    const Image image = draw(model() +
+                             "--environment overcast --light-count 0 --compare reference drawn "
+                             "--samples 32 --compare-mode split");
+    EXPECT_EQ(stats_["compare"]["a"]["technique"], "reference");
+    EXPECT_EQ(stats_["compare"]["a"]["samples"], 32);
+    EXPECT_GT(stats_["path"]["noise"], 0.0);
+    EXPECT_LT(stats_["path"]["noise"], 0.1);
+    EXPECT_GT(stats_["compare"]["psnr_srgb"], 30.0);
+    EXPECT_GT(largest(image), 0.1f);
+}
+
 TEST_F(Compare, FilmsOfFlipsAndWipes)
 {
     if (runViewer("turntable lambert --frames 1 --size 8x8 --plain -o '" + file("t.gif") + "'")

@@ -3,8 +3,10 @@
 #include "EveryShape.h"
 
 #include <fbrdf/scene/Camera.h>
+#include <fbrdf/scene/Ground.h>
 #include <fbrdf/scene/Lights.h>
 #include <fbrdf/scene/Shading.h>
+#include <fbrdf/truth/Occluders.h>
 #include <fbrdf/truth/PathTracer.h>
 #include <gtest/gtest.h>
 
@@ -316,6 +318,40 @@ TEST(WithoutBounces, EnvironmentsConvergeToTheReference)
     for (const LobeTable& lobes : {LobeTable(), glossyLobes()}) {
         expectConverged(traced(scene, optionsOf(6, 0), 800, lobes), reference);
     }
+}
+
+TEST(WithoutShadows, EnvironmentsAndTheGroundConvergeToTheReference)
+{
+    // Two balls that would hide much of the sky from each other, on a ground that they shade.
+    const Mesh sphere = makeSphere(32, 16);
+    const glm::mat4 beside = glm::translate(glm::mat4(1.0f), {1.4f, 0.6f, 0.0f});
+    EnvironmentLight light;
+    light.panorama = {32, 16, std::vector<Vec3f>(512, Vec3f(0.2f, 0.3f, 0.5f))};
+    light.panorama.texels[32 * 4 + 20] = Vec3f(60.0f, 50.0f, 30.0f);
+    Camera camera;
+    camera.eye = {0.0, 2.0, 5.0};
+    Scene scene = sceneOf({{&sphere}, {&sphere, beside}}, glossy, camera);
+    Ground ground(scene.instances);
+    ground.setVisibility(visibleSky(Occluders(scene.instances), ground));
+    scene.environment = &light;
+    scene.lights = lightsOfEveryKind();
+    scene.shadow = [](size_t i, const SurfacePoint& point, const Incident&) {
+        return i == 0 && point.position.x > 0.2;
+    };
+    scene.ground = &ground;
+    scene.instances.push_back(ground.object(1));
+    scene.brdfs.push_back(Ground::brdf());
+    const Image reference = renderReference(scene, {8, 8});
+    PathOptions options = optionsOf(8, 0);
+    options.shadows = false;
+    for (const LobeTable& lobes : {LobeTable(), glossyLobes()}) {
+        PathTracer tracer(scene, {lobes, {}}, options);
+        tracer.add(800);
+        expectConverged(tracer.picture(), reference);
+    }
+    // The test can fail: with shadows the balls darken each other.
+    options.shadows = true;
+    EXPECT_GT(worstSigmas(traced(scene, options, 800), reference, kReferencePoints), 2.0 * kSigmas);
 }
 
 // --- shadows -------------------------------------------------------------------------------------

@@ -39,6 +39,11 @@ OrderedJson environmentJson(const Stats& stats)
             {"why_not_sampled", textOrNull(stats.whyNotSampled)}};
 }
 
+std::string textOf(const OrderedJson& json)
+{
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
 OrderedJson sideJson(const CompareSideStats& side)
 {
     return {{"name", side.name},   {"technique", side.technique}, {"note", textOrNull(side.note)},
@@ -50,13 +55,12 @@ OrderedJson finiteOrNull(double number)
     return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr);
 }
 
-OrderedJson compareJson(const Stats& stats)
+OrderedJson compareJson(const CompareStats& stats)
 {
-    if (!stats.compare) return nullptr;
-    const CompareNumbers& n = stats.compare->numbers;
-    return {{"a", sideJson(stats.compare->a)},
-            {"b", sideJson(stats.compare->b)},
-            {"mode", stats.compare->mode},
+    const CompareNumbers& n = stats.numbers;
+    return {{"a", sideJson(stats.a)},
+            {"b", sideJson(stats.b)},
+            {"mode", stats.mode},
             {"pixels", n.pixels},
             {"psnr_linear", finiteOrNull(n.psnrLinear)},
             {"psnr_srgb", finiteOrNull(n.psnrSrgb)},
@@ -91,7 +95,7 @@ std::string statsToJson(const Stats& stats)
         {"error_bound", {{"relative", stats.errorRelative}, {"absolute", stats.errorAbsolute}}},
         {"environment", environmentJson(stats)},
         {"path", pathJson(stats)},
-        {"compare", compareJson(stats)},
+        {"compare", stats.compare ? compareJson(*stats.compare) : OrderedJson(nullptr)},
         {"mesh", stats.mesh},
         {"materials", stats.materials},
         {"evaluated", stats.evaluated},
@@ -112,7 +116,14 @@ std::string statsToJson(const Stats& stats)
         {"clock", "cpu"},
         {"milliseconds", {{"median", time.median}, {"min", time.min}, {"max", time.max}}},
     };
-    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    return textOf(json);
+}
+
+std::string compareToJson(const std::vector<CompareStats>& stats)
+{
+    OrderedJson all = OrderedJson::array();
+    for (const CompareStats& one : stats) all.push_back(compareJson(one));
+    return textOf(all);
 }
 
 }  // namespace fbrdf::scene

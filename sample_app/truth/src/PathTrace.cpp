@@ -34,20 +34,23 @@ double largestOf(const Vec3d& v)
 
 }  // namespace
 
-PathTrace::PathTrace(const scene::Scene& scene, std::vector<LobeTable> lobes, int bounces,
-                     LightSearch search)
+PathTrace::PathTrace(const scene::Scene& scene, std::vector<LobeTable> lobes,
+                     const PathOptions& options)
     : scene_(scene),
       lobes_(std::move(lobes)),
-      bounces_(bounces),
-      search_(search),
+      bounces_(options.bounces),
+      search_(options.search),
+      shadows_(options.shadows),
       eye_(scene.view),
       rays_(scene.instances)
 {
     FBRDF_ASSERT(lobes_.size(), ==, scene.brdfs.size());
-    FBRDF_ASSERT(bounces, >=, 0);
+    FBRDF_ASSERT(bounces_, >=, 0);
+    FBRDF_ASSERT(shadows_ || bounces_ == 0, ==, true);
     for (const AreaLight& light : scene.areaLights)
         if (whyInvalid(light).empty()) areas_.emplace_back(light);
     if (scene.environment) environment_.emplace(*scene.environment);
+    if (scene.environment && scene.ground) sky_ = scene.environment->upwardIrradiance();
 }
 
 Vec3d PathTrace::radiance(const scene::Fragment& seen, Random& random) const
@@ -56,12 +59,13 @@ Vec3d PathTrace::radiance(const scene::Fragment& seen, Random& random) const
     Vertex vertex = vertexAt(seen, eye_.directionFrom(rays_.pointOf(seen).position));
     for (int surface = 0;; ++surface) {
         if (!(vertex.wo.z > 0.0)) return sum;
+        if (!vertex.seesSky) sum += scene_.ground->reflectedSky(vertex.point.position, sky_);
         sum += throughput * (fromLights(vertex) + fromEmitters(vertex, random));
         if (surface == bounces_ && areas_.empty() && !environment_) return sum;
         const Step step = stepFrom(vertex, random);
         if (!(step.pdf > 0.0)) return sum;
         throughput *= step.weight;
-        const Hit hit = rays_.nearest(step.ray);
+        const Hit hit = shadows_ ? rays_.nearest(step.ray) : Hit();
         sum += throughput * emittedAlong(vertex, step, hit.distance);
         if (!hit.fragment.covered() || surface == bounces_) return sum;
         if (surface >= kSafeSurfaces) {
@@ -79,8 +83,13 @@ PathTrace::Vertex PathTrace::vertexAt(const scene::Fragment& fragment, const Vec
     const scene::SurfacePoint point = rays_.pointOf(fragment);
     const auto material = static_cast<size_t>(rays_.instanceOf(fragment).material);
     const ShadingFrame<double> frame = shadingFrame(point.normal, point.tangent);
-    return {point.position, rays_.departureFrom(fragment), frame.local(toViewer),
-            frame,          &scene_.brdfs[material],       &lobes_[material]};
+    return {point,
+            rays_.departureFrom(fragment),
+            frame.local(toViewer),
+            frame,
+            &scene_.brdfs[material],
+            &lobes_[material],
+            shadows_ || !scene_.isGround(fragment)};
 }
 
 PathTrace::Step PathTrace::stepFrom(const Vertex& vertex, Random& random) const
@@ -98,11 +107,13 @@ PathTrace::Step PathTrace::stepFrom(const Vertex& vertex, Random& random) const
 Vec3d PathTrace::fromLights(const Vertex& vertex) const
 {
     Vec3d sum(0.0);
-    for (const Light& light : scene_.lights) {
-        const scene::Incident incident = scene::incidentFrom(light, vertex.position);
+    for (size_t i = 0; i < scene_.lights.size(); ++i) {
+        const scene::Incident incident =
+            scene::incidentFrom(scene_.lights[i], vertex.point.position);
         const Vec3d wi = vertex.frame.local(incident.direction);
         if (!(wi.z > 0.0) || incident.irradiance == Vec3d(0.0)) continue;
-        if (rays_.isBlocked({vertex.departure, incident.direction}, incident.distance)) continue;
+        if (isBlocked(vertex, incident.direction, incident.distance)) continue;
+        if (!shadows_ && scene_.shadow && scene_.shadow(i, vertex.point, incident)) continue;
         sum += (*vertex.brdf)(vertex.wo, wi) * wi.z * incident.irradiance;
     }
     return sum;
@@ -114,8 +125,8 @@ Vec3d PathTrace::fromEmitters(const Vertex& vertex, Random& random) const
     Vec3d sum(0.0);
     if (search_ == LightSearch::byMaterials) return sum;
     for (const AreaEmitter& area : areas_)
-        sum += reflected(vertex, area.drawn(vertex.position, random.two()));
-    if (environment_) sum += reflected(vertex, environment_->drawn(random.two()));
+        sum += reflected(vertex, area.drawn(vertex.point.position, random.two()));
+    if (environment_ && vertex.seesSky) sum += reflected(vertex, environment_->drawn(random.two()));
     return sum;
 }
 
@@ -124,8 +135,7 @@ Vec3d PathTrace::reflected(const Vertex& vertex, const Emission& emission) const
     const Vec3d wi = vertex.frame.local(emission.direction);
     if (!(wi.z > 0.0) || !(emission.pdf > 0.0) || emission.radiance == Vec3d(0.0))
         return Vec3d(0.0);
-    if (rays_.isBlocked({vertex.departure, emission.direction}, emission.distance))
-        return Vec3d(0.0);
+    if (isBlocked(vertex, emission.direction, emission.distance)) return Vec3d(0.0);
     const double materialPdf =
         vertex.lobes->isEmpty() ? wi.z / kPi : lobePdf(*vertex.lobes, vertex.wo, wi);
     return (*vertex.brdf)(vertex.wo, wi) * emission.radiance *
@@ -142,8 +152,9 @@ Vec3d PathTrace::emittedAlong(const Vertex& vertex, const Step& step, double blo
         if (emission.radiance != Vec3d(0.0) && rays_.isSeen(emission.distance, blocked))
             sum += emission.radiance * (1.0 - shareOfLights(emission.pdf, step.pdf));
     };
-    for (const AreaEmitter& area : areas_) add(area.along(vertex.position, step.ray.direction));
-    if (environment_) add(environment_->along(step.ray.direction));
+    for (const AreaEmitter& area : areas_)
+        add(area.along(vertex.point.position, step.ray.direction));
+    if (environment_ && vertex.seesSky) add(environment_->along(step.ray.direction));
     return sum;
 }
 

@@ -15,7 +15,7 @@ public:
     State(const scene::Scene& scene, std::vector<LobeTable> lobes, const PathOptions& options)
         : scene_(scene),
           options_(options),
-          paths_(scene, std::move(lobes), options.bounces, options.search),
+          paths_(scene, std::move(lobes), options),
           pixels_(static_cast<size_t>(width()) * static_cast<size_t>(height()))
     {
     }

@@ -75,11 +75,13 @@ struct Stats {
 /// A JSON object: backend, gl_renderer, gl_version (null without GL), technique, mesh, materials,
 /// look_up, technique_drawn, why_replaced (null where there is none), error_bound
 /// {relative, absolute}, environment {name, note, error, why_not} (null where there is none), path
-/// {samples, bounces, noise} (null for other techniques), compare {a, b {name, technique, note,
-/// bytes, samples, fit_seconds}, mode, pixels, psnr_linear, psnr_srgb (null where infinite), ssim,
-/// delta_e_itp, flip, largest} (null for a single picture), evaluated, size, samples, ground,
+/// {samples, bounces, noise} (null for pictures without noise), compare {a, b {name, technique,
+/// note, bytes, samples, fit_seconds}, mode, pixels, psnr_linear, psnr_srgb (null where infinite),
+/// ssim, delta_e_itp, flip, largest} (null for a single picture), evaluated, size, samples, ground,
 /// shadows, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
 /// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);
+/// An array of such objects as `compare` above.
+std::string compareToJson(const std::vector<CompareStats>& stats);
 
 }  // namespace fbrdf::scene

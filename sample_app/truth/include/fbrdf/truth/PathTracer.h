@@ -21,6 +21,10 @@ enum class LightSearch { combined, byLights, byMaterials };
 struct PathOptions {
     scene::PictureOptions picture = {};
     int bounces = 8;  ///< between surfaces, >= 0; 0: only light that comes straight from its source
+    /// false, without bounces alone: nothing is in the way but what scene.shadow says, and the
+    /// ground has its reflectedSky. The mean of many samples is renderReference, also of
+    /// environments.
+    bool shadows = true;
     bool spread = true;  ///< samples over the pixel; false: all at its centre, as renderReference
     uint64_t seed = 0;   ///< another one gives another picture of the same mean
     LightSearch search = LightSearch::combined;
