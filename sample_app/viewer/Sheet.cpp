@@ -34,7 +34,7 @@ void lightBy(const std::string& under, const Options& options, World& world)
 }
 
 /// A file without folders and ending; a model as it is.
-std::string labelOf(const std::string& name)
+std::string stemOf(const std::string& name)
 {
     const std::filesystem::path path(name);
     return std::filesystem::exists(path) ? path.stem().string() : name;
@@ -79,8 +79,8 @@ scene::Image drawSheet(const Options& options, World& world)
                       top = layout.top(place / layout.columns);
             paste(drawing->draw({&world.mesh, glm::mat4(1.0f), material}), left, top, sheet);
             drawLabels(font, {left, top + layout.height + font.height() / 4, layout.width},
-                       labelOf(world.materials[static_cast<size_t>(material)].name()),
-                       lights.size() == 1 ? "" : labelOf(lights[i]),
+                       stemOf(world.materials[static_cast<size_t>(material)].name()),
+                       lights.size() == 1 ? "" : stemOf(lights[i]),
                        kSheetInk / options.document.exposure, sheet);
         }
     }
