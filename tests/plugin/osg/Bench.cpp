@@ -1,7 +1,8 @@
 // fbrdf-osg-bench prints how many milliseconds OpenSceneGraph takes to cull and draw the effect
 // under 64 lights, beside the plain runtime; and a model of a thousand parts of four materials,
 // beside the same under one material and the same without. All take turns in one process and
-// context; glFinish ends each frame.
+// context; glFinish ends each frame. Then it prints how long culling alone takes with one light and
+// with many, which stay where they are or change.
 #include "OsgScene.h"
 
 #include "support/FrameTimes.h"
@@ -9,8 +10,10 @@
 
 #include <osg/Material>
 #include <osg/MatrixTransform>
+#include <osg/Stats>
 
 #include <cstdio>
+#include <vector>
 
 namespace {
 
@@ -20,6 +23,58 @@ using namespace fbrdf::test;
 constexpr int kLights = 64, kFrames = 31, kWarmUp = 3;
 constexpr int kPartsInRow = 10, kMaterials = 4;
 constexpr int kPartLights = 4;
+
+/// Median milliseconds of the cull of a frame, by OSG's own statistics. update(): what an update
+/// traversal would do.
+template <class Update>
+double cullTime(OsgView& view, const Update& update)
+{
+    osg::Stats& stats = *view.viewer().getCamera()->getStats();
+    std::vector<double> times;
+    for (int i = -kWarmUp; i < kFrames; ++i) {
+        update();
+        view.draw();
+        double seconds = 0.0;
+        const unsigned int frame = view.viewer().getFrameStamp()->getFrameNumber();
+        if (i >= 0 && stats.getAttribute(frame, "Cull traversal time taken", seconds))
+            times.push_back(1000.0 * seconds);
+    }
+    return median(times);
+}
+
+/// Lights that reach no more than their surroundings.
+std::vector<Light> smallLights(int count)
+{
+    std::vector<Light> lights;
+    for (Light light : testLights(4 * count)) {
+        if (light.type != Light::Type::point || lights.size() == static_cast<size_t>(count))
+            continue;
+        light.radius = 0.5f;
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+void printCulls(OsgView& view, const Material& material)
+{
+    view.viewer().getCamera()->setStats(new osg::Stats("camera"));
+    view.viewer().getCamera()->getStats()->collectStats("rendering", true);
+    for (const int count : {1, 4096}) {
+        const auto lights = osgLights(smallLights(count));
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->addChild(osgEffect(material, sphereMesh(24)));
+        root->addChild(lights);
+        view.setScene(root);
+        const double still = cullTime(view, [] {});
+        const double changing = cullTime(view, [&] {
+            auto changed = lights->getLights();
+            changed[0].position.x += 1e-3f;
+            lights->setLights(changed);
+        });
+        std::printf("cull       %zu lights: %.3f ms where they stay, %.3f ms where one moves\n",
+                    lights->getLights().size(), still, changing);
+    }
+}
 
 /// A thousand balls, each with a state set and an osg::Material of its own, in four names.
 osg::ref_ptr<osg::Group> thousandBalls()
@@ -126,6 +181,7 @@ try {
             median(osg) / median(runtime));
     }
     printParts(view, material);
+    printCulls(view, material);
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

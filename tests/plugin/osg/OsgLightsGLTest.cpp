@@ -168,6 +168,7 @@ TEST_F(OsgLights, AttenuationIsKeptAmongHundredsOfOthers)
     const auto plain = lightAt(0, {-2.0f, 0.5f, 3.0f, 1.0f});
     plain->setLinearAttenuation(0.3f);
     effect_ = osgEffect(white(), sphereMesh(24));
+    effect_->setLookupsPerPass(100000);  // a limit that lists do not have: lights are in uniforms
     const auto root = lit(effect_, {plain});
     view_->setScene(root);
     const auto alone = view_->frame();

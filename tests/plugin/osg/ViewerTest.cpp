@@ -19,6 +19,7 @@
 #include <osgShadow/ShadowedScene>
 #include <osgShadow/ShadowMap>
 
+#include <cmath>
 #include <filesystem>
 
 namespace fbrdf::test {
@@ -51,6 +52,62 @@ INSTANTIATE_TEST_SUITE_P(Models, Threading,
                          ::testing::Values("--SingleThreaded", "--CullDrawThreadPerContext",
                                            "--DrawThreadPerContext",
                                            "--CullThreadPerCameraDrawThreadPerContext"));
+
+/// Lights around two spheres, each of which reaches a part of one.
+std::vector<Light> manyLights(int count)
+{
+    std::vector<Light> lights;
+    for (int i = 0; i < count; ++i) {
+        Light light;
+        const double z = 1.0 - (2.0 * i + 1.0) / count, r = std::sqrt(1.0 - z * z),
+                     phi = i * kPi * (3.0 - std::sqrt(5.0));
+        light.position =
+            Vec3f(1.3 * r * std::cos(phi) + (i % 2 ? 0.8 : -0.8), 1.3 * r * std::sin(phi), 1.3 * z);
+        light.intensity = 0.1f * Vec3f(0.2f, 0.1f * static_cast<float>(i % 4), 0.3f);
+        light.radius = 0.6f;
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+class ManyLights : public OsgviewerTest {};
+
+// By lists in one pass, as the report of the same scene in this process says.
+TEST_F(ManyLights, Show4096InTheRealOsgviewer)
+{
+    constexpr int kMany = 4096;
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    std::vector<osg::ref_ptr<FactorizedBrdf>> balls;
+    for (const int kind : {0, 4}) {
+        osg::ref_ptr<osg::MatrixTransform> place =
+            new osg::MatrixTransform(osg::Matrixd::translate(kind == 0 ? -0.8 : 0.8, 0.0, 0.0));
+        balls.push_back(ball(kind, osgFX::Effect::AUTO_DETECT));
+        balls.back()->setTransfer(Transfer::toneMap);
+        place->addChild(balls.back());
+        root->addChild(place);
+    }
+    root->addChild(osgLights(manyLights(kMany)));
+    ASSERT_TRUE(osgDB::writeNodeFile(*root, path("many.osgt")));
+    ViewerTwin twin(context().loader(), root, 160, 160);
+    Osgviewer viewer(path("many.osgt"), {});
+    expectSame(viewer, twin, "many-lights");
+    for (const auto& effect : balls) {
+        const osgFbrdf::DrawReport report = effect->lastReport();
+        EXPECT_EQ(report.lightsUsed + report.lightsCulled, kMany);
+        EXPECT_GT(report.lightsUsed, kMany / 2);
+        EXPECT_EQ(report.lightsDropped, 0);
+        EXPECT_GT(report.longestLightList, 0);
+        EXPECT_EQ(report.technique, "single pass");
+        EXPECT_EQ(report.passes, 1);
+    }
+    // The plain sum over all lights is the same.
+    const Screen listed = twin.frame();
+    balls[0]->selectTechnique(osgFbrdf::kBatched);
+    balls[0]->setLightsPerPass(256);
+    EXPECT_LT(pixelsApart(listed, twin.frame()), kEdges);
+    EXPECT_EQ(balls[0]->lastReport().longestLightList, 0);
+    expectGoodEnd(viewer);
+}
 
 void paint(osg::Geometry& geometry, const osg::Vec4f& colour)
 {

@@ -17,6 +17,14 @@ int limitOf(GLenum name)
     return value;
 }
 
+/// Buffer textures came with OpenGL 3.1, as did GLSL 1.40.
+int bufferTexelsOf(osg::State& state)
+{
+    const auto* extensions = state.get<osg::GLExtensions>();
+    const bool has = extensions->glVersion >= 3.1f && extensions->glslLanguageVersion >= 1.4f;
+    return has ? limitOf(GL_MAX_TEXTURE_BUFFER_SIZE) : 0;
+}
+
 }  // namespace
 
 std::string tooFew(const std::string& what, int needed, int limit)
@@ -29,7 +37,8 @@ ContextLimits limitsOf(osg::State& state)
 {
     return {limitOf(GL_MAX_TEXTURE_IMAGE_UNITS), limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
             hasOsgInputs(state) ||
-                osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod")};
+                osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod"),
+            bufferTexelsOf(state)};
 }
 
 std::string refusalBy(const ContextLimits& context, const ContextLimits& needed)

@@ -15,18 +15,21 @@ struct ContextLimits {
     int textureUnits = 0;
     int uniformComponents = 0;
     bool choosesLevels = false;  ///< of cube maps, in fragment shaders
+    int bufferTexels = 0;  ///< of a texture that GLSL 1.40 reads from a buffer; 0: there are none
 };
 
 inline ContextLimits larger(const ContextLimits& a, const ContextLimits& b)
 {
     return {std::max(a.textureUnits, b.textureUnits),
-            std::max(a.uniformComponents, b.uniformComponents), a.choosesLevels || b.choosesLevels};
+            std::max(a.uniformComponents, b.uniformComponents), a.choosesLevels || b.choosesLevels,
+            std::max(a.bufferTexels, b.bufferTexels)};
 }
 
 inline ContextLimits smaller(const ContextLimits& a, const ContextLimits& b)
 {
     return {std::min(a.textureUnits, b.textureUnits),
-            std::min(a.uniformComponents, b.uniformComponents), a.choosesLevels && b.choosesLevels};
+            std::min(a.uniformComponents, b.uniformComponents), a.choosesLevels && b.choosesLevels,
+            std::min(a.bufferTexels, b.bufferTexels)};
 }
 
 /// Of the context, which is current.

@@ -111,8 +111,24 @@ osg::ref_ptr<osg::StateSet> FrameStates::stateOf(const fbrdf::Pass& pass) const
     return state;
 }
 
+void FrameStates::addLists(osg::StateSet& state, const fbrdf::Pass& pass) const
+{
+    const LightLists& lists = *light_.lists;
+    state.addUniform(new osg::Uniform("fbrdfLightCount", lists.everywhere));
+    state.addUniform(new osg::Uniform("fbrdfClusterScale", lists.scale));
+    osg::ref_ptr<osg::Uniform> grid = new osg::Uniform(osg::Uniform::INT_VEC3, "fbrdfClusterGrid");
+    grid->set(lists.grid.columns, lists.grid.rows, lists.grid.slices);
+    state.addUniform(grid);
+    const MaterialStates& states = *effect_.getMaterial()->states();
+    for (size_t i = 0; i < lists.textures.size(); ++i)
+        state.setTextureAttribute(static_cast<unsigned int>(states.listUnit(pass, units_, i)),
+                                  lists.textures[i], kOurs);
+    if (attenuations_) state.addUniform(attenuations_);
+}
+
 void FrameStates::addLights(osg::StateSet& state, const fbrdf::Pass& pass) const
 {
+    if (light_.lists) return addLists(state, pass);
     state.addUniform(lightUniform(light_.lights.lights, pass));
     state.addUniform(new osg::Uniform("fbrdfLightCount", pass.lightCount));
     if (!attenuations_ && !shadows_) return;

@@ -30,6 +30,7 @@ public:
 private:
     void addLights(osg::StateSet& state, const fbrdf::Pass& pass) const;
     void addShadowMaps(osg::StateSet& state) const;
+    void addLists(osg::StateSet& state, const fbrdf::Pass& pass) const;
     void addLobes(osg::StateSet& state, const fbrdf::Pass& pass) const;
     void addSurface(osg::StateSet& state, fbrdf::Surface surface) const;
 

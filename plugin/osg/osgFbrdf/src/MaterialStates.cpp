@@ -2,6 +2,7 @@
 
 #include "EmbeddedShaders.h"
 #include "FogPass.h"
+#include "LightLists.h"
 #include "OsgLights.h"
 #include "PassState.h"
 #include "SeamlessCubes.h"
@@ -84,7 +85,7 @@ constexpr size_t kMostPlans = 32;
 std::string keyOf(const PassInputs& inputs)
 {
     return inputs.units.key() + (inputs.derivedTangents ? "t" : "") +
-           (inputs.preciseFiltering ? "p" : "") + inputs.hooks.key();
+           (inputs.preciseFiltering ? "p" : "") + (inputs.listed ? "l" : "") + inputs.hooks.key();
 }
 
 std::string keyOf(const fbrdf::LobeLayout& layout)
@@ -212,7 +213,9 @@ osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& s
 {
     std::vector<fbrdf::TableEncoding> encodings = encodings_;
     for (const size_t i : textures_) encodings[i].precise = inputs.preciseFiltering;
-    const auto fragment = versionedShader(osg::Shader::FRAGMENT, [&](int glsl) {
+    const auto fragment = versionedShader(osg::Shader::FRAGMENT, [&](int contexts) {
+        // A program may have shaders of several versions.
+        const int glsl = spec.clustered ? kShaderVersions.back() : contexts;
         fbrdf::SurfaceInputs surface = surfaceInputs(glsl);
         surface.derivedTangent = inputs.derivedTangents;
         surface.shadowHook = shadowHook(inputs.hooks);
@@ -246,6 +249,14 @@ void MaterialStates::addMaps(osg::StateSet& state, const PassInputs& inputs) con
     }
 }
 
+void MaterialStates::addLists(osg::StateSet& state, const fbrdf::Pass& pass,
+                              const PassInputs& inputs) const
+{
+    for (size_t i = 0; i < kListSamplers.size(); ++i)
+        state.addUniform(new osg::Uniform(kListSamplers[i], listUnit(pass, inputs.units, i)),
+                         kOurs);
+}
+
 void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
                               const PassInputs& inputs, const fbrdf::LobeTable& lobes) const
 {
@@ -268,7 +279,8 @@ void MaterialStates::addLobes(osg::StateSet& state, const fbrdf::Pass& pass,
 ContextLimits MaterialStates::neededBy(const fbrdf::Pass& pass, const PassInputs& inputs) const
 {
     const LightHooks& hooks = inputs.hooks;
-    if (pass.lobes.isEmpty() && hooks.shadows.empty()) return {};
+    const bool listed = inputs.listed && pass.lit;
+    if (pass.lobes.isEmpty() && hooks.shadows.empty() && !listed) return {};
     const fbrdf::Capabilities assumed = assumedCapabilities(hooks);
     const int lights =
         fbrdf::programSpec(pass, fbrdf::maxLightsInUniforms(form_, assumed, pass.lobes)).lightSlots;
@@ -277,8 +289,8 @@ ContextLimits MaterialStates::neededBy(const fbrdf::Pass& pass, const PassInputs
     const int vectors = assumed.maxUniformVectors - fbrdf::freeUniformVectors(form_, assumed) +
                         fbrdf::kVectorsPerLight * lights + hooked + pass.lobes.vectors();
     const bool cube = pass.lobes.environment;
-    const int textures = textureUnits() + (pass.reads ? 1 : 0) + (cube ? 1 : 0);
-    int units = inputs.units.needed(textures);
+    const int lists = listed ? static_cast<int>(kListSamplers.size()) : 0;
+    int units = inputs.units.needed(texturesBeforeLists(pass) + lists);
     for (const int unit : hooks.shadows.units) units = std::max(units, unit + 1);
     return {units, 4 * vectors, cube};
 }
@@ -288,14 +300,16 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
                                                     const PassInputs& inputs,
                                                     const fbrdf::LobeTable* lobes)
 {
-    const auto spec = fbrdf::programSpec(
+    auto spec = fbrdf::programSpec(
         pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.hooks), pass.lobes));
+    spec.clustered = inputs.listed && pass.lit;
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, bin, inputs)];
     if (state) return state;
     state = new osg::StateSet;
     state->setAttributeAndModes(programOf(spec, inputs), kOurs);
     addMaps(*state, inputs);
     if (!pass.lobes.isEmpty()) addLobes(*state, pass, inputs, *lobes);
+    if (spec.clustered) addLists(*state, pass, inputs);
     setBlend(*state, pass.blend);
     setPlace(*state, pass.depth, bin);
     return state;

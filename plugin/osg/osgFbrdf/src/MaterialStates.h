@@ -33,6 +33,7 @@ struct PassInputs {
     bool derivedTangents = false;
     bool preciseFiltering = false;  ///< in the shader
     LightHooks hooks;
+    bool listed = false;  ///< lights come from lists (LightLists.h)
 };
 
 /// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
@@ -40,7 +41,7 @@ struct PassInputs {
 struct PlannedPasses {
     fbrdf::Plan plan;
     std::vector<osg::ref_ptr<osg::StateSet>> states;
-    ContextLimits needed;  ///< by passes that add lobes or look into shadow maps; nothing without
+    ContextLimits needed;  ///< by passes with lobes, shadow maps or lists; nothing without
 };
 
 class MaterialStates : public osg::Referenced {
@@ -55,6 +56,11 @@ public:
     int environmentUnit(const fbrdf::Pass& pass, const TextureUnits& units) const
     {
         return units[textureUnits() + (pass.reads ? 1 : 0)];
+    }
+    /// The unit of list i of the lights (kListSamplers), in a pass that reads lists.
+    int listUnit(const fbrdf::Pass& pass, const TextureUnits& units, size_t i) const
+    {
+        return units[texturesBeforeLists(pass) + static_cast<int>(i)];
     }
     /// See LobesOfMaterial::find.
     LobesOfMaterial::Table lobes(int most, std::string& whyNot)
@@ -88,6 +94,11 @@ private:
     Map mapOf(int index, const fbrdf::Table& table);
     osg::ref_ptr<osg::StateSet> stateOf(const fbrdf::Pass& pass, int bin, const PassInputs& inputs,
                                         const fbrdf::LobeTable* lobes);
+    int texturesBeforeLists(const fbrdf::Pass& pass) const
+    {
+        return textureUnits() + (pass.reads ? 1 : 0) + (pass.lobes.environment ? 1 : 0);
+    }
+    void addLists(osg::StateSet& state, const fbrdf::Pass& pass, const PassInputs& inputs) const;
     ContextLimits neededBy(const fbrdf::Pass& pass, const PassInputs& inputs) const;
     osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassInputs& inputs);
     void addMaps(osg::StateSet& state, const PassInputs& inputs) const;

@@ -114,7 +114,9 @@ fbrdf::Sphere boundsInEye(const FactorizedBrdf& model, const osg::Matrixd& toEye
 bool leavesOut(const EffectCull& cull, const InheritedState& inherited, Illumination& light,
                const std::string& reason)
 {
-    if (!light.lobes.light().isEmpty())
+    if (light.lists)
+        light.lists = nullptr;
+    else if (!light.lobes.light().isEmpty())
         light.lobes.leaveOut(reason);
     else if (!light.shadows.maps.empty())
         light.shadows = withoutShadows(reason);
@@ -131,9 +133,12 @@ DrawReport reportOf(const EffectCull& cull, const fbrdf::Plan& plan, const Illum
     const SceneLights& scene = cull.view.lights();
     DrawReport report;
     report.passes = static_cast<int>(plan.passes.size());
-    report.lightsUsed = static_cast<int>(light.lights.lights.size()) + light.lobes.areaLights;
+    const bool listed = light.lists.valid();
+    const int lights = listed ? light.lists->lights : static_cast<int>(light.lights.lights.size());
+    report.lightsUsed = lights + light.lobes.areaLights;
     report.lightsDropped = scene.dropped + light.lights.dropped;
-    report.lightsCulled = light.lights.culled + light.lobes.culled;
+    report.lightsCulled = (listed ? light.lists->culled : light.lights.culled) + light.lobes.culled;
+    report.longestLightList = listed ? light.lists->longest : 0;
     report.whyLightsInvalid = scene.whyInvalid;
     report.maxLookups = plan.maxLookups;
     report.whyNoEnvironment = light.lobes.whyNot;
@@ -258,6 +263,7 @@ PassInputs PassTechnique::inputs(const Illumination& light) const
     inputs.derivedTangents = effect_.getDerivedTangents();
     inputs.preciseFiltering = effect_.getPreciseFiltering();
     inputs.hooks = light.hooks();
+    inputs.listed = light.lists.valid();
     return inputs;
 }
 
@@ -293,9 +299,30 @@ Illumination PassTechnique::illuminationOf(const EffectCull& cull,
     Illumination light;
     light.bounds = boundsInEye(cull.model, *cull.visitor.getModelViewMatrix());
     light.lobes = lobesOf(scene, toEye, light.bounds, effect_, contextOf(cull.visitor));
-    light.lights = lightsOf(scene, toEye, light.bounds, inherited, light.lobes.isMissing());
     light.shadows = shadowsOf(cull, inherited);
+    light.lists = listsOf(cull, inherited, light.shadows);
+    if (light.lists)
+        light.lights.attenuations = light.lists->attenuations;
+    else
+        light.lights = lightsOf(scene, toEye, light.bounds, inherited, light.lobes.isMissing());
     return light;
+}
+
+osg::ref_ptr<const LightLists> PassTechnique::listsOf(const EffectCull& cull,
+                                                      const InheritedState& inherited,
+                                                      const ReceivedShadows& shadows) const
+{
+    // Lists are for all objects of the view, and have no numbers of shadow maps.
+    const auto& sources = cull.view.lights().sources;
+    const bool areOn =
+        std::all_of(sources.begin(), sources.end(),
+                    [&](const PlacedOsgLight& source) { return isOn(source, inherited); });
+    const int texels = internals_.choice->limits().bufferTexels;
+    if (kind_ != fbrdf::Technique::single || effect_.getLookupsPerPass() > 0 ||
+        !shadows.maps.empty() || !areOn || texels == 0)
+        return nullptr;
+    const LightLists* lists = cull.view.lightLists(cull.visitor, worldToEye(cull.visitor));
+    return lists && lists->texels <= static_cast<size_t>(texels) ? lists : nullptr;
 }
 
 ReceivedShadows PassTechnique::shadowsOf(const EffectCull& cull,
@@ -353,7 +380,7 @@ PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
                                                 const Illumination& light) const
 {
     MaterialStates& states = *effect_.getMaterial()->states();
-    const int count = static_cast<int>(light.lights.lights.size());
+    const int count = light.planned();
     const PassInputs inputs = this->inputs(light);
     Drawing drawing;
     const auto passes = [&](bool offscreen) {

@@ -48,6 +48,9 @@ private:
     Illumination illuminationOf(const EffectCull& cull, const InheritedState& inherited) const;
     /// The shadows that fall on the effect, as far as its maps leave texture units to them.
     ReceivedShadows shadowsOf(const EffectCull& cull, const InheritedState& inherited) const;
+    /// Null where lights are culled by object.
+    osg::ref_ptr<const LightLists> listsOf(const EffectCull& cull, const InheritedState& inherited,
+                                           const ReceivedShadows& shadows) const;
     Drawing drawingOf(const EffectCull& cull, const Illumination& light) const;
     /// The same with fewer lights, where all are too many for the only pass that there can be.
     Drawing drawingOfMost(const EffectCull& cull, Illumination& light) const;

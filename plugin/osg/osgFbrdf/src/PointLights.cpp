@@ -2,6 +2,8 @@
 
 #include "KeptTransforms.h"
 
+#include <atomic>
+
 namespace osgFbrdf {
 namespace {
 
@@ -10,11 +12,29 @@ fbrdf::Vec3f toVec3(const osg::Vec3f& v)
     return {v.x(), v.y(), v.z()};
 }
 
+unsigned int nextVersion()
+{
+    static std::atomic<unsigned int> last{0};
+    return ++last;
+}
+
 }  // namespace
 
 PointLights::PointLights(const PointLights& other, const osg::CopyOp& op)
-    : osg::Group(other, op), lights_(other.lights_)
+    : osg::Group(other, op), lights_(other.lights_), version_(nextVersion())
 {
+}
+
+void PointLights::setLights(const std::vector<fbrdf::Light>& lights)
+{
+    lights_ = lights;
+    version_ = nextVersion();
+}
+
+void PointLights::add(const fbrdf::Light& light)
+{
+    lights_.push_back(light);
+    version_ = nextVersion();
 }
 
 void PointLights::traverse(osg::NodeVisitor& visitor)
@@ -25,12 +45,12 @@ void PointLights::traverse(osg::NodeVisitor& visitor)
 
 void PointLights::addPoint(const osg::Vec3f& position, const osg::Vec3f& intensity, float radius)
 {
-    lights_.push_back({fbrdf::Light::Type::point, toVec3(position), toVec3(intensity), radius});
+    add({fbrdf::Light::Type::point, toVec3(position), toVec3(intensity), radius});
 }
 
 void PointLights::addDirectional(const osg::Vec3f& toLight, const osg::Vec3f& irradiance)
 {
-    lights_.push_back({fbrdf::Light::Type::directional, toVec3(toLight), toVec3(irradiance), 0.0f});
+    add({fbrdf::Light::Type::directional, toVec3(toLight), toVec3(irradiance), 0.0f});
 }
 
 void PointLights::addSpot(const Spot& spot)
@@ -43,7 +63,7 @@ void PointLights::addSpot(const Spot& spot)
     light.innerAngle = spot.innerAngle;
     light.outerAngle = spot.outerAngle;
     light.radius = spot.radius;
-    lights_.push_back(light);
+    add(light);
 }
 
 }  // namespace osgFbrdf

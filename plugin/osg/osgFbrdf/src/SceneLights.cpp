@@ -15,7 +15,9 @@
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace osgFbrdf {
 namespace {
@@ -106,13 +108,7 @@ public:
 private:
     void add(const PointLights& lights)
     {
-        for (const fbrdf::Light& light : lights.getLights()) {
-            const fbrdf::Light placed = fbrdf::isValid(light) ? moved(light, matrix_) : light;
-            if (fbrdf::isValid(placed))
-                scene_.lights.push_back(placed);
-            else
-                ++scene_.dropped;
-        }
+        scene_.pointLights.push_back({&lights, lights.getVersion(), matrix_});
     }
 
     void add(const AreaLights& lights)
@@ -146,6 +142,28 @@ private:
     osg::Vec3d eye_;
     float scale_;
 };
+
+/// Places the lights of PointLights, or takes over those of the last frame where nothing has moved.
+void placePointLights(SceneLights& scene, SceneLights&& last)
+{
+    if (scene.pointLights == last.pointLights) {
+        scene.lights = std::move(last.lights);
+        scene.serial = last.serial;
+        scene.pointLightsDropped = last.pointLightsDropped;
+    } else {
+        static std::atomic<unsigned int> serials{0};
+        scene.serial = ++serials;
+        for (const PlacedPointLights& placed : scene.pointLights)
+            for (const fbrdf::Light& light : placed.node->getLights()) {
+                scene.lights.push_back(fbrdf::isValid(light) ? moved(light, placed.toWorld)
+                                                             : light);
+                if (fbrdf::isValid(scene.lights.back())) continue;
+                scene.lights.pop_back();
+                ++scene.pointLightsDropped;
+            }
+    }
+    scene.dropped += scene.pointLightsDropped;
+}
 
 /// The light of the view lights the effects only where nothing else does, but other objects always.
 void addViewLight(SceneLights& scene, const osg::Camera* camera)
@@ -210,11 +228,12 @@ osg::Node& rootOfLights(const osg::NodePath& path)
     return *path.front();
 }
 
-SceneLights lightsBelow(osg::Node& root, osgUtil::CullVisitor& visitor)
+SceneLights lightsBelow(osg::Node& root, osgUtil::CullVisitor& visitor, SceneLights&& last)
 {
     SceneLights scene;
     Collector collector(scene, visitor);
     root.accept(collector);
+    placePointLights(scene, std::move(last));
     addViewLight(scene, visitor.getCurrentCamera());
     return scene;
 }

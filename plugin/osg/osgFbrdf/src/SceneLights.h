@@ -16,6 +16,8 @@ class CullVisitor;
 
 namespace osgFbrdf {
 
+class PointLights;
+
 /// The first EnvironmentLight of the scene.
 struct SceneEnvironment {
     osg::ref_ptr<EnvironmentCube> cube;  ///< null: there is none
@@ -25,8 +27,22 @@ struct SceneEnvironment {
     int leftOut = 0;  ///< other environments of the scene
 };
 
+/// A node of PointLights as it was when its lights were collected.
+struct PlacedPointLights {
+    const PointLights* node = nullptr;
+    unsigned int version = 0;
+    osg::Matrixd toWorld;
+    bool operator==(const PlacedPointLights& other) const
+    {
+        return node == other.node && version == other.version && toWorld == other.toWorld;
+    }
+};
+
 struct SceneLights {
     std::vector<fbrdf::Light> lights;  ///< the valid ones of PointLights, in world coordinates
+    unsigned int serial = 0;           ///< another number wherever `lights` are others
+    std::vector<PlacedPointLights> pointLights;  ///< that they come from
+    int pointLightsDropped = 0;
     std::vector<fbrdf::AreaLight> areaLights;  ///< those of AreaLights, in the same coordinates
     std::vector<PlacedOsgLight> sources;  ///< of osg::LightSources, or else the light of the view
     SceneEnvironment environment;
@@ -46,8 +62,9 @@ osg::Vec3f meanOf(const SceneEnvironment& environment);
 osg::Node& rootOfLights(const osg::NodePath& path);
 
 /// The lights and the environment below the root that the visitor sees: its cull mask and levels of
-/// detail count.
-SceneLights lightsBelow(osg::Node& root, osgUtil::CullVisitor& visitor);
+/// detail count. last: what was collected before, whose lights are taken over where all PointLights
+/// are the same.
+SceneLights lightsBelow(osg::Node& root, osgUtil::CullVisitor& visitor, SceneLights&& last);
 
 /// The matrix from the coordinates of the lights to those of the eye.
 osg::Matrixd worldToEye(osgUtil::CullVisitor& visitor);

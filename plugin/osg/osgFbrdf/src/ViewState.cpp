@@ -57,7 +57,14 @@ void ViewState::update(osgUtil::CullVisitor& visitor)
     glLightsClaimed_ = false;
     root_ = &root;
     frame_ = frame;
-    lights_ = lightsBelow(root, visitor);
+    lights_ = lightsBelow(root, visitor, std::move(lights_));
+}
+
+const LightLists* ViewState::lightLists(osgUtil::CullVisitor& visitor, const osg::Matrixd& toEye)
+{
+    const osg::Viewport* viewport = visitor.getViewport();
+    if (!viewport || viewport->width() < 1.0 || viewport->height() < 1.0) return nullptr;
+    return listMaker_.listsOf(lights_, toEye, *visitor.getProjectionMatrix(), *viewport);
 }
 
 Surfaces* ViewState::surfaces(osgUtil::CullVisitor& visitor)

@@ -7,7 +7,7 @@
 // here needs a lock. A technique fetches the object once, when it begins to cull an effect, and
 // hands it down (EffectCull.h).
 #pragma once
-#include "SceneLights.h"
+#include "LightLists.h"
 
 #include <osg/Object>
 
@@ -34,6 +34,9 @@ public:
 
     const SceneLights& lights() const { return lights_; }
 
+    /// Their lists; null where the scene or the view has none. toEye: see LightListMaker.
+    const LightLists* lightLists(osgUtil::CullVisitor& visitor, const osg::Matrixd& toEye);
+
     /// Surfaces as large as the viewport of the visitor, for its context; null where the visitor
     /// has no viewport.
     Surfaces* surfaces(osgUtil::CullVisitor& visitor);
@@ -53,6 +56,7 @@ private:
     void update(osgUtil::CullVisitor& visitor);
 
     SceneLights lights_;
+    LightListMaker listMaker_;
     const osg::Node* root_ = nullptr;  ///< below it the lights were collected; null: not yet
     unsigned int frame_ = 0;           ///< number of the frame in which they were
     int lastSurfaceBin_ = 0;

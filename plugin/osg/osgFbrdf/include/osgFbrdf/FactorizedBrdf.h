@@ -70,6 +70,8 @@ struct DrawReport {
     int environmentsLeftOut = 0;  ///< all but the first
     /// What is wrong with the last area light that is not valid; empty where all are.
     std::string whyLightsInvalid = {};
+    /// The most lights that any part of the picture has, where lights come from lists; else 0.
+    int longestLightList = 0;
     int shadowMaps = 0;  ///< maps of osgShadow in which passes look for shadows
     /// Why shadows of the scene do not fall on the effect; empty where they do, or there are none.
     std::string whyNoShadows = {};

@@ -34,8 +34,11 @@ public:
     };
     void addSpot(const Spot& spot);
 
-    void setLights(const std::vector<fbrdf::Light>& lights) { lights_ = lights; }
+    void setLights(const std::vector<fbrdf::Light>& lights);
     const std::vector<fbrdf::Light>& getLights() const { return lights_; }
+    /// Another number after each change of the lights, and no other node has it: what was made of
+    /// the lights need not be made again while it stays.
+    unsigned int getVersion() const { return version_; }
 
     /// Makes transforms above DYNAMIC where osgUtil::Optimizer would flatten them.
     void traverse(osg::NodeVisitor& visitor) override;
@@ -44,7 +47,10 @@ protected:
     ~PointLights() override = default;
 
 private:
+    void add(const fbrdf::Light& light);
+
     std::vector<fbrdf::Light> lights_;
+    unsigned int version_ = 0;  ///< of none: no light
 };
 
 }  // namespace osgFbrdf
