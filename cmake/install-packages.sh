@@ -12,7 +12,7 @@ packages=(
   libglm-dev libglfw3-dev libimgui-dev libembree-dev libegl-dev libegl1 libgl1-mesa-dri libosmesa6-dev
 )
 if [ "$purpose" != build ]; then
-  packages+=(libgtest-dev libopenimageio-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libopenscenegraph-dev openscenegraph libvtk9-dev libogre-1.12-dev xdotool dpkg-dev file doxygen graphviz groff-base)
+  packages+=(libgtest-dev libopenimageio-dev libceres-dev libopenmpi-dev openmpi-bin glslang-tools clang-format xvfb xauth libx11-dev imagemagick libopenscenegraph-dev openscenegraph libvtk9-dev libogre-1.12-dev xdotool dpkg-dev file doxygen graphviz groff-base)
 fi
 [ "$purpose" != builds ] || packages+=(clang)
 

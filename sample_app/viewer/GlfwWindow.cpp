@@ -189,10 +189,14 @@ bool GlfwWindow::shouldClose() const
     return glfwWindowShouldClose(window_) || state_.close;
 }
 
-void GlfwWindow::present(bool isStill)
+void GlfwWindow::present()
+{
+    glfwSwapBuffers(window_);
+}
+
+void GlfwWindow::takeInput(bool isStill)
 {
     constexpr double kStillSeconds = 1.0 / 60.0;
-    glfwSwapBuffers(window_);
     if (isStill)
         glfwWaitEventsTimeout(kStillSeconds);
     else

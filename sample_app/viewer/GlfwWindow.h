@@ -43,8 +43,10 @@ public:
     /// True while a button is down or the wheel turns: what that changes is one change.
     bool isHeld() const;
     bool shouldClose() const;
-    /// Shows what was drawn and handles input. isStill: waits for some of it, a short while.
-    void present(bool isStill);
+    /// Shows what was drawn.
+    void present();
+    /// isStill: waits for some, a short while.
+    void takeInput(bool isStill);
 
 private:
     void installCallbacks();

@@ -14,6 +14,9 @@ constexpr int kLobes = 2;
 constexpr size_t kMeasured = 16384;    // samples that the errors of a fit are computed on
 constexpr double kDropSeconds = 10.0;  // of the search for a form
 constexpr size_t kKeptFits = 16;       // of a slot
+// What is dropped is first fitted without any search.
+constexpr const char* kQuickForm = "hdio";
+constexpr double kQuickSmoothness = 1e-3;
 
 fitting::FitOrder orderOf(const scene::SceneMaterial& recipe)
 {
@@ -124,9 +127,10 @@ void MaterialEditor::followShown(SceneMaterial& material)
 }
 
 /// False, with the reason among the facts, where there is no material.
-bool MaterialEditor::take(fitting::FitReply& reply)
+bool MaterialEditor::take(const fitting::FitReply& reply, const std::string& source)
 {
     facts_.problem = reply.error;
+    facts_.failed = reply.error.empty() ? "" : source;
     if (!reply.material) return false;
     facts_.result = resultOf(reply);
     return true;
@@ -140,7 +144,7 @@ void MaterialEditor::takeEdit()
     if (known == orders_.end()) return;
     const Order order = known->second;
     orders_.erase(orders_.begin(), std::next(known));
-    if (!take(*reply)) return;
+    if (!take(*reply, order.recipe.source)) return;
     MaterialSlot& slot = world_.materials[order.slot];
     Edit& edit = edits_.at(order.slot);
     Material material = *reply->material;
@@ -169,28 +173,69 @@ void MaterialEditor::place(const Opening& opening, scene::Document& document)
         if (material.slot < 0 && opening.recipe == material) material.slot = opening.recipe.slot;
 }
 
+void MaterialEditor::add(Opening& opening, const fitting::FitReply& reply,
+                         scene::Document& document)
+{
+    SceneMaterial& recipe = opening.recipe;
+    world_.materials.emplace_back(recipe.source, reply.source, *reply.material);
+    recipe.slot = static_cast<int>(world_.materials.size()) - 1;
+    place(opening, document);
+}
+
+/// Takes what a search has found in the place of the quick fit, unless that was changed meanwhile.
+void MaterialEditor::improve(const Opening& opening, const fitting::FitReply& reply,
+                             scene::Document& document)
+{
+    const auto slot = static_cast<size_t>(opening.recipe.slot);
+    const auto recipe = std::find_if(
+        document.materials.begin(), document.materials.end(), [&](const SceneMaterial& material) {
+            return material.slot == opening.recipe.slot && material == opening.recipe;
+        });
+    if (recipe == document.materials.end()) return;
+    // A search that ends by the clock may find another form the next time.
+    recipe->form = reply.material->form.name;
+    loaded_[opening.recipe.slot] = *recipe;
+    world_.materials[slot].replace(recipe->source, reply.source, *reply.material);
+    edits_.erase(slot);
+    changed_(slot);
+}
+
 void MaterialEditor::takeOpened(scene::Document& document)
 {
     for (; !ready_.empty(); ready_.pop_front()) place(ready_.front(), document);
     if (auto reply = openings_.take(); reply && opening_) {
-        if (take(*reply)) {
-            SceneMaterial& recipe = opening_->recipe;
-            world_.materials.emplace_back(recipe.source, reply->source, *reply->material);
-            // A search that ends by the clock may find another form the next time.
-            if (opening_->isDropped) recipe.form = reply->material->form.name;
-            recipe.slot = static_cast<int>(world_.materials.size()) - 1;
-            place(*opening_, document);
-        } else if (!opening_->isDropped) {
+        const bool isMade = take(*reply, opening_->recipe.source);
+        if (isMade && opening_->isSearched)
+            improve(*opening_, *reply, document);
+        else if (isMade)
+            add(*opening_, *reply, document);
+        else if (!opening_->isDropped)
             refused_.push_back(opening_->recipe);
+        const bool goesOn = isMade && opening_->isDropped && !opening_->isSearched &&
+                            isSearched(fitOptionsOf(opening_->recipe));
+        if (goesOn) {
+            opening_->isSearched = true;
+            orderOpening();
+        } else {
+            opening_.reset();
         }
-        opening_.reset();
     }
     if (opening_ || toOpen_.empty()) return;
     opening_ = toOpen_.front();
     toOpen_.pop_front();
+    orderOpening();
+}
+
+/// What was dropped is there in a second or two, though a search for its form takes ten.
+void MaterialEditor::orderOpening()
+{
     fitting::FitOrder order = orderOf(opening_->recipe);
-    if (opening_->isDropped) order.fit.seconds = kDropSeconds;
     order.lobes = kLobes;
+    if (opening_->isDropped) order.fit.seconds = kDropSeconds;
+    if (opening_->isDropped && !opening_->isSearched && isSearched(order.fit)) {
+        order.fit.form = kQuickForm;
+        order.fit.smoothness = kQuickSmoothness;
+    }
     openings_.order(std::move(order));
 }
 
@@ -226,6 +271,7 @@ void MaterialEditor::load(scene::Document& document)
             }
         } catch (const Error& error) {
             facts_.problem = error.what();
+            facts_.failed = wanted.source;
             refused_.push_back(wanted);
         }
     }

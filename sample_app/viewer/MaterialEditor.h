@@ -16,6 +16,7 @@ namespace fbrdf::viewer {
 struct FitFacts {
     std::string doing;    ///< what a thread does; empty: none does anything
     std::string problem;  ///< why the last fit failed; empty: it did not
+    std::string failed;   ///< the source of that fit
     std::string result;   ///< error, bytes and seconds of the last fit
 };
 
@@ -25,8 +26,9 @@ public:
     /// must outlive this.
     MaterialEditor(World& world, std::function<void(size_t slot)> changed);
 
-    /// Fits a file or model, and adds it to the document; a material file is added with the next
-    /// follow(). Throws what reading a material file throws.
+    /// Fits a file or model, and adds it to the document as soon as there is a quick fit; the
+    /// search for the best form goes on. A material file is added with the next follow(). Throws
+    /// what reading a material file throws.
     void open(const std::string& spec);
     /// Gives up what is being fitted, and what waits for it.
     void cancel();
@@ -60,6 +62,8 @@ private:
     struct Opening {
         SceneMaterial recipe;
         bool isDropped = false;  ///< to be added to the document; else it is in there
+        /// Shown as a quick fit, while a form is searched for it.
+        bool isSearched = false;
     };
 
     Edit& editOf(const SceneMaterial& material);
@@ -71,8 +75,11 @@ private:
     void load(scene::Document& document);
     void takeEdit();
     void takeOpened(scene::Document& document);
+    void orderOpening();
+    void add(Opening& opening, const fitting::FitReply& reply, scene::Document& document);
+    void improve(const Opening& opening, const fitting::FitReply& reply, scene::Document& document);
     void place(const Opening& opening, scene::Document& document);
-    bool take(fitting::FitReply& reply);
+    bool take(const fitting::FitReply& reply, const std::string& source);
 
     World& world_;
     std::function<void(size_t)> changed_;

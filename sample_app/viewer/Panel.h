@@ -56,9 +56,11 @@ public:
     void draw(scene::ViewState& state, const PanelFacts& facts);
 
 private:
+    void setTitle(const std::string& title);
+
     GLFWwindow* window_;
-    std::string title_;   ///< shown last; unused with Dear ImGui
-    float scale_ = 1.0f;  ///< of letters, by the monitor; unused without
+    std::string title_;   ///< of the window
+    float scale_ = 1.0f;  ///< of letters, by the monitor; unused without Dear ImGui
 };
 
 }  // namespace fbrdf::viewer

@@ -162,6 +162,8 @@ bool Panel::isHeld() const
 
 void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
 {
+    const scene::SceneMaterial* const shown = shownMaterial(state.document);
+    setTitle("fbrdf - " + shortName(shown ? shown->source : ""));
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();

@@ -56,10 +56,7 @@ bool Panel::isHeld() const
 
 void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
 {
-    const std::string title = titleOf(state, facts);
-    if (title == title_) return;
-    title_ = title;
-    glfwSetWindowTitle(window_, title.c_str());
+    setTitle(titleOf(state, facts));
 }
 
 }  // namespace fbrdf::viewer

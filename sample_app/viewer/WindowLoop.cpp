@@ -12,6 +12,7 @@
 #include "MaterialEditor.h"
 #include "Panel.h"
 #include "Progressive.h"
+#include "WindowTimes.h"
 #include "WorldUpdate.h"
 
 #include <fbrdf/base/Error.h>
@@ -163,6 +164,7 @@ private:
     DocumentFiles files_;
     Browser browser_;
     scene::Stats stats_;
+    WindowTimes times_;
     PanelFacts facts_;
     int lastShown_ = 0;  ///< of the document, in the frame before
     int drawnSlot_ = 0;  ///< of the world's materials
@@ -175,15 +177,18 @@ void WindowLoop::showMaterial(size_t slot)
     scene_.setMaterial(slot, world_.materials[slot].material());
     browser_.forget(slot);
     update_.countChange();
+    times_.made(world_.materials[slot].name());
 }
 
 void WindowLoop::followDrops()
 {
     for (const std::string& path : std::exchange(state_.dropped, {})) try {
+            times_.dropped(path);
             files_.open(path);
             facts_.message = "opened " + shortName(path);
         } catch (const Error& error) {
             facts_.message = error.what();
+            times_.refused(path, facts_.message);
         }
 }
 
@@ -210,6 +215,7 @@ void WindowLoop::followFits()
 {
     editor_.follow(state_.document);
     facts_.fit = editor_.facts();
+    times_.refused(facts_.fit.failed, facts_.fit.problem);
     const scene::SceneMaterial* const shown = shownMaterial(state_.document);
     if (shown && shown->slot >= 0) drawnSlot_ = shown->slot;
     facts_.isFitted =
@@ -284,6 +290,7 @@ Shown WindowLoop::wanted(GlfwWindow::Size size) const
 
 void WindowLoop::drawFrame()
 {
+    times_.begin(!facts_.fit.doing.empty());
     followState();
     const GlfwWindow::Size size = window_.framebufferSize();
     const bool moved = state_.compare.on ? drawComparison(size) : drawMaterial(size);
@@ -294,7 +301,9 @@ void WindowLoop::drawFrame()
     browse();
     panel_.draw(state_, facts_);
     saveScreenshots();
-    window_.present(!moved);
+    window_.present();
+    times_.presented();
+    window_.takeInput(!moved);
 }
 
 /// Returns whether anything was drawn.
@@ -428,6 +437,7 @@ void WindowLoop::finishStats()
 {
     const scene::Document& document = state_.document;
     stats_.backend = "window";
+    stats_.window = times_.stats();
     stats_.technique = viewTechniqueName(document.technique);
     stats_.samples = samplesOf(options_, document.technique);
     stats_.mesh = document.mesh;
@@ -435,13 +445,6 @@ void WindowLoop::finishStats()
 }
 
 }  // namespace
-
-std::string shortName(const std::string& spec)
-{
-    if (spec.empty()) return "none";
-    const std::filesystem::path path(spec);
-    return std::filesystem::exists(path) ? path.filename().string() : spec;
-}
 
 Picture runWindow(const Options& options, World& world)
 {

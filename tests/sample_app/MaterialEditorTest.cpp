@@ -263,15 +263,31 @@ TEST_F(Editor, LoadsWhatADocumentHasAlready)
     EXPECT_EQ(world_.materials.size(), 4u);
 }
 
-TEST_F(Editor, ACancelledFitLeavesWhatThereIs)
+TEST_F(Editor, ACancelledSearchLeavesTheQuickFitAndForgetsWhatWaits)
 {
     editor_->open("ggx:alpha=0.2");
     editor_->open("ggx:alpha=0.4");
     follow(0, [&] { return editor_->facts().doing.find("trying") == 0; });
+    ASSERT_EQ(world_.materials.size(), 3u) << "a quick fit is there before the search";
     editor_->cancel();
     follow(0, [&] { return editor_->facts().doing.empty(); });
     EXPECT_EQ(editor_->facts().problem, "the fit was stopped");
-    EXPECT_EQ(world_.materials.size(), 2u);
+    EXPECT_EQ(world_.materials.size(), 3u);
+    EXPECT_EQ(world_.materials[2].material().form.name, "hdio");
+    EXPECT_EQ(document_.materials.back().slot, 2);
+}
+
+TEST_F(Editor, ASearchTakesThePlaceOfTheQuickFit)
+{
+    editor_->open("ward:rho_d=0.1,rho_s=0.3,alpha_x=0.1,alpha_y=0.4");  // hdio cannot follow it
+    follow(2, [&] { return document_.materials.size() == 3; });
+    EXPECT_EQ(document_.materials[2].form, "auto");
+    const std::string quick = world_.materials[2].material().form.name;
+    EXPECT_EQ(quick, "hdio");
+    follow(2, [&] { return editor_->facts().doing.empty(); });
+    EXPECT_NE(world_.materials[2].material().form.name, quick);
+    EXPECT_EQ(document_.materials[2].form, world_.materials[2].material().form.name);
+    EXPECT_EQ(world_.materials.size(), 3u);
 }
 
 }  // namespace

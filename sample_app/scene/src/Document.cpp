@@ -2,6 +2,7 @@
 #include <fbrdf/scene/Layout.h>
 
 #include <tuple>
+#include <utility>
 
 namespace fbrdf::scene {
 namespace {

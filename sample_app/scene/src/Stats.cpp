@@ -78,6 +78,24 @@ OrderedJson pathJson(const Stats& stats)
             {"noise", stats.path->noise}};
 }
 
+OrderedJson windowJson(const Stats& stats)
+{
+    if (!stats.window) return nullptr;
+    const WindowStats& window = *stats.window;
+    OrderedJson opened = OrderedJson::array();
+    for (const OpenedStats& file : window.opened)
+        opened.push_back({{"file", file.file},
+                          {"seconds", file.seconds ? OrderedJson(*file.seconds) : nullptr},
+                          {"why", textOrNull(file.why)}});
+    return {{"first_picture_seconds", window.firstPictureSeconds},
+            {"frames", window.frames},
+            {"longest_frame", window.longestFrame},
+            {"frames_while_fitting", window.framesWhileFitting},
+            {"longest_while_fitting", window.longestWhileFitting},
+            {"materials_made", window.materialsMade},
+            {"opened", opened}};
+}
+
 }  // namespace
 
 std::string statsToJson(const Stats& stats)
@@ -98,6 +116,7 @@ std::string statsToJson(const Stats& stats)
         {"compare", stats.compare ? compareJson(*stats.compare) : OrderedJson(nullptr)},
         {"mesh", stats.mesh},
         {"materials", stats.materials},
+        {"window", windowJson(stats)},
         {"evaluated", stats.evaluated},
         {"size", {stats.width, stats.height}},
         {"samples", stats.samples},

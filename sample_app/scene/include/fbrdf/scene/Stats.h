@@ -42,6 +42,24 @@ struct CompareStats {
     CompareNumbers numbers;
 };
 
+/// A file that was dropped on a window.
+struct OpenedStats {
+    std::string file;
+    std::optional<double> seconds;  ///< from the drop to the first picture with what it holds
+    std::string why;                ///< it could not be opened; empty: it could, or is not done yet
+};
+
+/// How a window went: milliseconds are from the beginning of a frame to its presentation.
+struct WindowStats {
+    double firstPictureSeconds = 0.0;  ///< since the start of the program
+    int frames = 0;
+    double longestFrame = 0.0;  ///< but for the first
+    int framesWhileFitting = 0;
+    double longestWhileFitting = 0.0;
+    int materialsMade = 0;  ///< by fits and from files, since the window was there
+    std::vector<OpenedStats> opened;
+};
+
 struct Stats {
     std::string backend;  ///< "egl", "osmesa", "window"; "cpu" for techniques without GL
     std::string glRenderer, glVersion;  ///< empty without GL
@@ -68,6 +86,7 @@ struct Stats {
     int maxLookups = 0;  ///< texture look-ups in any pass, counted from the linked programs
     std::optional<PathStats> path;  ///< nothing for other techniques
     std::optional<CompareStats> compare;
+    std::optional<WindowStats> window;
     std::string accumulation;          ///< "RGBA32F", ...; "double" on the CPU
     std::vector<double> milliseconds;  ///< one a frame: wall clock, from nothing to finished pixels
 };
@@ -77,7 +96,9 @@ struct Stats {
 /// {relative, absolute}, environment {name, note, error, why_not} (null where there is none), path
 /// {samples, bounces, noise} (null for pictures without noise), compare {a, b {name, technique,
 /// note, bytes, samples, fit_seconds}, mode, pixels, psnr_linear, psnr_srgb (null where infinite),
-/// ssim, delta_e_itp, flip, largest} (null for a single picture), evaluated, size, samples, ground,
+/// ssim, delta_e_itp, flip, largest} (null for a single picture), window {first_picture_seconds,
+/// frames, longest_frame, frames_while_fitting, longest_while_fitting, materials_made, opened
+/// [{file, seconds, why}]} (null without one), evaluated, size, samples, ground,
 /// shadows, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
 /// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
 std::string statsToJson(const Stats& stats);

@@ -1,0 +1,94 @@
+#include "WindowTimes.h"
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#ifdef __linux__
+#include <unistd.h>
+#endif
+
+namespace fbrdf::viewer {
+namespace {
+
+double milliseconds(std::chrono::steady_clock::duration time)
+{
+    return std::chrono::duration<double, std::milli>(time).count();
+}
+
+}  // namespace
+
+double secondsSinceStart()
+{
+#ifdef __linux__
+    // proc(5): field 22 of stat, counted behind the name, which may contain spaces, is the start in
+    // ticks since the system was.
+    constexpr std::ptrdiff_t kStartField = 19;
+    std::ifstream file("/proc/self/stat");
+    std::string line;
+    std::getline(file, line);
+    std::istringstream rest(line.substr(std::min(line.size(), line.rfind(')') + 2)));
+    const std::vector<std::string> fields{std::istream_iterator<std::string>(rest), {}};
+    timespec now = {};
+    if (std::ptrdiff_t(fields.size()) > kStartField && clock_gettime(CLOCK_BOOTTIME, &now) == 0)
+        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) -
+               std::stod(fields[kStartField]) / static_cast<double>(sysconf(_SC_CLK_TCK));
+#endif
+    static const auto first = std::chrono::steady_clock::now();
+    return 1e-3 * milliseconds(std::chrono::steady_clock::now() - first);
+}
+
+void WindowTimes::begin(bool isFitting)
+{
+    frame_ = Clock::now();
+    isFitting_ = isFitting;
+}
+
+void WindowTimes::presented()
+{
+    const Clock::time_point now = Clock::now();
+    const double taken = milliseconds(now - frame_);
+    // Compilers of shaders and the first upload are in the time until the first picture.
+    if (stats_.frames++ == 0)
+        stats_.firstPictureSeconds = secondsSinceStart();
+    else
+        stats_.longestFrame = std::max(stats_.longestFrame, taken);
+    if (isFitting_ && stats_.frames > 1) {
+        ++stats_.framesWhileFitting;
+        stats_.longestWhileFitting = std::max(stats_.longestWhileFitting, taken);
+    }
+    for (const size_t i : ready_)
+        stats_.opened[i].seconds = 1e-3 * milliseconds(now - droppedAt_[i]);
+    ready_.clear();
+}
+
+scene::OpenedStats* WindowTimes::waiting(const std::string& file)
+{
+    const auto is = [&](const scene::OpenedStats& o) {
+        return o.file == file && !o.seconds && o.why.empty();
+    };
+    const auto found = std::find_if(stats_.opened.begin(), stats_.opened.end(), is);
+    return found == stats_.opened.end() ? nullptr : &*found;
+}
+
+void WindowTimes::dropped(const std::string& file)
+{
+    stats_.opened.push_back({file, {}, {}});
+    droppedAt_.push_back(Clock::now());
+}
+
+void WindowTimes::refused(const std::string& file, const std::string& why)
+{
+    if (scene::OpenedStats* const opened = waiting(file)) opened->why = why;
+}
+
+void WindowTimes::made(const std::string& source)
+{
+    ++stats_.materialsMade;
+    if (const scene::OpenedStats* const opened = waiting(source))
+        ready_.push_back(static_cast<size_t>(opened - stats_.opened.data()));
+}
+
+}  // namespace fbrdf::viewer

@@ -1,0 +1,40 @@
+// WindowTimes.h - how soon a window shows something and how smoothly it goes on, for its stats.
+#pragma once
+#include <fbrdf/scene/Stats.h>
+
+#include <chrono>
+#include <string>
+
+namespace fbrdf::viewer {
+
+class WindowTimes {
+public:
+    /// A frame begins, while something is being fitted or not.
+    void begin(bool isFitting);
+    /// The frame is on the screen.
+    void presented();
+    /// A file was dropped, or opened in another way.
+    void dropped(const std::string& file);
+    /// It could not be opened.
+    void refused(const std::string& file, const std::string& why);
+    /// A material was made of a file or a model: the next frame shows it.
+    void made(const std::string& source);
+
+    const scene::WindowStats& stats() const { return stats_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    scene::OpenedStats* waiting(const std::string& file);
+
+    scene::WindowStats stats_;
+    Clock::time_point frame_ = {};
+    std::vector<Clock::time_point> droppedAt_;  ///< of stats_.opened
+    std::vector<size_t> ready_;                 ///< of stats_.opened: the next frame shows them
+    bool isFitting_ = false;
+};
+
+/// Seconds since the system started this program; where it does not tell, since the first call.
+double secondsSinceStart();
+
+}  // namespace fbrdf::viewer
