@@ -87,7 +87,7 @@ std::optional<CursorHit> hitAt(const std::vector<scene::Instance>& instances, co
 
 ProbeLight strongestLight(const CursorHit& hit, const scene::LightSet& lights)
 {
-    ProbeLight best{{-hit.wo.x, -hit.wo.y, hit.wo.z}, "no light: mirror direction"};
+    ProbeLight best{{-hit.wo.x, -hit.wo.y, hit.wo.z}, "no light: mirror"};
     double most = 0.0;
     const auto consider = [&](const Vec3d& direction, double irradiance, const std::string& name) {
         const Vec3d wi = hit.frame.local(direction);

@@ -15,7 +15,7 @@ namespace {
 
 using scene::CompareMode;
 
-constexpr float kMarginPixels = 12.0f, kCompareWidth = 400.0f, kHandle = 9.0f;
+constexpr float kMarginPixels = 12.0f, kCompareWidth = 400.0f, kHandle = 9.0f, kPanelEnd = 330.0f;
 constexpr ImU32 kPaperColour = IM_COL32(12, 13, 16, 190), kInkColour = IM_COL32(235, 235, 235, 255);
 
 ImU32 shownColour(const Vec3f& linear)
@@ -26,12 +26,21 @@ ImU32 shownColour(const Vec3f& linear)
     return IM_COL32(code(0), code(1), code(2), 255);
 }
 
+/// Between the panel and the window of fields, where the top of the picture is seen.
+struct FreeColumns {
+    float from = kPanelEnd, to = std::max(kPanelEnd, ImGui::GetIO().DisplaySize.x - kCompareWidth -
+                                                         2.0f * kMarginPixels);
+    float middle() const { return 0.5f * (from + to); }
+};
+
 /// A label behind all windows; `align`: the share of it that is to the left of x.
 void drawTag(float x, float y, float align, const std::string& text)
 {
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float left = x - align * size.x;
+    const FreeColumns free;
+    const float left =
+        std::max(free.from, std::min(x - align * size.x, free.to - size.x - kMarginPixels));
     list->AddRectFilled({left - 6.0f, y - 3.0f}, {left + size.x + 6.0f, y + size.y + 3.0f},
                         kPaperColour, 4.0f);
     list->AddText({left, y}, kInkColour, text.c_str());
@@ -79,10 +88,9 @@ void drawHeatBar()
 {
     constexpr float kBarLength = 260.0f, kBarThickness = 12.0f;
     constexpr int kBarSteps = 64;
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float left = 0.5f * (size.x - kBarLength), top = size.y - 46.0f;
+    const float left = FreeColumns().middle() - 0.5f * kBarLength, top = 48.0f;
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    list->AddRectFilled({left - 10.0f, top - 8.0f}, {left + kBarLength + 10.0f, size.y - 8.0f},
+    list->AddRectFilled({left - 10.0f, top - 8.0f}, {left + kBarLength + 10.0f, top + 34.0f},
                         kPaperColour, 4.0f);
     for (int i = 0; i < kBarSteps; ++i) {
         const float from = left + kBarLength * static_cast<float>(i) / kBarSteps;
@@ -99,11 +107,11 @@ void drawHeatBar()
     }
 }
 
-/// Names below the pictures, where no panel is.
+/// Names above the pictures.
 void drawTags(const scene::CompareView& compare, const CompareFacts& facts)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float y = size.y - 26.0f, middle = 0.5f * size.x;
+    const float y = kMarginPixels, middle = FreeColumns().middle();
     const std::string a = tagOf("A", facts.seats[0]), b = tagOf("B", facts.seats[1]);
     switch (compare.mode) {
         case CompareMode::split:
@@ -122,8 +130,7 @@ void drawTags(const scene::CompareView& compare, const CompareFacts& facts)
         case CompareMode::heat: break;
     }
     drawHeatBar();
-    drawTag(middle, y - 54.0f, 0.5f,
-            fmt::format("|{} - {}|", facts.seats[0].title, facts.seats[1].title));
+    drawTag(middle, y, 0.5f, fmt::format("|{} - {}|", facts.seats[0].title, facts.seats[1].title));
 }
 
 void chooseSide(const char* label, int& side, const CompareFacts& facts)
@@ -157,9 +164,8 @@ void drawSeat(const CompareFacts::Seat& seat)
     if (seat.bytes > 0) text += fmt::format(", {} bytes", seat.bytes);
     ImGui::TextDisabled("%s", text.c_str());
     if (seat.note.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextWrapped("%s", seat.note.c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextDisabled("%s", seat.note.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", seat.note.c_str());
 }
 
 void drawMode(scene::CompareView& compare)

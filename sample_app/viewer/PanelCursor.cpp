@@ -10,7 +10,8 @@
 namespace fbrdf::viewer {
 namespace {
 
-constexpr float kCursorWidth = 340.0f, kPlotRadius = 112.0f, kMapPixels = 64.0f;
+constexpr float kBrowserHeight = 150.0f;  // of the materials along the lower border
+constexpr float kCursorWidth = 340.0f, kPlotRadius = 96.0f, kMapPixels = 64.0f;
 constexpr ImU32 kColourOf[] = {IM_COL32(90, 180, 255, 255), IM_COL32(255, 170, 60, 255)};
 constexpr ImU32 kGridColour = IM_COL32(255, 255, 255, 46), kDimInk = IM_COL32(210, 210, 210, 255),
                 kSampleColour = IM_COL32(255, 255, 255, 170);
@@ -80,8 +81,9 @@ void drawPlot(const CursorFacts& facts)
     for (size_t i = 2; i-- > 0;)
         drawCurve(list, frame, facts.subjects[i].curve, facts.most, kColourOf[i]);
     ImGui::Dummy({width, kAbove + kPlotRadius + kBelow});
-    ImGui::TextDisabled("f in the plane of incidence, cube root, 1/sr");
-    ImGui::TextWrapped("%s", facts.samplesNote.c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("f in the plane of incidence, 1/sr, drawn by its cube root");
+    ImGui::TextDisabled("%s", facts.samplesNote.c_str());
 }
 
 std::string valueText(const Vec3d& f)
@@ -162,7 +164,7 @@ void drawCursor(scene::CursorView& cursor, const CursorFacts& facts)
         cursor.y = std::clamp(double(io.MousePos.y / std::max(1.0f, io.DisplaySize.y)), 0.0, 1.0);
     }
     drawPlace(cursor);
-    ImGui::SetNextWindowPos({io.DisplaySize.x - 12.0f, io.DisplaySize.y - 12.0f},
+    ImGui::SetNextWindowPos({io.DisplaySize.x - 12.0f, io.DisplaySize.y - 12.0f - kBrowserHeight},
                             ImGuiCond_FirstUseEver, {1.0f, 1.0f});
     ImGui::SetNextWindowSize({kCursorWidth, 0.0f});
     ImGui::SetNextWindowBgAlpha(0.8f);
@@ -171,8 +173,9 @@ void drawCursor(scene::CursorView& cursor, const CursorFacts& facts)
         ImGui::TextDisabled("no object there; arrow keys move the place");
     } else {
         const ProbeAngles& a = facts.angles;
-        ImGui::Text("%s", facts.light.name.c_str());
         ImGui::Text("theta_i %.1f  theta_o %.1f  phi %.1f", a.theta_i, a.theta_o, a.phi);
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", facts.light.name.c_str());
         ImGui::Text("theta_h %.1f  theta_d %.1f  phi_d %.1f", a.theta_h, a.theta_d, a.phi_d);
         drawPlot(facts);
         const auto& [first, second] = facts.subjects;
