@@ -7,35 +7,8 @@
 namespace fbrdf::scene {
 namespace {
 
-class ViewerDocument : public ViewerWindow {
+class ViewerDocument : public ViewerActions {
 protected:
-    void SetUp() override
-    {
-        ViewerWindow::SetUp();
-        if (!hasCommand("xdotool")) GTEST_SKIP() << "needs xdotool";
-        if (!hasBackend(Backend::egl)) GTEST_SKIP() << "no context on egl";
-    }
-    /// A window, the keys that are pressed in it one after the other, and Q. It runs in the folder
-    /// of the test's files.
-    ProgramResult press(const std::string& arguments, const std::string& keys)
-    {
-        return act(arguments, "for key in " + keys + "; do xdotool key $key; sleep 0.7; done\n");
-    }
-    /// The same with commands of a shell.
-    ProgramResult act(const std::string& arguments, const std::string& commands)
-    {
-        const std::string program = file("keys.sh");
-        writeFile(program,
-                  "cd '" + file("") +
-                      "'\nexport XDG_CACHE_HOME=$PWD/caches\n\"$@\" & viewer=$!\n"
-                      "until xdotool search --onlyvisible --name fbrdf >/dev/null 2>&1; do\n"
-                      "  kill -0 $viewer || exit 1; sleep 0.1\n"
-                      "done\n"
-                      "xdotool mousemove 60 40\nsleep 1\n" +
-                      commands + "xdotool key q\nwait $viewer\n");
-        return runViewer("--size " + size_ + " " + arguments, xvfb_ + " bash '" + program + "'");
-    }
-    std::string size_ = "96x64";
     std::string saved() const { return file("fbrdf-viewer-001.json"); }
 };
 
