@@ -36,7 +36,6 @@ public:
     /// Lists what there is, and makes the picture of one that has none: one a frame, so that
     /// frames stay short. mayDraw: false where there is no time for that.
     void follow(const scene::Document& document, World& world, bool mayDraw);
-    size_t fileCount() const { return files_.size(); }
     const std::vector<BrowserItem>& items() const { return items_; }
 
 private:

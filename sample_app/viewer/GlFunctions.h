@@ -12,6 +12,6 @@ GladGLContext loadGlFunctions(gl::LoadFunction load);
 /// Gives an RGBA32F texture, which has one level and is filtered linearly within its edges, another
 /// picture of that size: rows as GL counts them, or null for any.
 void setFloatTexture(const GladGLContext& gl, GLuint texture, int width, int height,
-                     const float* rgba);
+                     const float* rgba, GLint format = GL_RGBA32F);
 
 }  // namespace fbrdf::viewer

@@ -16,10 +16,11 @@ const char* severityName(gl::Severity severity)
     return severity == gl::Severity::warning ? "warning" : "note";
 }
 
-gl::RendererOptions rendererOptions(gl::LoadFunction load)
+gl::RendererOptions rendererOptions(gl::LoadFunction load, PassList& passes)
 {
     gl::RendererOptions options;
     options.load = load;
+    options.passes = passes.watch();
     options.log = [seen = std::set<std::string>()](gl::Severity severity,
                                                    const std::string& text) mutable {
         if (severity != gl::Severity::note && seen.insert(text).second)
@@ -31,7 +32,8 @@ gl::RendererOptions rendererOptions(gl::LoadFunction load)
 }  // namespace
 
 GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
-    : renderer_(rendererOptions(load)),
+    : passes_(load),
+      renderer_(rendererOptions(load, passes_)),
       uploaded_{options.document.lookUp, 0, options.document.precise},
       load_(load),
       limits_(options.document.limits),
@@ -184,6 +186,7 @@ gl::DrawStats GlScene::drawGround(const gl::Target& target, const GlRequest& req
 gl::DrawStats GlScene::draw(const gl::Target& target, const GlRequest& request)
 {
     const std::vector<Light>& lights = request.lights->lights;
+    passes_.begin();
     if (shadowMaps_)
         shadowMaps_->draw(
             request.instances,

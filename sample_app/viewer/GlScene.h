@@ -2,6 +2,7 @@
 #pragma once
 #include "FrameTimer.h"
 #include "GroundPass.h"
+#include "PassList.h"
 #include "ShadowMaps.h"
 #include "World.h"
 
@@ -28,6 +29,8 @@ public:
     GlScene(gl::LoadFunction load, World& world, const Options& options);
 
     const gl::Renderer& renderer() const { return renderer_; }
+    /// Of the last draw, those of the ground first.
+    const PassList& passes() const { return passes_; }
     void replaceMesh(const scene::Mesh& mesh);
     /// Takes another material in the place of one, or one more where `index` is their number.
     void setMaterial(size_t index, const Material& material);
@@ -65,6 +68,7 @@ private:
     gl::Item groundItem(const scene::Ground& ground) const;
     gl::DrawStats drawGround(const gl::Target& target, const GlRequest& request);
 
+    PassList passes_;
     gl::Renderer renderer_;
     gl::MaterialOptions uploaded_;
     gl::LoadFunction load_;

@@ -16,12 +16,19 @@ HeadlessOptions contextOptionsOf(const Options& options)
     return context;
 }
 
+OffscreenFormat formatOf(ColourFormat target)
+{
+    if (target == ColourFormat::rgba8) return OffscreenFormat::rgba8;
+    return target == ColourFormat::rgba16f ? OffscreenFormat::rgba16f : OffscreenFormat::rgba32f;
+}
+
 }  // namespace
 
 HeadlessDrawing::HeadlessDrawing(const Options& options, World& world)
     : context_(contextOptionsOf(options)),
       scene_(context_.loader(), world, options),
-      offscreen_(context_.loader(), {options.width, options.height}),
+      offscreen_(context_.loader(),
+                 {options.width, options.height, formatOf(options.document.target)}),
       timer_(context_.loader())
 {
 }

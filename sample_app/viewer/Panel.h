@@ -6,6 +6,7 @@
 #include "CompareStage.h"
 #include "CursorInspector.h"
 #include "MaterialEditor.h"
+#include "PassList.h"
 
 #include <fbrdf/scene/Controls.h>
 #include <fbrdf/scene/LightEdit.h>
@@ -28,8 +29,11 @@ struct PanelFacts {
     bool canUndo = false, canRedo = false;
     int samples = 0, samplesWanted = 0;  ///< of each pixel, so far and in the end
     double milliseconds = 0.0;
-    std::string renderer;  ///< of GL
-    std::string message;   ///< what happened last: "wrote ..."
+    const std::vector<PassRow>* passRows = nullptr;  ///< of the last draw
+    int passesLeft = 0;                              ///< without a row
+    const scene::Stats* stats = nullptr;             ///< of the last draw
+    std::string renderer;                            ///< of GL
+    std::string message;                             ///< what happened last: "wrote ..."
     FitFacts fit;
     const CompareFacts* compare = nullptr;
     const CursorFacts* cursor = nullptr;

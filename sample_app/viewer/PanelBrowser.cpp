@@ -8,10 +8,10 @@
 namespace fbrdf::viewer {
 namespace {
 
-constexpr float kSide = 72.0f, kGap = 12.0f;  // of a thumbnail, and beside the strip
-constexpr size_t kLongestLabel = 11;          // letters below a thumbnail
+constexpr float kSide = 72.0f, kStripGap = 12.0f;  // of a thumbnail, and beside the strip
+constexpr size_t kLongestLabel = 11;               // letters below a thumbnail
 
-std::string labelOf(const std::string& source)
+std::string thumbnailLabel(const std::string& source)
 {
     const std::filesystem::path path(source);
     std::string label = std::filesystem::exists(path) ? path.stem().string() : source;
@@ -36,7 +36,7 @@ bool drawItem(const BrowserItem& item, bool isShown, bool isChosen, float side)
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.source.c_str());
     if (isChosen) ImGui::SetScrollHereX();
-    ImGui::TextUnformatted(labelOf(item.source).c_str());
+    ImGui::TextUnformatted(thumbnailLabel(item.source).c_str());
     ImGui::EndGroup();
     return isClicked;
 }
@@ -48,7 +48,7 @@ void drawBrowser(scene::ViewState& state, const PanelFacts& facts, float scale)
     scene::BrowserView& browser = state.browser;
     if (!browser.on || !facts.browser) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float left = 336.0f * scale, gap = kGap * scale;
+    const float left = 336.0f * scale, gap = kStripGap * scale;
     const float height = kSide * scale + 3.4f * ImGui::GetTextLineHeightWithSpacing() +
                          ImGui::GetStyle().ScrollbarSize;
     ImGui::SetNextWindowPos({left, size.y - height - gap});

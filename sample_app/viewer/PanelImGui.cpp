@@ -43,22 +43,6 @@ void drawMenu(scene::ViewState& state, const PanelFacts& facts)
     ImGui::EndMenuBar();
 }
 
-void drawFacts(const scene::ViewState& state, const PanelFacts& facts)
-{
-    const auto line = [](const std::string& text) { ImGui::TextUnformatted(text.c_str()); };
-    if (state.compare.on)
-        line("two pictures, see compare");
-    else if (isOnCpu(state.document.technique))
-        line(fmt::format("{:.1f} ms on the CPU, in double", facts.milliseconds));
-    else
-        line(fmt::format("{:.2f} ms, {} pass{}, {} look-ups", facts.milliseconds, facts.passes,
-                         facts.passes == 1 ? "" : "es", facts.maxLookups));
-    if (!state.compare.on) line(fmt::format("sample {} of {}", facts.samples, facts.samplesWanted));
-    line(fmt::format("{} triangles", facts.triangles));
-    ImGui::TextWrapped("%s", facts.renderer.c_str());
-    if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());
-}
-
 /// In a window of its own, at the right.
 void drawHelp(float margin, float scale)
 {
@@ -86,14 +70,8 @@ void drawSections(scene::ViewState& state, const PanelFacts& facts)
     if (section("Material", true)) drawMaterialSection(state, facts);
     if (section("Light", true)) drawLightSection(state, facts);
     if (section("View", true)) drawViewSection(state);
-    if (section("Drawing", true)) {
-        int technique = static_cast<int>(state.document.technique);
-        choose("technique", technique, scene::kViewTechniqueCount, [](int i) {
-            return std::string(viewTechniqueName(static_cast<scene::ViewTechnique>(i)));
-        });
-        state.document.technique = static_cast<scene::ViewTechnique>(technique);
-        drawFacts(state, facts);
-    }
+    if (section("Drawing", true)) drawTechniqueSection(state, facts);
+    if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());
 }
 
 /// Letters and gaps are as large on a monitor of many pixels as on another.

@@ -13,6 +13,7 @@ namespace fbrdf::viewer {
 void drawMaterialSection(scene::ViewState& state, const PanelFacts& facts);
 void drawViewSection(scene::ViewState& state);
 void drawLightSection(scene::ViewState& state, const PanelFacts& facts);
+void drawTechniqueSection(scene::ViewState& state, const PanelFacts& facts);
 /// A strip of thumbnails below the picture. scale: of letters.
 void drawBrowser(scene::ViewState& state, const PanelFacts& facts, float scale);
 /// Draws over the picture where lights are.

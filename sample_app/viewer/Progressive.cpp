@@ -86,7 +86,8 @@ void Progressive::restartSum(bool coarse)
 {
     coarse_ = coarse;
     const int step = coarse ? step_ : 1;
-    sum_.restart(std::max(1, shown_->width / step), std::max(1, shown_->height / step));
+    sum_.restart(std::max(1, shown_->width / step), std::max(1, shown_->height / step),
+                 options_.document.target);
 }
 
 void Progressive::drawByRuntime(int samples, scene::Stats& stats)

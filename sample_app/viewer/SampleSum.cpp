@@ -7,6 +7,15 @@
 #include <fbrdf/base/Found.h>
 
 namespace fbrdf::viewer {
+namespace {
+
+GLint storedAs(ColourFormat format)
+{
+    if (format == ColourFormat::rgba8) return GL_RGBA8;
+    return format == ColourFormat::rgba16f ? GL_RGBA16F : GL_RGBA32F;
+}
+
+}  // namespace
 
 SampleSum::SampleSum(gl::LoadFunction load)
     : gl_(loadGlFunctions(load)), program_(linkedProgram(gl_, "window.vert", "sum.frag"))
@@ -30,13 +39,14 @@ SampleSum::~SampleSum()
     gl_.DeleteProgram(program_);
 }
 
-void SampleSum::resize(int width, int height)
+void SampleSum::resize(int width, int height, ColourFormat format)
 {
-    if (width == width_ && height == height_) return;
+    if (width == width_ && height == height_ && format == format_) return;
     gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_);
     gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
     for (const Surface* surface : {&drawn_, &sum_}) {
-        setFloatTexture(gl_, surface->colour, width, height, nullptr);
+        setFloatTexture(gl_, surface->colour, width, height, nullptr,
+                        surface == &drawn_ ? storedAs(format) : GL_RGBA32F);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, surface->framebuffer);
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                                  surface->colour, 0);
@@ -46,10 +56,13 @@ void SampleSum::resize(int width, int height)
         const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
         if (status != GL_FRAMEBUFFER_COMPLETE)
-            throw Error(ErrorKind::gl, "window", Found("no RGBA32F framebuffer").expected("one"));
+            throw Error(ErrorKind::gl, "window",
+                        Found("no " + std::string(colourFormatName(format)) + " framebuffer")
+                            .expected("one"));
     }
     width_ = width;
     height_ = height;
+    format_ = format;
 }
 
 void SampleSum::clear(const Surface& surface) const
@@ -60,9 +73,9 @@ void SampleSum::clear(const Surface& surface) const
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void SampleSum::restart(int width, int height)
+void SampleSum::restart(int width, int height, ColourFormat format)
 {
-    resize(width, height);
+    resize(width, height, format);
     clear(sum_);
     count_ = 0;
 }

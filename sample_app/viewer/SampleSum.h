@@ -3,6 +3,7 @@
 #pragma once
 #include "GlFunctions.h"
 
+#include <fbrdf/plan/Plan.h>
 #include <fbrdf/scene/Image.h>
 
 namespace fbrdf::viewer {
@@ -15,9 +16,9 @@ public:
     SampleSum(const SampleSum&) = delete;
     SampleSum& operator=(const SampleSum&) = delete;
 
-    /// Begins a sum of pictures of that size.
-    void restart(int width, int height);
-    /// Returns an RGBA32F framebuffer of that size, cleared to 0, for the next sample.
+    /// Begins a sum of pictures of that size, each drawn in a format (Document::target).
+    void restart(int width, int height, ColourFormat format = ColourFormat::rgba32f);
+    /// Returns a framebuffer of that format and size, cleared to 0, for the next sample.
     gl::Target clearedTarget();
     /// Adds what was drawn there.
     void add();
@@ -31,12 +32,13 @@ private:
     struct Surface {
         GLuint framebuffer = 0, colour = 0;
     };
-    void resize(int width, int height);
+    void resize(int width, int height, ColourFormat format);
     void clear(const Surface& surface) const;
 
     GladGLContext gl_;
     GLuint program_ = 0, vertexArray_ = 0, depth_ = 0;
     Surface drawn_, sum_;
+    ColourFormat format_ = ColourFormat::rgba32f;
     int width_ = 0, height_ = 0, count_ = 0;
 };
 

@@ -104,7 +104,10 @@ public:
         facts_.compare = &compare_.facts();
         facts_.cursor = &inspector_.facts();
         facts_.renderer = scene_.renderer().glRenderer();
-        state_.browser.on = browser_.fileCount() + world.materials.size() > 1;
+        facts_.passRows = &scene_.passes().rows();
+        facts_.stats = &stats_;
+        browser_.follow(state_.document, world, false);
+        state_.browser.on = browser_.items().size() > 1;
     }
 
     Picture run()
@@ -318,6 +321,7 @@ bool WindowLoop::drawMaterial(GlfwWindow::Size size)
     }
     facts_.passes = stats_.passes;
     facts_.maxLookups = stats_.maxLookups;
+    facts_.passesLeft = scene_.passes().left();
     facts_.samples = progressive_.samples();
     facts_.samplesWanted = samplesOf(options_, options_.document.technique);
     show(size);

@@ -106,13 +106,14 @@ void WorldUpdate::followStyle(const scene::Document& document)
         scene_.setLimits(document.limits);
         countChange();
     }
-    if (document.samples != shown_.samples || document.pathSamples != shown_.pathSamples ||
-        document.spread != shown_.spread)
+    if (document.target != shown_.target || document.samples != shown_.samples ||
+        document.pathSamples != shown_.pathSamples || document.spread != shown_.spread)
         countChange();
     shown_.lookUp = document.lookUp;
     shown_.precise = document.precise;
     shown_.shadows = document.shadows;
     shown_.limits = document.limits;
+    shown_.target = document.target;
     shown_.samples = document.samples;
     shown_.pathSamples = document.pathSamples;
     shown_.spread = document.spread;

@@ -186,6 +186,47 @@ TEST_P(HostHooks, PreparedProgramsAreThoseThatDraw)
     EXPECT_EQ(counted.made, before);
 }
 
+// What a host is told of passes is the plan that is drawn, in its order.
+TEST_P(HostHooks, APassWatchIsToldOfEveryPass)
+{
+    std::vector<gl::PassEvent> begun;
+    std::vector<Pass> passes;
+    size_t ended = 0;
+    gl::RendererOptions options = rendererOptions();
+    options.passes.begins = [&](const gl::PassEvent& event) {
+        EXPECT_EQ(begun.size(), ended) << "one after the other";
+        begun.push_back(event);
+        passes.push_back(*event.pass);
+    };
+    options.passes.ends = [&](const gl::PassEvent& event) {
+        EXPECT_EQ(event.index, begun.back().index);
+        ++ended;
+    };
+    gl::Renderer renderer(options);
+    const auto material = renderer.createMaterial(brushed());
+    const auto mesh = renderer.createMesh(planeMesh(0.0f, 1.0f));
+    EXPECT_TRUE(begun.empty());
+    for (const auto technique : allTechniques()) {
+        begun.clear();
+        passes.clear();
+        ended = 0;
+        const Drawn drawn = drawItems(renderer, kSize, mapView(), {{material.get(), mesh.get()}},
+                                      testLights(3), {technique});
+        ASSERT_EQ(static_cast<int>(begun.size()), drawn.stats.passes) << techniqueName(technique);
+        EXPECT_EQ(ended, begun.size());
+        int lookups = 0, lights = 0;
+        for (size_t i = 0; i < begun.size(); ++i) {
+            EXPECT_EQ(begun[i].index, static_cast<int>(i));
+            EXPECT_EQ(begun[i].count, drawn.stats.passes);
+            lookups = std::max(lookups, begun[i].lookups);
+            if (passes[i].lit) lights += passes[i].lightCount;
+        }
+        EXPECT_EQ(lookups, drawn.stats.maxLookups);
+        EXPECT_GE(lights, 3);
+        EXPECT_EQ(passes[0].blend, Blend::replace);
+    }
+}
+
 // An error that quotes the compiler may have several lines, which expectError refuses.
 template <class Action>
 void expectCompilersWords(const std::string& words, const Action& action)

@@ -131,6 +131,7 @@ TEST(DocumentJson, AWrongValueIsNamedWithItsPlace)
         {"/lights/3/size", 0, "lights[3].size: found 0"},
         {"/size", {0, 480}, "size: found [0,480]"},
         {"/size", {640, 480.5}, "size: found [640,480.5]"},
+        {"/target", "RGBA16", "target: found \"RGBA16\", expected \"RGBA32F\""},
         {"/table_degrees", 1e300, "table_degrees: found 1e+300"},
     };
     for (const auto& c : cases) {

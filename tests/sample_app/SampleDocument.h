@@ -44,6 +44,7 @@ inline Document sampleDocument()
     document.lookUp = LookUp::cube;
     document.precise = true;
     document.limits = {2, 100, 4};
+    document.target = ColourFormat::rgba16f;
     document.ground = document.shadows = document.toneMap = true;
     document.samples = 16;
     document.pathSamples = 32;

@@ -154,6 +154,18 @@ TEST_F(Viewer, OptionsChangePartsOfAScene)
     EXPECT_EQ(stats_["technique"], "single");
 }
 
+TEST_F(Viewer, ASceneSaysWhatIsDrawnTo)
+{
+    NEEDS(Backend::egl);
+    const std::string path = file("scene.json");
+    writeFile(path, R"({"fbrdf_scene": 1, "materials": [{"source": "made.fbrdf"}], "size": [32, 32],
+                        "lights": {"made": 1}, "target": "RGBA8"})");
+    for (const float value : draw("--headless '" + path + "'").rgba) {
+        EXPECT_LE(value, 1.0f);
+        EXPECT_NEAR(value * 255.0f, std::round(value * 255.0f), 1e-3f) << "codes of 8 bits";
+    }
+}
+
 TEST_F(Viewer, ASceneThatIsWrongIsNamedAndLeavesNoPicture)
 {
     const std::string path = file("scene.json"), out = file("p.png");

@@ -178,6 +178,7 @@ DevicePtr createDevice(const RendererOptions& options)
     device->capabilities.debug = device->capabilities.debug && options.debugLabels;
     device->extensionSwitches = extensionSwitchesOf(device->gl);
     device->logTo = options.log;
+    device->passes = options.passes;
     device->state = options.state;
     // GL sets an error on names that it does not know, so each limit waits for its version.
     if (device->gl.version >= 31)

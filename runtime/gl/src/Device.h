@@ -18,6 +18,7 @@ struct Device {
     Functions gl{};
     Capabilities capabilities;
     std::function<void(Severity, const std::string&)> logTo;
+    PassWatch passes;
     std::string renderer, version;
     int firstTextureUnit = 0;
     int drawBuffers = 1;

@@ -73,9 +73,14 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
         if (program.lobes.rows >= 0) setLobes(*ready.lobes, pass, program);
         if (program.lobes.areaLightCount >= 0) setAreaLights(pass, program);
         setScissor(pass);
+        const int lookups =
+            program.lookups.once + program.lookups.perLight * lightsOf(pass, program);
+        const PassEvent event{item.material.name(), static_cast<int>(i),
+                              static_cast<int>(plan.passes.size()), &pass, lookups};
+        if (device_.passes.begins) device_.passes.begins(event);
         item.mesh.draw(item.instances.count);
-        maxLookups = std::max(
-            maxLookups, program.lookups.once + program.lookups.perLight * lightsOf(pass, program));
+        if (device_.passes.ends) device_.passes.ends(event);
+        maxLookups = std::max(maxLookups, lookups);
     }
     state_.setScissor(nullptr);
     return maxLookups;

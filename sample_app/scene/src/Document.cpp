@@ -70,7 +70,7 @@ bool Document::operator==(const Document& o) const
     return materials == o.materials && shown == o.shown && mesh == o.mesh && lights == o.lights &&
            environment == o.environment && isSame(background, o.background) &&
            isSame(camera, o.camera) && technique == o.technique && lookUp == o.lookUp &&
-           precise == o.precise && limits == o.limits && ground == o.ground &&
+           precise == o.precise && limits == o.limits && target == o.target && ground == o.ground &&
            shadows == o.shadows && toneMap == o.toneMap && samples == o.samples &&
            pathSamples == o.pathSamples && spread == o.spread && exposure == o.exposure &&
            turning == o.turning && orbiting == o.orbiting && moment == o.moment;

@@ -183,6 +183,14 @@ Json jsonFrom(const DrawLimits& limits)
             {"lights_per_pass", limits.lightsPerPass}};
 }
 
+ColourFormat targetFrom(const Json& json, const std::string& where)
+{
+    for (const ColourFormat format :
+         {ColourFormat::rgba32f, ColourFormat::rgba16f, ColourFormat::rgba8})
+        if (json == colourFormatName(format)) return format;
+    failLight(where, Found(quoted(json)).expected("\"RGBA32F\", \"RGBA16F\" or \"RGBA8\""));
+}
+
 void readSize(JsonFields& fields, Moment& moment)
 {
     const Json* const size = fields.field("size");
@@ -228,6 +236,8 @@ void readPicture(JsonFields& fields, Document& document)
     fields.read("precise", document.precise);
     if (const Json* limits = fields.field("limits"))
         document.limits = limitsFrom(*limits, fields.place("limits"));
+    if (const Json* target = fields.field("target"))
+        document.target = targetFrom(*target, fields.place("target"));
     fields.read("tone_map", document.toneMap);
     fields.read("samples", document.samples, {1, kMostSamples});
     fields.read("path_samples", document.pathSamples, {1, kMostSamples});
@@ -281,6 +291,7 @@ std::string documentToJson(const Document& document)
               {"look_up", lookUpName(document.lookUp)},
               {"precise", document.precise},
               {"limits", jsonFrom(document.limits)},
+              {"target", colourFormatName(document.target)},
               {"tone_map", document.toneMap},
               {"samples", document.samples},
               {"path_samples", document.pathSamples},

@@ -32,6 +32,7 @@
 #include <fbrdf/gl/Hooks.h>
 #include <fbrdf/gl/MaterialOptions.h>
 #include <fbrdf/gl/MeshData.h>
+#include <fbrdf/gl/PassWatch.h>
 #include <fbrdf/plan/Capabilities.h>
 #include <fbrdf/plan/Light.h>
 
@@ -63,6 +64,7 @@ struct RendererOptions {
     /// Called for every problem that a draw survives; may be empty. The library never prints. A
     /// problem that every frame would report is reported once.
     std::function<void(Severity, const std::string& text)> log;
+    PassWatch passes = {};    ///< told of each pass of a draw
     bool debugLabels = true;  ///< KHR_debug names and groups, where the context has them
     StateMode state = StateMode::restore;
     /// Texture units from this one on are used: one for each map, and one for a surface that is

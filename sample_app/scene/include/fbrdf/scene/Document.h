@@ -3,6 +3,7 @@
 // (viewer/SceneFile.h), and the world is brought in line with it.
 #pragma once
 #include <fbrdf/brdf/DirectionMap.h>
+#include <fbrdf/plan/Plan.h>
 #include <fbrdf/scene/Camera.h>
 #include <fbrdf/scene/Environment.h>
 #include <fbrdf/scene/Lights.h>
@@ -80,6 +81,8 @@ struct Document {
     LookUp lookUp = LookUp::native;
     bool precise = false;  ///< maps are filtered in the shader
     DrawLimits limits;
+    /// Of the surface that the runtime draws to: RGBA32F, RGBA16F or RGBA8, which ends at 1.
+    ColourFormat target = ColourFormat::rgba32f;
     bool ground = false, shadows = false, toneMap = false;
     int samples = 1;       ///< of a pixel
     int pathSamples = 64;  ///< of a pixel, of ViewTechnique::path: enough to see what it will be
