@@ -41,6 +41,10 @@ shown "green velvet" disney:baseColor=0.03/0.2/0.08,roughness=0.9,sheen=1,sheenT
 shown "blue silk" ward:alpha_x=0.18,alpha_y=0.4,rho_d=0.04/0.07/0.25,rho_s=0.16/0.2/0.3 io+pqpr
 "$bin/fbrdf-viewer" sheet "${gallery[@]}" --under studio --size 240x240 -o docs/images/gallery.png
 
+# sample_app/README.md: what is made of one source, and how far that is from it.
+"$bin/fbrdf-viewer" compare poulin-fournier:kd=0.08/0.12/0.4,ks=0.35 --form io+pqpr --side reference --side drawn --side pqp-2001 \
+  --side ggx --mesh knot --samples 128 --size 256x256 -o docs/images/compare.png
+
 # The maps of docs/method.md, and the standard spheres of function, fit and difference.
 "$bin/fbrdf" fit ggx:alpha_x=0.12,alpha_y=0.4,f0=1.0/0.77/0.34 -o "$work/method.fbrdf" --form pqp --resolution 64 --quiet \
   --report "$work/method.html"

@@ -18,6 +18,7 @@ constexpr const char* kDrawn = "drawn";
 constexpr const char* kNetwork = "nbrdf";
 constexpr int kSideLobes = 2;  // as MaterialEditor.cpp
 constexpr size_t kSideMeasured = 16384;
+constexpr double kSideSeconds = 10.0;  // that a search of the form takes, at most
 
 bool isTechnique(const std::string& name)
 {
@@ -80,6 +81,7 @@ fitting::FitOrder orderFor(const std::string& source)
     order.lobes = kSideLobes;
     order.fit.heldOut = false;
     order.fit.measured = kSideMeasured;
+    order.fit.seconds = kSideSeconds;
     return order;
 }
 

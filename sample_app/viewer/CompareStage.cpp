@@ -80,6 +80,8 @@ void CompareStage::follow(scene::CompareView& view, MaterialSlot& shown)
         const CompareSide& side = sides_[static_cast<size_t>(i == 0 ? view.a : view.b)];
         if (!(side == seat.side) || seat.source != shown.source().get()) {
             if (!(side == seat.side)) {
+                seat.worker.stop();
+                seat.firstOrder = 0;
                 seat.side = side;
                 seat.slot.reset();
                 seat.uploaded.reset();
@@ -111,7 +113,6 @@ void CompareStage::orderFor(Seat& seat, const MaterialSlot& shown)
 {
     seat.source = shown.source().get();
     seat.problem = whyNot(seat.side, shown);
-    seat.worker.stop();
     seat.order = 0;
     if (!seat.problem.empty()) {
         seat.slot.reset();
@@ -119,13 +120,15 @@ void CompareStage::orderFor(Seat& seat, const MaterialSlot& shown)
         return;
     }
     if (auto order = orderOf(seat.side, shown)) seat.order = seat.worker.order(std::move(*order));
+    if (seat.firstOrder == 0) seat.firstOrder = seat.order;
 }
 
 void CompareStage::takeFor(Seat& seat)
 {
     const auto reply = seat.worker.take();
-    if (!reply || reply->number != seat.order) return;
-    seat.order = 0;
+    if (!reply || seat.order == 0 || reply->number < seat.firstOrder) return;
+    // While a slider is dragged, those before the last order are shown as well.
+    if (reply->number == seat.order) seat.order = 0;
     seat.problem = reply->error;
     if (!reply->error.empty()) return;
     seat.slot = std::make_unique<MaterialSlot>(slotOf(seat.side, *reply));
@@ -191,6 +194,7 @@ bool CompareStage::drawSeat(int side, const CompareScene& scene, bool isStale,
     const bool moved = !waits && progressive.draw(shown, scene.isBusy, seat.stats).has_value();
     const bool isNew = scene::isOnCpu(shown.technique) ? progressive.tookNewImage() : moved;
     if (!isNew && !isStale) return moved;
+    ++pictures_;
     const gl::Target target = mapper_.seat(side, scene.target.width, scene.target.height);
     if (!scene::isOnCpu(shown.technique)) {
         toneMapper.show(target, progressive.sum(), scene.look);
@@ -244,19 +248,16 @@ void CompareStage::measure(const CompareScene& scene)
         if (measuring_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
         facts_.numbers = numbersText(measuring_.get());
     }
-    std::array<int, 2> samples{};
     for (size_t i = 0; i < 2; ++i) {
         const CompareFacts::Seat& facts = facts_.seats[i];
         if (facts.standsIn || !facts.doing.empty() || seats_[i].progressive->isCoarse()) {
             facts_.numbers.clear();
-            measuredSamples_ = {0, 0};
             return;
         }
-        samples[i] = facts.samples;
-        if (!isWorthMeasuring(samples[i], facts.samplesWanted)) return;
+        if (!isWorthMeasuring(facts.samples, facts.samplesWanted)) return;
     }
-    if (samples == measuredSamples_) return;
-    measuredSamples_ = samples;
+    if (pictures_ == measuredPictures_) return;
+    measuredPictures_ = pictures_;
     const Exposing exposing{scene.look.exposure, transferOf(options_.document)};
     measuring_ = std::async(std::launch::async,
                             [a = seats_[0].progressive->soFar(), b = seats_[1].progressive->soFar(),

@@ -86,8 +86,9 @@ private:
         std::string problem, note;
         double fitSeconds = 0.0;
         bool standsIn() const { return !problem.empty() || (!slot && side.needsFit()); }
-        int order = 0;     ///< number; 0: nothing is awaited
-        int revision = 0;  ///< of slot
+        int order = 0;       ///< number; 0: nothing is awaited
+        int firstOrder = 0;  ///< of this side; 0: there was none
+        int revision = 0;    ///< of slot
         Options options;
         scene::Stats stats;
         scene::ViewTechnique technique = scene::ViewTechnique::reference;  ///< drawn last
@@ -130,7 +131,7 @@ private:
     LookUp lookUp_;  ///< of the uploaded maps
     bool precise_;
     std::future<scene::CompareNumbers> measuring_;
-    std::array<int, 2> measuredSamples_{0, 0};
+    int pictures_ = 0, measuredPictures_ = 0;  ///< that were shown, and when the last was measured
 };
 
 }  // namespace fbrdf::viewer
