@@ -34,6 +34,7 @@ double cullTime(OsgView& view, const Update& update)
     for (int i = -kWarmUp; i < kFrames; ++i) {
         update();
         view.draw();
+        glFinish();
         double seconds = 0.0;
         const unsigned int frame = view.viewer().getFrameStamp()->getFrameNumber();
         if (i >= 0 && stats.getAttribute(frame, "Cull traversal time taken", seconds))

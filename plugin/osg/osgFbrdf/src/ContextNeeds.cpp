@@ -17,15 +17,13 @@ int limitOf(GLenum name)
     return value;
 }
 
-/// Buffer textures came with OpenGL 3.1, as did GLSL 1.40.
-int bufferTexelsOf(osg::State& state)
-{
-    const auto* extensions = state.get<osg::GLExtensions>();
-    const bool has = extensions->glVersion >= 3.1f && extensions->glslLanguageVersion >= 1.4f;
-    return has ? limitOf(GL_MAX_TEXTURE_BUFFER_SIZE) : 0;
-}
-
 }  // namespace
+
+bool readsBuffers(const osg::State& state)
+{
+    const auto* extensions = osg::GLExtensions::Get(state.getContextID(), false);
+    return extensions && extensions->glVersion >= 3.1f && extensions->glslLanguageVersion >= 1.4f;
+}
 
 std::string tooFew(const std::string& what, int needed, int limit)
 {
@@ -38,7 +36,7 @@ ContextLimits limitsOf(osg::State& state)
     return {limitOf(GL_MAX_TEXTURE_IMAGE_UNITS), limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
             hasOsgInputs(state) ||
                 osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod"),
-            bufferTexelsOf(state)};
+            readsBuffers(state) ? limitOf(GL_MAX_TEXTURE_BUFFER_SIZE) : 0};
 }
 
 std::string refusalBy(const ContextLimits& context, const ContextLimits& needed)

@@ -35,6 +35,12 @@ inline ContextLimits smaller(const ContextLimits& a, const ContextLimits& b)
 /// Of the context, which is current.
 ContextLimits limitsOf(osg::State& state);
 
+/// True where the context is known to have buffer textures and GLSL 1.40 to read them, which came
+/// with OpenGL 3.1. It need not be current.
+bool readsBuffers(const osg::State& state);
+/// Texels that every such texture may have.
+constexpr int kFewestBufferTexels = 65536;
+
 /// Why a context cannot draw what needs so much; empty where it can.
 std::string refusalBy(const ContextLimits& context, const ContextLimits& needed);
 

@@ -317,7 +317,11 @@ osg::ref_ptr<const LightLists> PassTechnique::listsOf(const EffectCull& cull,
     const bool areOn =
         std::all_of(sources.begin(), sources.end(),
                     [&](const PlacedOsgLight& source) { return isOn(source, inherited); });
-    const int texels = internals_.choice->limits().bufferTexels;
+    // Contexts answer when they first draw; until then it is known what they have at least.
+    const osg::State* state = cull.visitor.getState();
+    int texels = internals_.choice->limits().bufferTexels;
+    if (state && !internals_.choice->asked(state->getContextID()))
+        texels = readsBuffers(*state) ? kFewestBufferTexels : 0;
     if (kind_ != fbrdf::Technique::single || effect_.getLookupsPerPass() > 0 ||
         !shadows.maps.empty() || !areOn || texels == 0)
         return nullptr;
