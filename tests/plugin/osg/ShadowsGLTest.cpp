@@ -1,46 +1,21 @@
 // The effect under every technique of osgShadow. They cull the scene several times in a frame, by
 // cameras of their own, and put programs and textures above it. The effect loses nothing but the
 // light of the lamp where it turns away from it, and the floor gets the shadow that an ordinary
-// sphere would cast. ShadowVolume is left out, as Debian's package of OSG 3.6.5 does not have it.
-// Shadows that fall on an effect: ShadowsReceivedGLTest.cpp.
+// sphere would cast. Shadows that fall on an effect: ShadowsReceivedGLTest.cpp.
 #include "EffectTest.h"
 #include "Pictures.h"
+#include "ShadowTechniques.h"
 
 #include "support/gl/Scenes.h"
 
 #include <osg/LightSource>
-#include <osgShadow/LightSpacePerspectiveShadowMap>
-#include <osgShadow/MinimalCullBoundsShadowMap>
-#include <osgShadow/MinimalDrawBoundsShadowMap>
-#include <osgShadow/ParallelSplitShadowMap>
-#include <osgShadow/ShadowedScene>
-#include <osgShadow/ShadowMap>
-#include <osgShadow/ShadowTexture>
-#include <osgShadow/SoftShadowMap>
-#include <osgShadow/StandardShadowMap>
-#include <osgShadow/ViewDependentShadowMap>
 
 namespace fbrdf::test {
 namespace {
 
 using Picture = std::vector<float>;
 
-struct Kind {
-    const char* name;
-    osgShadow::ShadowTechnique* (*make)();
-    bool dividesScene = false;  ///< what casts shadows must not receive them
-    float shade = 0.7f;         ///< shadows are darker than that part of the light
-};
-
-constexpr unsigned int kReceives = 1, kCasts = 2;
-
-template <class Technique>
-osgShadow::ShadowTechnique* make()
-{
-    return new Technique;
-}
-
-class Shadows : public EffectTest, public ::testing::WithParamInterface<Kind> {
+class Shadows : public EffectTest, public ::testing::WithParamInterface<ShadowKind> {
 protected:
     void SetUp() override
     {
@@ -60,7 +35,8 @@ protected:
     /// The caster over the floor, with a shadow of the technique or without.
     Picture picture(osg::Node* caster, bool shadowed)
     {
-        const osg::ref_ptr<osg::Group> root = shadowed ? shadowedScene() : new osg::Group;
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        if (shadowed) root = shadowedScene(GetParam(), techniques_);
         root->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
         root->getOrCreateStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
         const osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
@@ -79,17 +55,6 @@ protected:
         const Picture image = view_->frame();
         view_->setScene(nullptr);
         return image;
-    }
-
-    osg::Group* shadowedScene()
-    {
-        techniques_.emplace_back(GetParam().make());
-        auto* scene = new osgShadow::ShadowedScene(techniques_.back());
-        if (GetParam().dividesScene) {
-            scene->setReceivesShadowTraversalMask(kReceives);
-            scene->setCastsShadowTraversalMask(kCasts);
-        }
-        return scene;
     }
 
     std::vector<osg::ref_ptr<osgShadow::ShadowTechnique>> techniques_;
@@ -173,22 +138,10 @@ TEST_P(Shadows, LeaveTheEffectWhatTheLampShinesOnAndDarkenTheFloor)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Techniques, Shadows,
-    ::testing::Values(
-        Kind{"ShadowMap", make<osgShadow::ShadowMap>},
-        Kind{"SoftShadowMap", make<osgShadow::SoftShadowMap>},
-        Kind{"StandardShadowMap", make<osgShadow::StandardShadowMap>},
-        Kind{"MinimalShadowMap", make<osgShadow::MinimalShadowMap>},
-        Kind{"MinimalCullBounds", make<osgShadow::MinimalCullBoundsShadowMap>},
-        Kind{"MinimalDrawBounds", make<osgShadow::MinimalDrawBoundsShadowMap>},
-        Kind{"LightSpaceViewBounds", make<osgShadow::LightSpacePerspectiveShadowMapVB>},
-        Kind{"LightSpaceCullBounds", make<osgShadow::LightSpacePerspectiveShadowMapCB>},
-        Kind{"LightSpaceDrawBounds", make<osgShadow::LightSpacePerspectiveShadowMapDB>},
-        Kind{"ParallelSplit", make<osgShadow::ParallelSplitShadowMap>, false, 0.9f},
-        Kind{"ViewDependent", make<osgShadow::ViewDependentShadowMap>},
-        Kind{"ShadowTexture", make<osgShadow::ShadowTexture>, true}),
-    [](const ::testing::TestParamInfo<Kind>& kind) { return std::string(kind.param.name); });
+INSTANTIATE_TEST_SUITE_P(Techniques, Shadows, ::testing::ValuesIn(shadowKinds()),
+                         [](const ::testing::TestParamInfo<ShadowKind>& kind) {
+                             return std::string(kind.param.name);
+                         });
 
 }  // namespace
 }  // namespace fbrdf::test

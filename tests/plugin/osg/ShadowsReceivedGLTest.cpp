@@ -3,50 +3,15 @@
 // light of the lamp and nothing else.
 #include "Pictures.h"
 #include "ShadowScene.h"
+#include "ShadowTechniques.h"
 
 #include "support/gl/CompareImages.h"
 #include "support/gl/Scenes.h"
-
-#include <osgShadow/LightSpacePerspectiveShadowMap>
-#include <osgShadow/MinimalCullBoundsShadowMap>
-#include <osgShadow/MinimalDrawBoundsShadowMap>
-#include <osgShadow/ParallelSplitShadowMap>
-#include <osgShadow/ShadowedScene>
-#include <osgShadow/ShadowMap>
-#include <osgShadow/ShadowTexture>
-#include <osgShadow/SoftShadowMap>
-#include <osgShadow/StandardShadowMap>
-#include <osgShadow/ViewDependentShadowMap>
 
 #include <functional>
 
 namespace fbrdf::test {
 namespace {
-
-struct Kind {
-    const char* name;
-    osgShadow::ShadowTechnique* (*make)();
-    bool shadowsAll = false;    ///< every osg::Light, not only the last
-    bool dividesScene = false;  ///< what casts shadows must not receive them
-    bool isSoft = false;
-    bool aims = false;  ///< shadows of lamps nearby are those of their direction
-};
-
-constexpr unsigned int kReceives = 1, kCasts = 2;
-
-template <class Technique>
-osgShadow::ShadowTechnique* made()
-{
-    return new Technique;
-}
-
-osgShadow::ShadowTechnique* madeSoft()
-{
-    auto* technique = new osgShadow::SoftShadowMap;
-    technique->setSoftnessWidth(0.01f);
-    technique->setJitteringScale(16.0f);
-    return technique;
-}
 
 /// True where the ray from there meets the ball.
 bool meetsBall(const glm::dvec3& from, const glm::dvec3& direction)
@@ -73,7 +38,7 @@ Seen seenAt(double x, double y)
     return {point, !meetsBall(eye, ray) && std::abs(point.x) < kHalf && std::abs(point.y) < kHalf};
 }
 
-class ShadowsReceived : public FloorTest, public ::testing::WithParamInterface<Kind> {
+class ShadowsReceived : public FloorTest, public ::testing::WithParamInterface<ShadowKind> {
 protected:
     void SetUp() override
     {
@@ -91,22 +56,12 @@ protected:
         ball_->setNodeMask(kCasts);
     }
 
-    osg::Group* shadowedScene()
-    {
-        techniques_.emplace_back(GetParam().make());
-        auto* scene = new osgShadow::ShadowedScene(techniques_.back());
-        if (GetParam().dividesScene) {
-            scene->setReceivesShadowTraversalMask(kReceives);
-            scene->setCastsShadowTraversalMask(kCasts);
-        }
-        return scene;
-    }
-
     /// Lights, ball and floor below a scene with shadows, or below a group.
     Picture picture(const std::vector<osg::ref_ptr<osg::Light>>& lamps, osg::Node* points,
                     bool shadowed)
     {
-        const osg::ref_ptr<osg::Group> root = shadowed ? shadowedScene() : new osg::Group;
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        if (shadowed) root = shadowedScene(GetParam(), techniques_);
         for (const auto& lamp : lamps) root->addChild(sourceOf(lamp));
         if (points) root->addChild(points);
         root->addChild(effect_);
@@ -157,7 +112,7 @@ struct Pictures {
 };
 
 Comparison compared(const Pictures& pictures, const osg::Light& lamp, const osg::Light& second,
-                    const Kind& kind)
+                    const ShadowKind& kind)
 {
     const double width = kind.isSoft ? 3.5 : 2.0;
     Comparison result;
@@ -196,7 +151,7 @@ constexpr Way kWays[] = {{"single", osgFbrdf::kSinglePass, false},
 
 TEST_P(ShadowsReceived, LackTheLightOfTheLampAndNothingElse)
 {
-    const Kind& kind = GetParam();
+    const ShadowKind& kind = GetParam();
     const osg::ref_ptr<osg::Node> points = osgLights(testLights(3));
     const auto second = osgLight(1, {-0.7f, 0.4f, 1.4f, 0.0f});
     effect_->setLightsPerPass(2);
@@ -228,21 +183,10 @@ TEST_P(ShadowsReceived, LackTheLightOfTheLampAndNothingElse)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Techniques, ShadowsReceived,
-    ::testing::Values(
-        Kind{"ShadowMap", made<osgShadow::ShadowMap>}, Kind{"Soft", madeSoft, false, false, true},
-        Kind{"Standard", made<osgShadow::StandardShadowMap>},
-        Kind{"Minimal", made<osgShadow::MinimalShadowMap>},
-        Kind{"MinimalCullBounds", made<osgShadow::MinimalCullBoundsShadowMap>},
-        Kind{"MinimalDrawBounds", made<osgShadow::MinimalDrawBoundsShadowMap>},
-        Kind{"LightSpaceViewBounds", made<osgShadow::LightSpacePerspectiveShadowMapVB>},
-        Kind{"LightSpaceCullBounds", made<osgShadow::LightSpacePerspectiveShadowMapCB>},
-        Kind{"LightSpaceDrawBounds", made<osgShadow::LightSpacePerspectiveShadowMapDB>},
-        Kind{"ParallelSplit", made<osgShadow::ParallelSplitShadowMap>, false, false, false, true},
-        Kind{"ViewDependent", made<osgShadow::ViewDependentShadowMap>, true},
-        Kind{"Texture", made<osgShadow::ShadowTexture>, false, true}),
-    [](const ::testing::TestParamInfo<Kind>& kind) { return std::string(kind.param.name); });
+INSTANTIATE_TEST_SUITE_P(Techniques, ShadowsReceived, ::testing::ValuesIn(shadowKinds()),
+                         [](const ::testing::TestParamInfo<ShadowKind>& kind) {
+                             return std::string(kind.param.name);
+                         });
 
 }  // namespace
 }  // namespace fbrdf::test
