@@ -158,7 +158,7 @@ void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
     ImGui::End();
     if (state.help) drawHelp(margin, scale_);
     drawBrowser(state, facts, scale_);
-    drawLightHandles(state, facts);
+    drawLightHandles(state, facts, scale_);
     if (facts.compare) drawCompare(state.compare, *facts.compare);
     if (facts.cursor) drawCursor(state.cursor, *facts.cursor);
     ImGui::Render();

@@ -148,7 +148,7 @@ void drawLightSection(scene::ViewState& state, const PanelFacts& facts)
     drawSelected(state, facts);
 }
 
-void drawLightHandles(const scene::ViewState& state, const PanelFacts& facts)
+void drawLightHandles(const scene::ViewState& state, const PanelFacts& facts, float scale)
 {
     const ImGuiIO& io = ImGui::GetIO();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -163,13 +163,16 @@ void drawLightHandles(const scene::ViewState& state, const PanelFacts& facts)
                             : handle.kind >= scene::LightKind::sphere    ? 4
                                                                          : 20;
         // Triangles and squares of the same area as the circle.
-        const float radius = kHandleRadius * (corners == 3 ? 1.55f : corners == 4 ? 1.25f : 1.0f);
+        const float radius = scale * kHandleRadius *
+                             (corners == 3   ? 1.55f
+                              : corners == 4 ? 1.25f
+                                             : 1.0f);
         list.AddNgonFilled(at, radius + 1.5f, dark, corners);
         list.AddNgonFilled(at, radius, colour, corners);
         if (handle.kind == scene::LightKind::spot)
-            list.AddCircleFilled(at, 0.4f * kHandleRadius, dark);
+            list.AddCircleFilled(at, 0.4f * scale * kHandleRadius, dark);
         if (handle.light == state.light)
-            list.AddCircle(at, kSelectedRadius, IM_COL32(255, 200, 60, 255), 0, 2.0f);
+            list.AddCircle(at, scale * kSelectedRadius, IM_COL32(255, 200, 60, 255), 0, 2.0f);
     }
 }
 

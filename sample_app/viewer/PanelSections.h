@@ -16,8 +16,8 @@ void drawLightSection(scene::ViewState& state, const PanelFacts& facts);
 void drawTechniqueSection(scene::ViewState& state, const PanelFacts& facts);
 /// A strip of thumbnails below the picture. scale: of letters.
 void drawBrowser(scene::ViewState& state, const PanelFacts& facts, float scale);
-/// Draws over the picture where lights are.
-void drawLightHandles(const scene::ViewState& state, const PanelFacts& facts);
+/// Draws over the picture where lights are. scale: of letters.
+void drawLightHandles(const scene::ViewState& state, const PanelFacts& facts, float scale);
 
 /// A list to choose one of; changes `index` to what is clicked.
 template <class Name>

@@ -12,6 +12,7 @@
 #include "MaterialEditor.h"
 #include "Panel.h"
 #include "Progressive.h"
+#include "WindowState.h"
 #include "WindowTimes.h"
 #include "WorldUpdate.h"
 
@@ -36,47 +37,12 @@ constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
 constexpr double kOrbitRate = 30.0;   ///< of the lights
 constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
 
-/// The folder whose materials are shown to choose from.
-std::string folderOf(const Options& options)
-{
-    if (!options.browse.empty()) return options.browse;
-    for (const scene::SceneMaterial& material : options.document.materials)
-        if (std::filesystem::is_regular_file(material.source)) {
-            const auto folder = std::filesystem::path(material.source).parent_path();
-            return folder.empty() ? "." : folder.string();
-        }
-    return "";
-}
-
-/// The document of a world as it was loaded: what had been left to the program is decided.
-scene::Document documentOf(const Options& options, const World& world)
-{
-    scene::Document document = options.document;
-    document.camera = world.camera;
-    document.shown = std::max(0, document.shown);
-    if (!options.lights.empty()) document.lights = {0, document.lights.seed, world.lights};
-    return document;
-}
-
-scene::ViewState stateOf(scene::Document document)
-{
-    scene::ViewState state;
-    state.meshes = {"sphere", "knot", "plane"};
-    state.environments = proceduralEnvironments();
-    state.environments.emplace_back();  // none
-    addName(document.mesh, state.meshes);
-    addName(document.environment.name, state.environments);
-    state.home = *document.camera;
-    state.document = std::move(document);
-    return state;
-}
-
 class WindowLoop {
 public:
     WindowLoop(const Options& options, World& world)
         : options_(options),
           world_(world),
-          state_(stateOf(documentOf(options, world))),
+          state_(initialState(options, world)),
           window_(options.width, options.height, "fbrdf", state_),
           panel_(window_.handle()),
           toneMapper_(GlfwWindow::loader()),
@@ -89,7 +55,7 @@ public:
           lightEditor_(state_, world),
           history_(state_.document),
           files_(state_, editor_, update_, options.scene),
-          browser_(GlfwWindow::loader(), folderOf(options), ThumbnailCache(thumbnailFolder())),
+          browser_(GlfwWindow::loader(), browsedFolder(options), ThumbnailCache(thumbnailFolder())),
           stats_(statsOf(options, world))
     {
         window_.setFilter({[this] { return panel_.wantsMouse(); },
