@@ -60,17 +60,22 @@ void drawHelp(float margin, float scale)
     ImGui::End();
 }
 
-bool section(const char* name, bool isOpen)
+/// Fields of different sections may have the same name.
+template <class Draw>
+void drawSection(const char* name, const Draw& draw)
 {
-    return ImGui::CollapsingHeader(name, isOpen ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    if (!ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) return;
+    ImGui::PushID(name);
+    draw();
+    ImGui::PopID();
 }
 
 void drawSections(scene::ViewState& state, const PanelFacts& facts)
 {
-    if (section("Material", true)) drawMaterialSection(state, facts);
-    if (section("Light", true)) drawLightSection(state, facts);
-    if (section("View", true)) drawViewSection(state);
-    if (section("Drawing", true)) drawTechniqueSection(state, facts);
+    drawSection("Material", [&] { drawMaterialSection(state, facts); });
+    drawSection("Light", [&] { drawLightSection(state, facts); });
+    drawSection("View", [&] { drawViewSection(state); });
+    drawSection("Drawing", [&] { drawTechniqueSection(state, facts); });
     if (!facts.message.empty()) ImGui::TextWrapped("%s", facts.message.c_str());
 }
 
