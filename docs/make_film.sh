@@ -13,11 +13,11 @@ xvfb-run -a -s "-noreset -screen 0 920x520x24" env -u WAYLAND_DISPLAY bash -c '
   trap "kill $viewer 2>/dev/null || true" EXIT
   # Until the window shows something, and then until its picture is whole.
   while [ "$(import -window root png:- | convert - -scale 1x1! -format "%[fx:mean>0.02]" info:)" != 1 ]; do sleep 0.5; done
-  xdotool mousemove 860 20 key space  # no turntable
+  xdotool mousemove 860 20 key space key w  # no turntable, no handles of lights
   sleep 5
   frame=0
   shot() { import -window root "$work/frame-$(printf %03d $frame).png"; frame=$((frame + 1)); }
-  row=352 left=38  # the slider of alpha_y, at 0.12
+  row=183 left=37  # the slider of alpha_y, at 0.12
   shot
   xdotool mousemove $left $row; sleep 1; xdotool mousedown 1; sleep 1
   for ((x = 0; x <= 48; x += 2)); do xdotool mousemove $((left + x)) $row; sleep 0.35; shot; done
