@@ -337,6 +337,10 @@ TEST_F(ShaderValidation, AcceptsHooksNormalMapsAndDerivedTangents)
     inputs.shadowHook =
         "uniform float shade;\nfloat fbrdfShadow(int light, vec3 position, vec3 toLight)\n"
         "{ return light == 1 ? shade : toLight.x; }\n";
+    inputs.tintHook =
+        "uniform sampler2D tint;\nvec4 fbrdfTint()\n"
+        "{ return FBRDF_TEXTURE_MIPMAPPED(tint, fbrdfTextureCoordinate); }\n";
+    inputs.tintedTerms = {0};
     const Form form = formPqp(8, 0.5);
     for (const int glsl : {120, 140, 150, 330, 450, 100, 300})
         for (const int lights : {1, 4})

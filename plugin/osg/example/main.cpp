@@ -2,8 +2,12 @@
 //   fbrdf-osg-knot [--lights N] [--area-lights] [--environment PICTURE.hdr|studio|overcast|clear]
 //                  [--shadows] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
 //   fbrdf-osg-knot --model MODEL.osgt
+//   fbrdf-osg-knot --parts MODEL.osgt
 // With a second name the scene is saved instead of shown, as a scene file or as a picture. --model
-// saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf'.
+// saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf', and --parts
+// the knot with other things, for 'MODEL.osgt.[knot:MATERIAL.fbrdf,plate:MATERIAL.fbrdf].fbrdf'.
+#include "PartsModel.h"
+
 #include <osgFbrdf/AreaLights.h>
 #include <osgFbrdf/EnvironmentLight.h>
 #include <osgFbrdf/FactorizedBrdf.h>
@@ -184,7 +188,8 @@ int usage()
     std::cerr << "usage: fbrdf-osg-knot [--lights N] [--area-lights]\n"
                  "                      [--environment PICTURE|studio|overcast|clear] [--shadows]\n"
                  "                      MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
-                 "       fbrdf-osg-knot --model MODEL.osgt\n";
+                 "       fbrdf-osg-knot --model MODEL.osgt\n"
+                 "       fbrdf-osg-knot --parts MODEL.osgt\n";
     return 2;
 }
 
@@ -194,7 +199,7 @@ int main(int argc, char** argv)
 {
     osg::ArgumentParser arguments(&argc, argv);
     int lightCount = kLights;
-    std::string model, environment;
+    std::string model, parts, environment;
     // Where an environment or area lights light the knot there are no others, unless asked for.
     const bool hasAreaLights = arguments.read("--area-lights");
     const bool hasShadows = arguments.read("--shadows");
@@ -202,10 +207,13 @@ int main(int argc, char** argv)
     const bool mayBeWithout = lightCount == 0;
     arguments.read("--lights", lightCount);
     arguments.read("--model", model);
+    arguments.read("--parts", parts);
+    const int asked = (argc > 1 ? 1 : 0) + (model.empty() ? 0 : 1) + (parts.empty() ? 0 : 1);
     if (arguments.errors() || arguments.containsOptions() || lightCount < (mayBeWithout ? 0 : 1) ||
-        lightCount > kMostLights || argc > 3 || (argc > 1) == !model.empty())
+        lightCount > kMostLights || argc > 3 || asked != 1)
         return usage();
     if (!model.empty()) return osgDB::writeNodeFile(*knotOf(), model) ? 0 : 5;
+    if (!parts.empty()) return osgDB::writeNodeFile(*partsModel(knotOf()), parts) ? 0 : 5;
     // 1. The material over the model.
     osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
     if (!effect->setMaterialFile(argv[1])) return 3;

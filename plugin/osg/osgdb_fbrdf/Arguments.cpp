@@ -93,6 +93,21 @@ bool parseUnits(const std::string& text, std::set<int>& units)
 }
 
 /// True for names of others too.
+bool applyTextureOption(FactorizedBrdf& effect, const std::string& name, const std::string& text)
+{
+    ModelTextures textures = effect.getModelTextures();
+    for (const auto& [option, unit] :
+         {std::pair("tintUnit", &textures.tint), std::pair("alphaUnit", &textures.alpha),
+          std::pair("normalUnit", &textures.normal)})
+        if (name == option && (!integer(text, 0, *unit) || *unit >= kMostTextureUnits))
+            return false;
+    if (name == "tint" && text != "diffuse" && text != "all") return false;
+    if (name == "tint") textures.tintsAll = text == "all";
+    if (!(textures == effect.getModelTextures())) effect.setModelTextures(textures);
+    return true;
+}
+
+/// True for names of others too.
 bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::string& text)
 {
     int number = 0;
@@ -123,7 +138,7 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
         if (name == "preciseFiltering") effect.setPreciseFiltering(text == "1");
         if (name == "reload") effect.setReloading(text == "1");
     }
-    return true;
+    return applyTextureOption(effect, name, text);
 }
 
 /// Sets one property of an environment, whose picture is set last.
@@ -223,6 +238,10 @@ std::vector<OptionText> optionTexts()
             {"preciseFiltering=0|1", "1 filters maps in the shader, finer than a GPU; default 0"},
             {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},
             {"reload=0|1", "1 reads the material again when its file changes; default 0"},
+            {"tintUnit=<n>", "Unit of the model's colours, and of its alpha; default none"},
+            {"tint=diffuse|all", "What the colours multiply; default diffuse"},
+            {"alphaUnit=<n>", "Unit of a texture whose red is the model's alpha; default none"},
+            {"normalUnit=<n>", "Unit of the model's normal map; default none"},
             {"materials=<part>:<file>,...",
              "Materials of parts, by the names of nodes, state sets or osg::Materials; default "
              "none"},

@@ -68,8 +68,9 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
 
 // Binary files have all properties in a fixed order, so a property that is added later must belong
 // to a later format. Format 2 has materials in the scene itself, format 3 PreciseFiltering, format
-// 4 FreeTextureUnits, format 5 Parts.
-constexpr int kEmbeddingFormat = 2, kPreciseFormat = 3, kFreeUnitsFormat = 4, kFormat = 5;
+// 4 FreeTextureUnits, format 5 Parts, format 6 ModelTextures and VertexHook.
+constexpr int kEmbeddingFormat = 2, kPreciseFormat = 3, kFreeUnitsFormat = 4, kPartsFormat = 5,
+              kFormat = 6;
 
 thread_local int formatBeingRead = 0;  ///< of the effect whose properties are read
 
@@ -92,11 +93,27 @@ bool readFormat(osgDB::InputStream& stream, FactorizedBrdf&)
     return true;
 }
 
+bool hasParts(const FactorizedBrdf& effect)
+{
+    return !effect.getParts().empty();
+}
+
+bool hasModelTextures(const FactorizedBrdf& effect)
+{
+    return effect.getModelTextures().any();
+}
+
+bool hasVertexHook(const FactorizedBrdf& effect)
+{
+    return !effect.getVertexHook().glsl.empty();
+}
+
 /// The lowest format that can describe the effect, so that older readers give a warning only where
 /// they lose something.
 int formatOf(const FactorizedBrdf& effect)
 {
-    if (!effect.getParts().empty()) return kFormat;
+    if (hasModelTextures(effect) || hasVertexHook(effect)) return kFormat;
+    if (hasParts(effect)) return kPartsFormat;
     if (!effect.getFreeTextureUnits().empty()) return kFreeUnitsFormat;
     if (effect.getPreciseFiltering()) return kPreciseFormat;
     return isEmbedded(effect) ? kEmbeddingFormat : 1;
@@ -188,11 +205,6 @@ bool writeFreeTextureUnits(osgDB::OutputStream& stream, const FactorizedBrdf& ef
     return true;
 }
 
-bool hasParts(const FactorizedBrdf& effect)
-{
-    return !effect.getParts().empty();
-}
-
 // A name with a space in quotes would not do: OSG 3.6.5 loses it in XML.
 void readPart(osgDB::InputStream& stream, FactorizedBrdf& effect)
 {
@@ -224,6 +236,48 @@ bool writeParts(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
         stream << stream.END_BRACKET << std::endl;
     }
     stream << stream.END_BRACKET << std::endl;
+    return true;
+}
+
+bool readModelTextures(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    osgFbrdf::ModelTextures textures;
+    stream >> textures.tint >> textures.alpha >> textures.normal >> textures.tintsAll;
+    effect.setModelTextures(textures);
+    return true;
+}
+
+bool writeModelTextures(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    const osgFbrdf::ModelTextures& textures = effect.getModelTextures();
+    stream << textures.tint << textures.alpha << textures.normal << textures.tintsAll << std::endl;
+    return true;
+}
+
+// Code has lines, quotes and braces, so it is written as one word.
+bool readVertexHook(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    osgFbrdf::VertexHook hook;
+    std::string glsl, name;
+    int attributes = 0;
+    stream >> glsl >> attributes;
+    for (int i = 0; i < attributes && !stream.getException(); ++i) {
+        unsigned int index = 0;
+        stream >> name >> index;
+        hook.attributes[fbrdf::percentDecoded(name)] = index;
+    }
+    hook.glsl = fbrdf::percentDecoded(glsl);
+    effect.setVertexHook(hook);
+    return true;
+}
+
+bool writeVertexHook(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    const osgFbrdf::VertexHook& hook = effect.getVertexHook();
+    stream << fbrdf::percentEncoded(hook.glsl) << static_cast<int>(hook.attributes.size());
+    for (const auto& [name, index] : hook.attributes)
+        stream << fbrdf::percentEncoded(name) << index;
+    stream << std::endl;
     return true;
 }
 
@@ -286,6 +340,13 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
                                                   &readFreeTextureUnits, &writeFreeTextureUnits)),
         osgDB::BaseSerializer::RW_USER);
     wrapper->addSerializer(
-        new FromFormat(kFormat, new User("Parts", &hasParts, &readParts, &writeParts)),
+        new FromFormat(kPartsFormat, new User("Parts", &hasParts, &readParts, &writeParts)),
         osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(
+        new FromFormat(kFormat, new User("ModelTextures", &hasModelTextures, &readModelTextures,
+                                         &writeModelTextures)),
+        osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(new FromFormat(kFormat, new User("VertexHook", &hasVertexHook,
+                                                            &readVertexHook, &writeVertexHook)),
+                           osgDB::BaseSerializer::RW_USER);
 }

@@ -10,6 +10,7 @@
 #include <fbrdf/base/Found.h>
 #include <fbrdf/plan/LightVectors.h>
 
+#include <algorithm>
 #include <set>
 
 namespace fbrdf {
@@ -73,7 +74,8 @@ std::string viewLines(const FragmentContext& c)
         const std::string k = std::to_string(p);
         text += "    vec3 exponent" + k + " = " + lowers(c, part) + ";\n    vec3 product" + k +
                 " = " + (part.scaled ? "fbrdfScale" + std::to_string(part.term) : "vec3(1.0)") +
-                ";\n" + factorsOf(c, part, false, k, "    ");
+                (part.scaled && isTinted(c, part.term) ? " * fbrdfTinted.rgb" : "") + ";\n" +
+                factorsOf(c, part, false, k, "    ");
     }
     return text;
 }
@@ -230,6 +232,22 @@ std::string samplerType(const FragmentContext& c, const Factor& factor)
 
 }  // namespace
 
+bool isTinted(const FragmentContext& c, int term)
+{
+    const auto has = [&c](int t) {
+        return c.tinted && std::find(c.tinted->begin(), c.tinted->end(), t) != c.tinted->end();
+    };
+    if (term >= 0) return has(term);
+    for (int t = 0; t < static_cast<int>(c.form.terms.size()); ++t)
+        if (!has(t)) return false;
+    return true;
+}
+
+std::string tintLines(const FragmentContext& c)
+{
+    return c.tinted ? "    fbrdfTinted = fbrdfTint();\n" : "";
+}
+
 std::string surfaceLines(const FragmentContext& c)
 {
     const bool local = needsLocalFrame(c);
@@ -298,12 +316,13 @@ std::string outputLines(const FragmentContext& c)
     if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
     if (isCurved(c.spec.transfer))
         text += "    total = fbrdfSrgbFromLinear(min(total, vec3(1.0)));\n";
-    return text + "    fbrdfColour = vec4(total, 1.0);\n}\n";
+    return text + "    fbrdfColour = vec4(total, " + (c.tinted ? "fbrdfTinted.a" : "1.0") +
+           ");\n}\n";
 }
 
 std::string mainFunction(const FragmentContext& c)
 {
-    std::string text = "void main()\n{\n";
+    std::string text = "void main()\n{\n" + tintLines(c);
     if (!c.spec.parts.empty() || hasLobes(c))
         text += "    vec3 viewer = fbrdfToViewer();\n" + parameterLines(c) + surfaceLines(c) +
                 viewLines(c);

@@ -15,8 +15,14 @@ struct FragmentContext {
     int glsl;
     bool packed = false;  ///< maps are in arrays, the rest in a buffer (PackedParameters.h)
     bool local = false;   ///< directions are given in the tangent frame even if the form needs none
-    bool normalMap = false, shadow = false;  ///< see SurfaceInputs
+    bool normalMap = false, shadow = false;    ///< see SurfaceInputs
+    const std::vector<int>* tinted = nullptr;  ///< terms with a tint; null: there is no tint hook
 };
+
+/// True where the tint hook multiplies the term; with -1: every term.
+bool isTinted(const FragmentContext& context, int term);
+/// The beginning of main(): the tint, once for all terms.
+std::string tintLines(const FragmentContext& context);
 
 std::string uniformDeclarations(const FragmentContext& context);
 /// Statements that declare frame (or n), wo and NoV of the fragment, from viewer.

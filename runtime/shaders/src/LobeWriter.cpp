@@ -118,12 +118,14 @@ std::string lobeRowLines(const FragmentContext& c, const std::string& indent)
 {
     const LobeShare stored = storedLobes(c);
     std::string text = indent + "vec4 first = " + interpolated(c, 0) + ";\n";
+    if (c.tinted && !c.tinted->empty()) text += indent + "first.rgb *= fbrdfTinted.rgb;\n";
     if (stored.rows() > stored.count + 1)
         text += indent + "vec4 tilts = " + interpolated(c, stored.count + 1) + ";\n";
     for (int k = 0; k < c.spec.lobes.count; ++k) {
         const std::string number = std::to_string(k);
         text += indent + "vec4 lobe" + number + " = " + interpolated(c, 1 + placeOf(c, k)) + ";\n" +
                 indent + "vec3 axis" + number + " = " + axisOf(c, k) + ";\n";
+        if (isTinted(c, -1)) text += indent + "lobe" + number + ".rgb *= fbrdfTinted.rgb;\n";
     }
     return text;
 }

@@ -28,7 +28,8 @@ std::string lobeFunctions(const LobeLayout& table)
 
 std::string sampledMain(const FragmentContext& c)
 {
-    return "void main()\n{\n    vec3 viewer = fbrdfToViewer();\n" + surfaceLines(c) +
+    return "void main()\n{\n" + tintLines(c) + "    vec3 viewer = fbrdfToViewer();\n" +
+           surfaceLines(c) +
            "    vec3 total = vec3(0.0);\n"
            "    if (NoV > 0.0) {\n"
            "        FbrdfLobeMixture mixture = fbrdfLobeMixture(wo);\n"

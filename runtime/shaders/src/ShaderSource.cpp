@@ -53,7 +53,8 @@ std::string assembled(int glsl, const SurfaceInputs& inputs,
     if (glsl == kGlslEs100 && inputs.derivedTangent)
         text += "#extension GL_OES_standard_derivatives : require\n";
     if (glsl == 120 && choosesLevels) text += "#extension GL_ARB_shader_texture_lod : require\n";
-    if (inputs.derivedTangent || inputs.normalMap) text += "#define FBRDF_TEXTURE_COORDINATE\n";
+    if (inputs.derivedTangent || inputs.normalMap || !inputs.tintHook.empty())
+        text += "#define FBRDF_TEXTURE_COORDINATE\n";
     if (inputs.derivedTangent) text += "#define FBRDF_DERIVED_TANGENT\n";
     if (inputs.instanced) text += "#define FBRDF_INSTANCED\n";
     if (inputs.normalMap) text += "#define FBRDF_NORMAL_MAP\n";
@@ -66,6 +67,17 @@ std::string vertexInputs(const SurfaceInputs& inputs)
     if (!inputs.vertexInputs.empty()) return inputs.vertexInputs;
     if (inputs.builtIns) return joined({"inputs_built_in.glsl"});
     return joined({inputs.instanced ? "inputs_instanced.glsl" : "inputs_uniform.glsl"});
+}
+
+/// The hook and the variable that has what it gives.
+std::string tintFunctions(const SurfaceInputs& inputs)
+{
+    return inputs.tintHook.empty() ? "" : inputs.tintHook + "\nvec4 fbrdfTinted;\n";
+}
+
+const std::vector<int>* tintedTerms(const SurfaceInputs& inputs)
+{
+    return inputs.tintHook.empty() ? nullptr : &inputs.tintedTerms;
 }
 
 /// What the look-ups of a form need beside FBRDF_TEXTURE2 and the like.
@@ -101,14 +113,15 @@ std::string sampledSource(const Form& form, const std::vector<TableEncoding>& en
     ProgramSpec whole = spec;
     whole.parts = wholeSpec(form, 1).parts;
     whole.lit = whole.reads = whole.clustered = false;
-    const FragmentContext context{form, encodings, whole, glsl, false, true, inputs.normalMap};
+    const FragmentContext context{
+        form, encodings, whole, glsl, false, true, inputs.normalMap, false, tintedTerms(inputs)};
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
                      {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
                       "projection.glsl", "transfer.glsl"},
                      true) +
            filterFunctions(encodings) + lobeFunctions(spec.lobes.table) + joined({"samples.glsl"}) +
-           uniforms + evaluateFunction(context) + sampledMain(context);
+           tintFunctions(inputs) + uniforms + evaluateFunction(context) + sampledMain(context);
 }
 
 /// What both kinds of materialFunctions have in common.
@@ -170,7 +183,8 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
                                   inputs.instanced,
                                   false,
                                   inputs.normalMap,
-                                  !inputs.shadowHook.empty()};
+                                  !inputs.shadowHook.empty(),
+                                  tintedTerms(inputs)};
     // Uniforms are written first because uniformDeclarations refuses what does not agree.
     const std::string uniforms = uniformDeclarations(context);
     return assembled(glsl, inputs,
@@ -181,7 +195,7 @@ std::string fragmentSource(const Form& form, const std::vector<TableEncoding>& e
            (hasAreaLights(context) ? joined({"lobe_frame.glsl", "area.glsl"}) : "") +
            filterFunctions(encodings) +
            (spec.clustered || spec.areaLists ? joined({"clusters.glsl"}) : "") + inputs.shadowHook +
-           "\n" + uniforms + mainFunction(context);
+           "\n" + tintFunctions(inputs) + uniforms + mainFunction(context);
 }
 
 std::string materialFunctions(const Form& form, const std::vector<TableEncoding>& encodings,

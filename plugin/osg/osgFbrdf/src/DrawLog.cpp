@@ -47,6 +47,8 @@ void DrawLog::report(const FactorizedBrdf& effect, const DrawReport& report)
                  "drawn without the environment or area lights: " + report.whyNoEnvironment);
     if (!report.whyNoShadows.empty())
         warnOnce(effect, report.whyNoShadows, "drawn without shadows: " + report.whyNoShadows);
+    if (!report.whyOpaque.empty())
+        warnOnce(effect, report.whyOpaque, "what is blended is drawn opaque: " + report.whyOpaque);
     if (report.environmentsLeftOut > 0)
         warnOnce(effect, "environments",
                  fbrdf::Found(std::to_string(report.environmentsLeftOut + 1) +

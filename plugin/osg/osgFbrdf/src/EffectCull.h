@@ -28,6 +28,8 @@ struct EffectCull {
     const FactorizedBrdf& model;  ///< what is drawn is below it
     /// Culls that under the state that the visitor has: to be called once for each pass.
     const std::function<void()>& cullModel;
+    /// Culls what is blended, under the state of its only pass; null: it is drawn as the rest.
+    const std::function<void()>& cullBlended;
     int selected = 0;  ///< the technique that is to draw, or AUTO_DETECT
 };
 

@@ -98,6 +98,8 @@ void FactorizedBrdf::takeProperties(const FactorizedBrdf& other)
     floatTarget_ = other.floatTarget_;
     derivedTangents_ = other.derivedTangents_;
     preciseFiltering_ = other.preciseFiltering_;
+    textures_ = other.textures_;
+    vertexHook_ = other.vertexHook_;
     transfer_ = other.transfer_;
     selectTechnique(other.getSelectedTechnique());
 }
@@ -171,6 +173,20 @@ void FactorizedBrdf::setPreciseFiltering(bool precise)
 {
     preciseFiltering_ = precise;
     setOfParts(&FactorizedBrdf::setPreciseFiltering, precise);
+}
+
+void FactorizedBrdf::setModelTextures(const ModelTextures& textures)
+{
+    textures_ = textures;
+    changed();
+    setOfParts<const ModelTextures&>(&FactorizedBrdf::setModelTextures, textures);
+}
+
+void FactorizedBrdf::setVertexHook(const VertexHook& hook)
+{
+    vertexHook_ = hook;
+    changed();
+    setOfParts<const VertexHook&>(&FactorizedBrdf::setVertexHook, hook);
 }
 
 void FactorizedBrdf::setTransfer(fbrdf::Transfer transfer)
@@ -274,12 +290,13 @@ void FactorizedBrdf::cull(osgUtil::CullVisitor& visitor)
 {
     const osg::Camera* camera = visitor.getCurrentCamera();
     if (camera && drawsShapes(*camera)) return inherited_traverse(visitor);
-    if (!parts_.empty()) return cullParts(visitor);
+    if (!parts_.empty() || textures_.hasAlpha()) return cullParts(visitor);
     cullAs(visitor, *this, [&] { inherited_traverse(visitor); });
 }
 
 void FactorizedBrdf::cullAs(osgUtil::CullVisitor& visitor, const FactorizedBrdf& model,
-                            const std::function<void()>& cullModel)
+                            const std::function<void()>& cullModel,
+                            const std::function<void()>& cullBlended)
 {
     const osg::State* state = visitor.getState();
     osg::ref_ptr<osg::StateSet> probe;
@@ -291,7 +308,8 @@ void FactorizedBrdf::cullAs(osgUtil::CullVisitor& visitor, const FactorizedBrdf&
                                  0, getNumTechniques() - 1);
     if (probe) visitor.pushStateSet(probe);
     static_cast<EffectTechnique&>(*getTechnique(index))
-        .cull({visitor, ViewState::of(visitor), *this, *internals_, model, cullModel, selected});
+        .cull({visitor, ViewState::of(visitor), *this, *internals_, model, cullModel, cullBlended,
+               selected});
     if (probe) visitor.popStateSet();
 }
 

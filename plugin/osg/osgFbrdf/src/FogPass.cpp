@@ -11,7 +11,7 @@
 
 namespace osgFbrdf {
 
-osg::ref_ptr<osg::Program> fogProgram(const VersionedShader& vertex)
+osg::ref_ptr<VersionedProgram> fogProgram(const VersionedShader& vertex)
 {
     return new VersionedProgram(
         "fbrdf fog", vertex, versionedShader(osg::Shader::FRAGMENT, [](int glsl) {

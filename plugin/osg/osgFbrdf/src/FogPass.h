@@ -14,7 +14,7 @@ class InheritedState;
 osg::ref_ptr<osg::StateSet> fogState(osg::Program* program, int bin);
 
 /// vertex: the shader of the other passes, so that depths are equal.
-osg::ref_ptr<osg::Program> fogProgram(const VersionedShader& vertex);
+osg::ref_ptr<VersionedProgram> fogProgram(const VersionedShader& vertex);
 
 /// What depends on the fog of the scene; null where there is none.
 osg::ref_ptr<osg::StateSet> fogOfScene(const InheritedState& state);

@@ -46,9 +46,15 @@ const osg::StateAttribute* attributeOf(const Sets& sets, const PairIn& pairIn)
 }  // namespace
 
 InheritedState::InheritedState(osgUtil::CullVisitor& visitor)
+    : InheritedState(visitor.getCurrentStateGraph(), nullptr, nullptr)
 {
-    for (const osgUtil::StateGraph* graph = visitor.getCurrentStateGraph(); graph;
-         graph = graph->_parent)
+}
+
+InheritedState::InheritedState(const osgUtil::StateGraph* graph, const osgUtil::StateGraph* root,
+                               const osg::StateSet* own)
+{
+    if (own) sets_.push_back(own);
+    for (; graph && graph != root; graph = graph->_parent)
         if (graph->getStateSet()) sets_.push_back(graph->getStateSet());
     std::reverse(sets_.begin(), sets_.end());
 }

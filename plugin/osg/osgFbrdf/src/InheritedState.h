@@ -8,7 +8,8 @@
 
 namespace osgUtil {
 class CullVisitor;
-}
+class StateGraph;
+}  // namespace osgUtil
 
 namespace osgFbrdf {
 
@@ -17,6 +18,11 @@ public:
     /// The state sets above where the visitor is, those of the visitor among them, must outlive
     /// this object.
     explicit InheritedState(osgUtil::CullVisitor& visitor);
+
+    /// That of a drawable with its own state set, which may be null: the state sets of `graph` and
+    /// above, up to `root`, which does not count.
+    InheritedState(const osgUtil::StateGraph* graph, const osgUtil::StateGraph* root,
+                   const osg::StateSet* own);
 
     /// Empty where no state set has the mode.
     std::optional<bool> mode(osg::StateAttribute::GLMode mode) const;

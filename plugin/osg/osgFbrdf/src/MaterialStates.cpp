@@ -82,10 +82,21 @@ osg::Vec3f toVec3f(const fbrdf::Vec3f& v)
 // Numbers of lights vary as lights come into reach and go: so many plans of a material are kept.
 constexpr size_t kMostPlans = 32;
 
+/// The key of what vertex shaders depend on.
+std::string vertexKeyOf(const PassInputs& inputs)
+{
+    const bool coordinates = inputs.textures.any() || inputs.derivedTangents;
+    std::string key = std::string(inputs.derivedTangents ? "t" : "") + (coordinates ? "c" : "");
+    for (const auto& [name, index] : inputs.vertexHook.attributes)
+        key += name + std::to_string(index) + ',';
+    return key + inputs.vertexHook.glsl;
+}
+
 std::string keyOf(const PassInputs& inputs)
 {
-    return inputs.units.key() + (inputs.derivedTangents ? "t" : "") +
-           (inputs.preciseFiltering ? "p" : "") + (inputs.listed ? "l" : "") + inputs.hooks.key();
+    return inputs.units.key() + (inputs.preciseFiltering ? "p" : "") + (inputs.blended ? "b" : "") +
+           (inputs.listed ? "l" : "") + inputs.hooks.key() + keyOf(inputs.textures) +
+           vertexKeyOf(inputs);
 }
 
 std::string keyOf(const fbrdf::LobeLayout& layout)
@@ -140,13 +151,11 @@ void setBlend(osg::StateSet& state, fbrdf::Blend blend)
         kOurs);
 }
 
-VersionedShader vertexShader(bool derivesTangents)
+void bindAttributes(VersionedProgram& program, const PassInputs& inputs)
 {
-    return versionedShader(osg::Shader::VERTEX, [derivesTangents](int glsl) {
-        fbrdf::SurfaceInputs inputs = surfaceInputs(glsl);
-        inputs.derivedTangent = derivesTangents;
-        return fbrdf::vertexSource(glsl, inputs);
-    });
+    program.bindAttribute("fbrdfVertexTangent", kTangentAttribute);
+    for (const auto& [name, index] : inputs.vertexHook.attributes)
+        program.bindAttribute(name, index);
 }
 
 }  // namespace
@@ -169,9 +178,7 @@ MaterialStates::MaterialStates(const fbrdf::Material& material)
     : form_(material.form),
       hasSigns_(fbrdf::hasSigns(material)),
       lobes_(material),
-      name_(material.name.empty() ? material.form.name : material.name),
-      vertex_(vertexShader(false)),
-      derivingVertex_(vertexShader(true))
+      name_(material.name.empty() ? material.form.name : material.name)
 {
     for (size_t i = 0; i < material.tables.size(); ++i) {
         form_.tables[i].domain = material.tables[i].domain;
@@ -208,6 +215,27 @@ MaterialStates::Map MaterialStates::mapOf(int index, const fbrdf::Table& table)
     return map;
 }
 
+fbrdf::SurfaceInputs MaterialStates::surfaceOf(const PassInputs& inputs, int glsl) const
+{
+    fbrdf::SurfaceInputs surface = surfaceInputs(glsl);
+    surface.derivedTangent = inputs.derivedTangents;
+    surface.shadowHook = shadowHook(inputs.hooks);
+    surface.vertexHook = inputs.vertexHook.glsl;
+    addSurface(surface, inputs.textures, form_);
+    return surface;
+}
+
+/// The caller has the lock.
+const VersionedShader& MaterialStates::vertexOf(const PassInputs& inputs)
+{
+    VersionedShader& vertex = vertices_[vertexKeyOf(inputs)];
+    if (!vertex.front())
+        vertex = versionedShader(osg::Shader::VERTEX, [&](int glsl) {
+            return fbrdf::vertexSource(glsl, surfaceOf(inputs, glsl));
+        });
+    return vertex;
+}
+
 osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& spec,
                                                      const PassInputs& inputs)
 {
@@ -216,17 +244,13 @@ osg::ref_ptr<osg::Program> MaterialStates::programOf(const fbrdf::ProgramSpec& s
     const auto fragment = versionedShader(osg::Shader::FRAGMENT, [&](int contexts) {
         // A program may have shaders of several versions.
         const int glsl = spec.clustered ? kShaderVersions.back() : contexts;
-        fbrdf::SurfaceInputs surface = surfaceInputs(glsl);
-        surface.derivedTangent = inputs.derivedTangents;
-        surface.shadowHook = shadowHook(inputs.hooks);
-        return fbrdf::fragmentSource(form_, encodings, spec, glsl, surface);
+        return fbrdf::fragmentSource(form_, encodings, spec, glsl, surfaceOf(inputs, glsl));
     });
     osg::ref_ptr<VersionedProgram>& program =
-        programs_[fragment[0]->getShaderSource() + (inputs.derivedTangents ? "t" : "")];
+        programs_[fragment[0]->getShaderSource() + vertexKeyOf(inputs)];
     if (program) return program;
-    program = new VersionedProgram("fbrdf " + name_,
-                                   inputs.derivedTangents ? derivingVertex_ : vertex_, fragment);
-    program->bindAttribute("fbrdfVertexTangent", kTangentAttribute);
+    program = new VersionedProgram("fbrdf " + name_, vertexOf(inputs), fragment);
+    bindAttributes(*program, inputs);
     return program;
 }
 
@@ -310,8 +334,13 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
     addMaps(*state, inputs);
     if (!pass.lobes.isEmpty()) addLobes(*state, pass, inputs, *lobes);
     if (spec.clustered) addLists(*state, pass, inputs);
+    plainTextures_.addTo(*state, inputs.textures);
+    if (inputs.blended) return state;
     setBlend(*state, pass.blend);
     setPlace(*state, pass.depth, bin);
+    // Where nothing is left in the first pass, depth differs in later ones.
+    if (inputs.textures.hasAlpha() && pass.depth == fbrdf::Depth::write)
+        state->setMode(GL_ALPHA_TEST, osg::StateAttribute::OFF);
     return state;
 }
 
@@ -339,12 +368,18 @@ std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanReq
     return planned;
 }
 
-osg::ref_ptr<osg::StateSet> MaterialStates::fogStateOf(int bin)
+osg::ref_ptr<osg::StateSet> MaterialStates::fogStateOf(int bin, const PassInputs& inputs)
 {
     const Lock lock(mutex_);
-    osg::ref_ptr<osg::StateSet>& state = states_["fog" + std::to_string(bin)];
-    if (!fog_) fog_ = fogProgram(vertex_);
-    if (!state) state = fogState(fog_, bin);
+    const std::string key = "fog" + vertexKeyOf(inputs);
+    osg::ref_ptr<osg::StateSet>& state = states_[key + '@' + std::to_string(bin)];
+    if (state) return state;
+    osg::ref_ptr<VersionedProgram>& program = programs_[key];
+    if (!program) {
+        program = fogProgram(vertexOf(inputs));
+        bindAttributes(*program, inputs);
+    }
+    state = fogState(program, bin);
     return state;
 }
 

@@ -4,8 +4,11 @@
 #include "ContextNeeds.h"
 #include "LobesOfMaterial.h"
 #include "ShadowHook.h"
+#include "SurfaceTextures.h"
 #include "TextureUnits.h"
 #include "VersionedProgram.h"
+
+#include <osgFbrdf/VertexHook.h>
 
 #include <fbrdf/brdf/Material.h>
 #include <fbrdf/shaders/ShaderSource.h>
@@ -34,6 +37,9 @@ struct PassInputs {
     bool preciseFiltering = false;  ///< in the shader
     LightHooks hooks;
     bool listed = false;  ///< lights come from lists (LightLists.h)
+    ModelTextures textures;
+    VertexHook vertexHook;
+    bool blended = false;  ///< blending, depth and bin are the model's: for a plan of one pass
 };
 
 /// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
@@ -76,8 +82,8 @@ public:
     std::shared_ptr<const PlannedPasses> passes(const fbrdf::PlanRequest& request,
                                                 const PassInputs& inputs,
                                                 const fbrdf::LobeTable* lobes = nullptr);
-    /// State of the pass that blends fog over the others.
-    osg::ref_ptr<osg::StateSet> fogStateOf(int bin);
+    /// State of the pass that blends fog over the others, which have the inputs.
+    osg::ref_ptr<osg::StateSet> fogStateOf(int bin, const PassInputs& inputs);
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state);
@@ -100,6 +106,8 @@ private:
     }
     void addLists(osg::StateSet& state, const fbrdf::Pass& pass, const PassInputs& inputs) const;
     ContextLimits neededBy(const fbrdf::Pass& pass, const PassInputs& inputs) const;
+    fbrdf::SurfaceInputs surfaceOf(const PassInputs& inputs, int glsl) const;
+    const VersionedShader& vertexOf(const PassInputs& inputs);
     osg::ref_ptr<osg::Program> programOf(const fbrdf::ProgramSpec& spec, const PassInputs& inputs);
     void addMaps(osg::StateSet& state, const PassInputs& inputs) const;
     void addLobes(osg::StateSet& state, const fbrdf::Pass& pass, const PassInputs& inputs,
@@ -112,10 +120,10 @@ private:
     std::vector<fbrdf::TableEncoding> encodings_;
     std::vector<Map> maps_;         ///< one a table
     std::vector<size_t> textures_;  ///< maps with a texture, in the order of their units
-    VersionedShader vertex_, derivingVertex_;
+    PlainTextures plainTextures_;
     OpenThreads::Mutex mutex_;                                        ///< guards what follows
+    std::map<std::string, VersionedShader> vertices_;                 ///< by the key of the inputs
     std::map<std::string, osg::ref_ptr<VersionedProgram>> programs_;  ///< by fragment shader
-    osg::ref_ptr<osg::Program> fog_;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> states_;
     std::map<std::string, std::shared_ptr<const PlannedPasses>> planned_;
 };

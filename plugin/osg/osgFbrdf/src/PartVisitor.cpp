@@ -1,5 +1,7 @@
 #include "PartVisitor.h"
 
+#include "InheritedState.h"
+
 #include <osgFbrdf/FactorizedBrdf.h>
 
 #include <osg/Billboard>
@@ -35,7 +37,7 @@ unsigned int overridingBins(const osgUtil::StateGraph* graph)
 size_t mostPasses(const std::vector<const PartPasses*>& parts)
 {
     size_t most = 0;
-    for (const PartPasses* passes : parts) most = std::max(most, passes->size());
+    for (const PartPasses* passes : parts) most = std::max(most, passes->passes.size());
     return most;
 }
 
@@ -84,7 +86,7 @@ PartVisitor::PartVisitor(osgUtil::CullVisitor& view, const PartNames& names,
       names_(names),
       passes_(std::move(passes)),
       rest_(rest),
-      own_{{view.getCurrentStateGraph(), view.getCurrentRenderBin()}},
+      own_{{{view.getCurrentStateGraph(), view.getCurrentRenderBin()}}},
       overridesAbove_(overridingBins(view.getCurrentStateGraph()))
 {
     goOnWhereIs(view);
@@ -113,9 +115,9 @@ void PartVisitor::goOnWhereIs(osgUtil::CullVisitor& view)
 
 void PartVisitor::cull(FactorizedBrdf& model)
 {
-    const size_t passes = std::max(mostPasses(passes_), rest_ ? rest_->size() : own_.size());
+    const size_t passes = std::max(mostPasses(passes_), passesOf(kRest)->passes.size());
     for (pass_ = 0; pass_ < passes; ++pass_) {
-        root_ = _currentStateGraph = own_.front().graph;
+        root_ = _currentStateGraph = own_.passes.front().graph;
         enter(kRest);
         model.inherited_traverse(*this);
     }
@@ -136,22 +138,31 @@ const PartPasses* PartVisitor::passesOf(int part) const
 
 bool PartVisitor::isDrawn() const
 {
-    return pass_ < passesOf(place_.part)->size();
+    return pass_ < passesOf(place_.part)->passes.size();
 }
 
-/// Puts the state of the model that is above the node below the state of the part's pass.
 void PartVisitor::enter(int part)
 {
     const PartPasses& passes = *passesOf(part);
-    if (pass_ >= passes.size()) return;
+    if (pass_ < passes.passes.size()) goBelow(passes.passes[pass_], &passes == &own_);
+}
+
+void PartVisitor::goBelow(const PartPass& root, bool keepsBins)
+{
     std::vector<const osg::StateSet*> above;
     for (auto* graph = _currentStateGraph; graph != root_; graph = graph->_parent)
         above.push_back(graph->getStateSet());
-    const bool keepsBins = &passes == &own_;
-    root_ = _currentStateGraph = passes[pass_].graph;
-    _currentRenderBin = passes[pass_].bin;
+    root_ = _currentStateGraph = root.graph;
+    _currentRenderBin = root.bin;
     _numberOfEncloseOverrideRenderBinDetails = overridesAbove_ + (keepsBins ? 0 : 1);
     for (auto state = above.rbegin(); state != above.rend(); ++state) pushStateSet(*state);
+}
+
+bool PartVisitor::isBlended(const osg::Drawable& drawable) const
+{
+    return InheritedState(_currentStateGraph, root_, drawable.getStateSet())
+        .mode(GL_BLEND)
+        .value_or(false);
 }
 
 template <class Node>
@@ -171,7 +182,15 @@ void PartVisitor::visit(Node& node)
 void PartVisitor::apply(osg::Drawable& drawable)
 {
     const Scope scope(*this, elsewhere_ ? place_ : names_.inside(drawable, place_));
-    if (isDrawn()) CullVisitor::apply(drawable);
+    osgUtil::StateGraph* blended = passesOf(place_.part)->blended;
+    if (blended && isBlended(drawable)) {
+        if (pass_ > 0) return;
+        const Scope inBlended(*this, place_);
+        goBelow({blended, own_.passes.front().bin}, true);
+        CullVisitor::apply(drawable);
+    } else if (isDrawn()) {
+        CullVisitor::apply(drawable);
+    }
 }
 
 void PartVisitor::apply(osg::Billboard& node)

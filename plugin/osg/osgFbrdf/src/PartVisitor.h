@@ -21,7 +21,11 @@ struct PartPass {
     osgUtil::StateGraph* graph = nullptr;
     osgUtil::RenderBin* bin = nullptr;
 };
-using PartPasses = std::vector<PartPass>;
+struct PartPasses {
+    std::vector<PartPass> passes;
+    /// What is blended is culled below it, into bins of its own; null: it is drawn as the rest.
+    osgUtil::StateGraph* blended = nullptr;
+};
 
 class PartVisitor : public osgUtil::CullVisitor {
 public:
@@ -62,6 +66,9 @@ private:
     /// False where the part has no pass of this number.
     bool isDrawn() const;
     void enter(int part);
+    /// Goes below the root, with the state of the model that is above the node.
+    void goBelow(const PartPass& root, bool keepsBins);
+    bool isBlended(const osg::Drawable& drawable) const;
 
     osgUtil::CullVisitor& view_;
     const PartNames& names_;

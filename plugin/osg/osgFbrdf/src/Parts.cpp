@@ -94,9 +94,16 @@ void FactorizedBrdf::cullParts(osgUtil::CullVisitor& visitor)
         if (!isNew) return &entry->second;
         PartPasses& found = entry->second;
         const NestedBin bin(visitor, static_cast<int>(passes.size()));
-        effect.cullAs(visitor, *this, [&] {
-            found.push_back({visitor.getCurrentStateGraph(), visitor.getCurrentRenderBin()});
-        });
+        const std::function<void()> blended = [&] {
+            found.blended = visitor.getCurrentStateGraph();
+        };
+        effect.cullAs(
+            visitor, *this,
+            [&] {
+                found.passes.push_back(
+                    {visitor.getCurrentStateGraph(), visitor.getCurrentRenderBin()});
+            },
+            effect.getModelTextures().hasAlpha() ? blended : nullptr);
         return &found;
     };
     std::optional<NestedBin> bin(std::in_place, visitor, kEffectBin);

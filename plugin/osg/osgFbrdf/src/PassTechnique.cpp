@@ -227,6 +227,8 @@ ContextNeeds PassTechnique::needs() const
     needs.withoutSurfaces = states.plan(request(2, false, {}), {}).reason;
     const TextureUnits units = textureUnits();
     needs.textureUnits = units.needed(states.textureUnits() + (reads ? 1 : 0));
+    for (const int unit : effect_.getModelTextures().units())
+        needs.textureUnits = std::max(needs.textureUnits, unit + 1);
     needs.unitsDescription = units.description();
     needs.uniformComponents = 4 * uniformVectorsNeeded(effect_, kind_);
     return needs;
@@ -253,6 +255,7 @@ TextureUnits PassTechnique::textureUnits(const ReceivedShadows& shadows) const
 {
     std::set<int> kept = shadows.unitsTaken;
     kept.insert(effect_.getFreeTextureUnits().begin(), effect_.getFreeTextureUnits().end());
+    kept.merge(effect_.getModelTextures().units());
     return TextureUnits(effect_.getFirstTextureUnit(), std::move(kept));
 }
 
@@ -264,6 +267,8 @@ PassInputs PassTechnique::inputs(const Illumination& light) const
     inputs.preciseFiltering = effect_.getPreciseFiltering();
     inputs.hooks = light.hooks();
     inputs.listed = light.lists.valid();
+    inputs.textures = effect_.getModelTextures();
+    inputs.vertexHook = effect_.getVertexHook();
     return inputs;
 }
 
@@ -287,7 +292,11 @@ void PassTechnique::cull(const EffectCull& cull)
     DrawReport report = reportOf(cull, drawing.passes->plan, light);
     report.technique = techniqueName();
     report.passes += fog ? 1 : 0;
+    std::shared_ptr<const PlannedPasses> blended;
+    Illumination blendedLight = light;
+    if (cull.cullBlended) blended = blendedPass(blendedLight, report.whyOpaque);
     internals_.log.report(effect_, report);
+    if (blended) cullBlended(cull, *blended, blendedLight);
     cullPasses(cull, drawing, light, fog);
 }
 
@@ -404,6 +413,42 @@ PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
     return drawing;
 }
 
+std::shared_ptr<const PlannedPasses> PassTechnique::blendedPass(Illumination& light,
+                                                                std::string& whyNot) const
+{
+    const auto planned = [&] {
+        fbrdf::PlanRequest one = request(light.planned(), false, light.lobes);
+        one.technique = fbrdf::Technique::single;
+        one.maxLookups = 0;
+        one.target = fbrdf::ColourFormat::rgba8;  // in which passes do not add up
+        PassInputs inputs = this->inputs(light);
+        inputs.blended = true;
+        return effect_.getMaterial()->states()->passes(one, inputs, light.lobes.lobes.get());
+    };
+    auto pass = planned();
+    if (!pass->plan.feasible() && !light.lights.lights.empty()) {
+        light.lights = strongest(light.lights, light.bounds, lightsInOnePass(light));
+        pass = planned();
+    }
+    if (pass->plan.feasible() && pass->plan.passes.size() == 1) return pass;
+    whyNot = pass->plan.feasible() ? "found several passes, expected one" : pass->plan.reason;
+    return nullptr;
+}
+
+void PassTechnique::cullBlended(const EffectCull& cull, const PlannedPasses& pass,
+                                const Illumination& light)
+{
+    const osg::ref_ptr<ShadowPlacement> shadows = placementOf(cull, light);
+    const FrameStates frame(effect_, *cull.visitor.getProjectionMatrix(), light, nullptr,
+                            textureUnits(light.shadows), shadows);
+    const auto varying = frame.stateOf(pass.plan.passes.front());
+    cull.visitor.pushStateSet(pass.states.front());
+    cull.visitor.pushStateSet(varying);
+    cull.cullBlended();
+    cull.visitor.popStateSet();
+    cull.visitor.popStateSet();
+}
+
 void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing,
                                const Illumination& light, osg::StateSet* fog)
 {
@@ -426,7 +471,8 @@ void PassTechnique::cullPasses(const EffectCull& cull, const Drawing& drawing,
     else
         for (size_t i = 0; i < passes.size(); ++i) cullPass(i);
     const int fogBin = static_cast<int>(passes.size()) + 1;
-    if (fog) cullUnder(cull, effect_.getMaterial()->states()->fogStateOf(fogBin), fog);
+    if (fog)
+        cullUnder(cull, effect_.getMaterial()->states()->fogStateOf(fogBin, inputs(light)), fog);
 }
 
 }  // namespace osgFbrdf

@@ -57,6 +57,11 @@ private:
     /// Why it cannot be drawn; empty where it can.
     std::string reasonAgainst(const Drawing& drawing) const;
     int lightsInOnePass(const Illumination& light) const;
+    /// The only pass of what is blended, of as many of the lights as it can have; null, with a
+    /// reason, where there is none.
+    std::shared_ptr<const PlannedPasses> blendedPass(Illumination& light,
+                                                     std::string& whyNot) const;
+    void cullBlended(const EffectCull& cull, const PlannedPasses& pass, const Illumination& light);
     /// fog: of the scene, null where there is none.
     void cullPasses(const EffectCull& cull, const Drawing& drawing, const Illumination& light,
                     osg::StateSet* fog);

@@ -23,6 +23,8 @@
 // alpha is 1. Tangents matter to anisotropic materials only.
 #pragma once
 #include <osgFbrdf/MaterialObject.h>
+#include <osgFbrdf/ModelTextures.h>
+#include <osgFbrdf/VertexHook.h>
 
 #include <fbrdf/plan/Technique.h>
 #include <fbrdf/plan/Transfer.h>
@@ -68,6 +70,7 @@ struct DrawReport {
     /// there are none.
     std::string whyNoEnvironment = {};
     int environmentsLeftOut = 0;  ///< all but the first
+    std::string whyOpaque = {};   ///< why what is blended in the model is not; empty where it is
     /// What is wrong with the last area light that is not valid; empty where all are.
     std::string whyLightsInvalid = {};
     /// The most lights that any part of the picture has, where lights come from lists; else 0.
@@ -167,6 +170,16 @@ public:
     void setFloatTarget(bool isFloat);
     bool getFloatTarget() const { return floatTarget_; }
 
+    /// Textures of the model that the effect uses, by their units; none unless they are named.
+    /// Where the model then has an alpha its alpha test is kept in all passes, and what is blended,
+    /// as GL_BLEND is on below the effect, is blended over what is behind it: in one pass, in the
+    /// bin and the order that the model asks for, without fog.
+    void setModelTextures(const ModelTextures& textures);
+    const ModelTextures& getModelTextures() const { return textures_; }
+    /// Vertex code of all passes.
+    void setVertexHook(const VertexHook& hook);
+    const VertexHook& getVertexHook() const { return vertexHook_; }
+
     /// Sets a brushed metal, for osgfxbrowser.
     void setUpDemo() override;
 
@@ -189,7 +202,8 @@ private:
     void cull(osgUtil::CullVisitor& visitor);
     /// Culls the model, which may be that of another effect, with the material of this one.
     void cullAs(osgUtil::CullVisitor& visitor, const FactorizedBrdf& model,
-                const std::function<void()>& cullModel);
+                const std::function<void()>& cullModel,
+                const std::function<void()>& cullBlended = nullptr);
     void cullParts(osgUtil::CullVisitor& visitor);
     void shareEffectOf(ModelPart& part);
     void warnOfNamesWithoutPart();
@@ -198,6 +212,8 @@ private:
     void reloadWhenChanged(const osg::NodeVisitor& visitor);
 
     std::vector<ModelPart> parts_;
+    ModelTextures textures_;
+    VertexHook vertexHook_;
     std::string materialFile_;
     osg::ref_ptr<MaterialObject> material_;
     float exposure_ = 1.0f;

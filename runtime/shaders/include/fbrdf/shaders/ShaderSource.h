@@ -91,6 +91,13 @@ struct SurfaceInputs {
     ///     float fbrdfShadow(int light, vec3 position, vec3 toLight)   (or a vec3)
     /// in eye space, toLight being unit.
     std::string vertexHook = {}, shadowHook = {};
+    /// The same of the surface: the tint hook defines
+    ///     vec4 fbrdfTint()
+    /// what the terms in tintedTerms are multiplied with at the fragment (at most 1), and its
+    /// alpha; it may read fbrdfTextureCoordinate. Of lobes, the cosine is tinted with any term, and
+    /// the others where all terms are.
+    std::string tintHook = {};
+    std::vector<int> tintedTerms = {};
     /// GLSL of the host that defines what inputs_uniform.glsl does, in its place: where vertices
     /// and matrices come from under other names. "": the fields above say so.
     std::string vertexInputs = {};
