@@ -1,11 +1,13 @@
 // fbrdf-osg-knot draws a torus knot of a measured material under many lights with OpenSceneGraph.
 //   fbrdf-osg-knot [--lights N] [--area-lights] [--environment PICTURE.hdr|studio|overcast|clear]
-//                  [--shadows] MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
+//                  [--shadows] [--above PLATE.fbrdf LEFT.fbrdf RIGHT.fbrdf]
+//                  MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]
 //   fbrdf-osg-knot --model MODEL.osgt
 //   fbrdf-osg-knot --parts MODEL.osgt
 // With a second name the scene is saved instead of shown, as a scene file or as a picture. --model
 // saves the knot without a material, for osgviewer 'MODEL.osgt.[MATERIAL.fbrdf].fbrdf', and --parts
-// the knot with other things, for 'MODEL.osgt.[knot:MATERIAL.fbrdf,plate:MATERIAL.fbrdf].fbrdf'.
+// the knot with the plate and the two balls of --above, for
+// 'MODEL.osgt.[knot:MATERIAL.fbrdf,plate:MATERIAL.fbrdf].fbrdf'.
 #include "PartsModel.h"
 
 #include <osgFbrdf/AreaLights.h>
@@ -22,6 +24,7 @@
 #include <osgShadow/ViewDependentShadowMap>
 #include <osgViewer/Viewer>
 
+#include <array>
 #include <cmath>
 #include <iostream>
 
@@ -157,6 +160,20 @@ osg::ref_ptr<osg::Group> withShadows(osgFbrdf::FactorizedBrdf* effect)
     return scene;
 }
 
+/// Puts the knot above a plate with two balls, which have materials of their own; false where one
+/// cannot be read.
+bool addParts(osgFbrdf::FactorizedBrdf& effect, const std::array<std::string, 3>& files)
+{
+    effect.addChild(partsModel(knotOf()));
+    osgFbrdf::ModelTextures textures;
+    textures.tint = 0;  // the fields of the plate
+    effect.setModelTextures(textures);
+    const std::array<const char*, 3> names{"plate", "ball left", "ball right"};
+    for (size_t i = 0; i < names.size(); ++i)
+        if (!effect.setPartMaterialFile(names[i], files[i])) return false;
+    return true;
+}
+
 /// Keeps the picture that a camera has drawn.
 class Keep : public osg::Camera::DrawCallback {
 public:
@@ -169,14 +186,17 @@ public:
     osg::ref_ptr<osg::Image> picture = new osg::Image;
 };
 
-bool savePicture(osg::Node& scene, const std::string& file)
+/// raised: the plate is below, and the camera looks down at it.
+bool savePicture(osg::Node& scene, const std::string& file, bool raised)
 {
     osgViewer::Viewer viewer;
     viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     viewer.setUpViewInWindow(0, 0, 640, 480);
     viewer.setSceneData(&scene);
     viewer.getCamera()->setClearColor({0.04f, 0.04f, 0.05f, 1.0f});
-    viewer.getCamera()->setViewMatrixAsLookAt({0.0, -6.2, 1.6}, {}, {0.0, 0.0, 1.0});
+    const osg::Vec3d eye(0.0, raised ? -7.2 : -6.2, raised ? 2.0 : 1.6);
+    viewer.getCamera()->setViewMatrixAsLookAt(eye, {0.0, 0.0, raised ? -0.35 : 0.0},
+                                              {0.0, 0.0, 1.0});
     const osg::ref_ptr<Keep> keep = new Keep;
     viewer.getCamera()->setFinalDrawCallback(keep);
     for (int i = 0; i < 2; ++i) viewer.frame();
@@ -187,6 +207,7 @@ int usage()
 {
     std::cerr << "usage: fbrdf-osg-knot [--lights N] [--area-lights]\n"
                  "                      [--environment PICTURE|studio|overcast|clear] [--shadows]\n"
+                 "                      [--above PLATE.fbrdf LEFT.fbrdf RIGHT.fbrdf]\n"
                  "                      MATERIAL.fbrdf [SCENE.osgt | PICTURE.png]\n"
                  "       fbrdf-osg-knot --model MODEL.osgt\n"
                  "       fbrdf-osg-knot --parts MODEL.osgt\n";
@@ -203,6 +224,8 @@ int main(int argc, char** argv)
     // Where an environment or area lights light the knot there are no others, unless asked for.
     const bool hasAreaLights = arguments.read("--area-lights");
     const bool hasShadows = arguments.read("--shadows");
+    std::array<std::string, 3> below;
+    const bool hasParts = arguments.read("--above", below[0], below[1], below[2]);
     if (arguments.read("--environment", environment) || hasAreaLights || hasShadows) lightCount = 0;
     const bool mayBeWithout = lightCount == 0;
     arguments.read("--lights", lightCount);
@@ -219,7 +242,8 @@ int main(int argc, char** argv)
     if (!effect->setMaterialFile(argv[1])) return 3;
     effect->setTransfer(fbrdf::Transfer::toneMap);  // for a window, which shows sRGB codes
     effect->setExposure(mayBeWithout ? 1.0f : 2.5f);
-    effect->addChild(knotOf());
+    if (!hasParts) effect->addChild(knotOf());
+    if (hasParts && !addParts(*effect, below)) return 3;
     // 2. The lights, anywhere in the scene.
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     if (hasShadows)
@@ -235,7 +259,7 @@ int main(int argc, char** argv)
     }
     // 3. The scene is saved or shown.
     if (argc == 3 && osgDB::getLowerCaseFileExtension(argv[2]) == "png")
-        return savePicture(*scene, argv[2]) ? 0 : 5;
+        return savePicture(*scene, argv[2], hasParts) ? 0 : 5;
     if (argc == 3) return osgDB::writeNodeFile(*scene, argv[2]) ? 0 : 5;
     osgViewer::Viewer viewer;
     viewer.setSceneData(scene);

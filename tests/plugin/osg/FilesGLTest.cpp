@@ -104,9 +104,9 @@ TEST(Options, NameTheTexturesOfTheModel)
         osgFbrdf::applyOptions(*effect, "tintUnit=0 alphaUnit=2 normalUnit=1 tint=all").empty());
     const osgFbrdf::ModelTextures expected{0, 2, 1, true};
     EXPECT_EQ(effect->getModelTextures(), expected);
-    EXPECT_EQ(
-        osgFbrdf::applyOptions(*effect, "tintUnit=-1 alphaUnit=x normalUnit=1000 tint=some").size(),
-        4u);
+    EXPECT_EQ(osgFbrdf::applyOptions(*effect, "tintUnit=-1 alphaUnit=x normalUnit=100000 tint=some")
+                  .size(),
+              4u);
     EXPECT_EQ(effect->getModelTextures(), expected);
 }
 

@@ -1,7 +1,7 @@
 // The vertex hook that does what osgAnimation::RigTransformHardware needs: bones in twos in each attribute, as (number,
-// weight, number, weight). A number is that of a matrix in the palette.
+// weight, number, weight), where weights that are not needed are 0. A number is that of a matrix in the palette. OSG's
+// uniform nbBonesPerVertex is unsigned, which GLSL 1.20 cannot read.
 uniform mat4 matrixPalette[OSG_FBRDF_MATRICES];
-uniform int nbBonesPerVertex;
 
 vec3 osgFbrdfPosition, osgFbrdfNormal, osgFbrdfTangent;  // of the skinned vertex, so far
 
@@ -14,8 +14,8 @@ void osgFbrdfAddBone(vec2 bone, vec3 position, vec3 normal, vec3 tangent)
     osgFbrdfTangent += bone.y * (turns * tangent);
 }
 
-void osgFbrdfAddBones(vec4 bones, int first, vec3 position, vec3 normal, vec3 tangent)
+void osgFbrdfAddBones(vec4 bones, vec3 position, vec3 normal, vec3 tangent)
 {
-    if (first < nbBonesPerVertex) osgFbrdfAddBone(bones.xy, position, normal, tangent);
-    if (first + 1 < nbBonesPerVertex) osgFbrdfAddBone(bones.zw, position, normal, tangent);
+    osgFbrdfAddBone(bones.xy, position, normal, tangent);
+    osgFbrdfAddBone(bones.zw, position, normal, tangent);
 }

@@ -15,8 +15,7 @@ VertexHook skinningHook(unsigned int matrices, unsigned int attributes, unsigned
         const std::string name = "boneWeight" + std::to_string(i);
         hook.attributes[name] = firstAttribute + i;
         hook.glsl += "FBRDF_ATTRIBUTE vec4 " + name + ";\n";
-        adds += "    osgFbrdfAddBones(" + name + ", " + std::to_string(2 * i) +
-                ", position, normal, tangent.xyz);\n";
+        adds += "    osgFbrdfAddBones(" + name + ", position, normal, tangent.xyz);\n";
     }
     hook.glsl += std::string(fbrdf::osgFbrdfShader("skinning.glsl")) +
                  "\nvoid fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 "
