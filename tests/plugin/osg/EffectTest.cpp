@@ -82,6 +82,17 @@ osg::ref_ptr<osg::Group> EffectTest::scene(osgFbrdf::FactorizedBrdf* effect, osg
     return root;
 }
 
+osg::ref_ptr<osgFbrdf::FactorizedBrdf> EffectTest::effectOver(osg::Node* model,
+                                                              const Material& material)
+{
+    osg::ref_ptr<osgFbrdf::FactorizedBrdf> effect = new osgFbrdf::FactorizedBrdf;
+    effect->setFloatTarget(true);
+    effect->setPreciseFiltering(filtersCoarsely());
+    effect->setMaterial(new osgFbrdf::MaterialObject(material));
+    effect->addChild(model);
+    return effect;
+}
+
 std::vector<float> EffectTest::pictureOf(osg::Node* node, osg::Node* lights)
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;

@@ -42,6 +42,8 @@ protected:
     /// The lights come after the effect in the graph, as their order must not matter.
     osg::ref_ptr<osg::Group> scene(osgFbrdf::FactorizedBrdf* effect, osg::Node* lights);
 
+    /// An effect over a model, for a target of floats.
+    osg::ref_ptr<osgFbrdf::FactorizedBrdf> effectOver(osg::Node* model, const Material& material);
     /// The second picture of a scene of both.
     std::vector<float> pictureOf(osg::Node* node, osg::Node* lights);
 

@@ -97,19 +97,6 @@ TEST(Options, AreAllInTheDocumentation)
     }
 }
 
-TEST(Options, NameTheTexturesOfTheModel)
-{
-    osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
-    EXPECT_TRUE(
-        osgFbrdf::applyOptions(*effect, "tintUnit=0 alphaUnit=2 normalUnit=1 tint=all").empty());
-    const osgFbrdf::ModelTextures expected{0, 2, 1, true};
-    EXPECT_EQ(effect->getModelTextures(), expected);
-    EXPECT_EQ(osgFbrdf::applyOptions(*effect, "tintUnit=-1 alphaUnit=x normalUnit=100000 tint=some")
-                  .size(),
-              4u);
-    EXPECT_EQ(effect->getModelTextures(), expected);
-}
-
 TEST_F(Files, AMaterialIsAnObject)
 {
     const auto material = osgFbrdf::readMaterialObject(path("noise.fbrdf"));
@@ -372,27 +359,6 @@ TEST_P(RoundTrip, KeepsWhatAddsToTheFormat)
             EXPECT_EQ(dynamic_cast<PointLights*>(node->asGroup()->getChild(1))->getLights().size(),
                       testLights(64).size());
         }
-}
-
-TEST_P(RoundTrip, KeepsTexturesAndVertexCode)
-{
-    const auto before = scene();
-    osgFbrdf::ModelTextures textures;
-    textures.tint = 3;
-    textures.normal = 5;
-    textures.tintsAll = true;
-    const osgFbrdf::VertexHook hook{"// \"quoted\" {\nvoid f()\n{\n}\n", {{"a", 7}, {"b", 9}}};
-    auto& written = dynamic_cast<FactorizedBrdf&>(*before->getChild(0));
-    written.setModelTextures(textures);
-    written.setVertexHook(hook);
-    const std::string file = path(std::string("textures.") + GetParam());
-    ASSERT_TRUE(osgDB::writeNodeFile(*before, file));
-    const auto node = osgDB::readRefNodeFile(file);
-    ASSERT_TRUE(node && node->asGroup()->getNumChildren() == 2u);
-    const auto* effect = dynamic_cast<FactorizedBrdf*>(node->asGroup()->getChild(0));
-    ASSERT_TRUE(effect && effect->getMaterial());
-    EXPECT_EQ(effect->getModelTextures(), textures);
-    EXPECT_EQ(effect->getVertexHook(), hook);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, ::testing::Values("osgt", "osgb", "osgx"));

@@ -68,12 +68,8 @@ protected:
     osg::ref_ptr<FactorizedBrdf> effectOver(osg::Node* model, const ModelTextures& textures,
                                             const Material& material = testMaterials()[0])
     {
-        osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
-        effect->setFloatTarget(true);
-        effect->setPreciseFiltering(filtersCoarsely());
-        effect->setMaterial(new osgFbrdf::MaterialObject(material));
+        const auto effect = EffectTest::effectOver(model, material);
         effect->setModelTextures(textures);
-        effect->addChild(model);
         return effect;
     }
     std::vector<float> picture(osg::Node* node) { return pictureOf(node, lights_); }

@@ -21,16 +21,6 @@ constexpr float kMoved = 2e-3f;
 
 class Hooked : public EffectTest {
 protected:
-    osg::ref_ptr<FactorizedBrdf> effectOver(osg::Node* model,
-                                            const Material& material = testMaterials()[0])
-    {
-        osg::ref_ptr<FactorizedBrdf> effect = new FactorizedBrdf;
-        effect->setFloatTarget(true);
-        effect->setPreciseFiltering(filtersCoarsely());
-        effect->setMaterial(new osgFbrdf::MaterialObject(material));
-        effect->addChild(model);
-        return effect;
-    }
     std::vector<float> picture(FactorizedBrdf* effect, int technique)
     {
         effect->selectTechnique(technique);
@@ -77,7 +67,8 @@ TEST_F(Hooked, InstancesLookAsUnderTransforms)
         apart->addChild(place);
     }
     cubes->getOrCreateStateSet()->addUniform(uniform);
-    const auto instanced = effectOver(cubes), separate = effectOver(apart);
+    const auto instanced = effectOver(cubes, testMaterials()[0]),
+               separate = effectOver(apart, testMaterials()[0]);
     instanced->setVertexHook(
         {"#if __VERSION__ < 140\n"
          "#extension GL_ARB_draw_instanced : require\n"

@@ -3,10 +3,12 @@
 #include "DiffuseTechnique.h"
 #include "EffectInternals.h"
 #include "FogPass.h"
+#include "ForgetArrays.h"
 #include "FrameStates.h"
 #include "InheritedState.h"
 #include "NestedBin.h"
 #include "PassState.h"
+#include "SurfaceRuns.h"
 #include "Vectors.h"
 #include "ViewState.h"
 
@@ -27,54 +29,6 @@ namespace {
 // Room for all uniforms but lights, attenuations and knots: as many as the planner leaves.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
-
-/// Makes OSG dispatch the arrays of the model anew (GlObjectsInUse::arraysReleased).
-class ForgetArrays : public osgUtil::RenderBin::DrawCallback {
-public:
-    explicit ForgetArrays(EffectInternals& internals) : internals_(&internals) {}
-    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
-                            osgUtil::RenderLeaf*& previous) override
-    {
-        osg::State& state = *info.getState();
-        state.disableAllVertexArrays();
-        // State's own function of this name disables one.
-        state.getCurrentVertexArrayState()->disableVertexAttribArrayAboveAndIncluding(state, 0);
-        state.unbindVertexBufferObject();
-        state.unbindElementBufferObject();
-        internals_->objects.arraysForgotten(state.getContextID());
-        bin->drawImplementation(info, previous);
-    }
-
-private:
-    osg::ref_ptr<EffectInternals> internals_;
-};
-
-bool isOffscreen(const fbrdf::Pass& pass)
-{
-    return pass.writes != fbrdf::Surface::target;
-}
-
-bool needsSurfaces(const fbrdf::Plan& plan)
-{
-    return std::any_of(plan.passes.begin(), plan.passes.end(), isOffscreen);
-}
-
-/// Passes in runs that write the same surface; cullPass(i) culls one.
-template <class CullPass>
-void cullRuns(osgUtil::CullVisitor& visitor, const fbrdf::Plan& plan, Surfaces& surfaces,
-              CullPass cullPass)
-{
-    bool cleared = false;
-    for (size_t i = 0; i < plan.passes.size();) {
-        const fbrdf::Surface writes = plan.passes[i].writes;
-        NestedBin run(visitor, static_cast<int>(i) + 1);
-        if (isOffscreen(plan.passes[i])) {
-            run.setDrawCallback(new SurfaceDraw(surfaces, writes, !cleared));
-            cleared = true;
-        }
-        for (; i < plan.passes.size() && plan.passes[i].writes == writes; ++i) cullPass(i);
-    }
-}
 
 int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
 {
