@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/brdf/LobeSampling.h>
+#include <fbrdf/scene/Ground.h>
 
 #include <algorithm>
 #include <cmath>

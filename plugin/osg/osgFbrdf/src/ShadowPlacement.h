@@ -5,6 +5,7 @@
 // whatever it did to the projection, every ray to that light meets the map in one point. But
 // ParallelSplitShadowMap follows osg::Light::getDirection(), wherever the light is.
 #pragma once
+#include "EffectInternals.h"
 #include "EyeLights.h"
 #include "ReceivedShadows.h"
 
@@ -18,8 +19,6 @@ class RenderStage;
 }
 
 namespace osgFbrdf {
-
-class EffectInternals;
 
 /// What shadows.glsl is told of a light: the number of its attenuation, and times this the set of
 /// its maps, one bit each.
