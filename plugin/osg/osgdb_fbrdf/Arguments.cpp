@@ -61,6 +61,16 @@ bool setTransfer(FactorizedBrdf& effect, const std::string& name)
     return found != kTransfers.end();
 }
 
+bool setAccumulation(FactorizedBrdf& effect, const std::string& name)
+{
+    for (const auto format : kAccumulationFormats) {
+        if (name != fbrdf::colourFormatName(format)) continue;
+        effect.setAccumulation(format);
+        return true;
+    }
+    return false;
+}
+
 /// True for a whole number not below `least`.
 bool integer(const std::string& text, int least, int& value)
 {
@@ -113,6 +123,7 @@ bool applyOption(FactorizedBrdf& effect, const std::string& name, const std::str
     int number = 0;
     if (name == "technique") return setTechnique(effect, text);
     if (name == "transfer") return setTransfer(effect, text);
+    if (name == "accumulation") return setAccumulation(effect, text);
     if (name == "exposure") {
         double value = 0.0;
         if (!fbrdf::parseNumber(text, value) || !(value >= 0.0)) return false;
@@ -234,6 +245,8 @@ std::vector<OptionText> optionTexts()
             {"freeTextureUnits=<n>-<n>,...",
              "Units that the maps leave to others, such as 11-14; default none"},
             {"floatTarget=0|1", "1 where the colour buffer is RGBA32F; default 0"},
+            {"accumulation=RGBA32F|RGBA16F|RGBA8",
+             "The format of surfaces in which passes add up; default RGBA32F"},
             {"derivedTangents=0|1", "1 derives tangents along texture coordinate s; default 0"},
             {"preciseFiltering=0|1", "1 filters maps in the shader, finer than a GPU; default 0"},
             {"transfer=linear|srgb|tone-map", "What is stored of the radiance; default linear"},

@@ -68,9 +68,9 @@ bool writeMaterialFile(osgDB::OutputStream& stream, const FactorizedBrdf& effect
 
 // Binary files have all properties in a fixed order, so a property that is added later must belong
 // to a later format. Format 2 has materials in the scene itself, format 3 PreciseFiltering, format
-// 4 FreeTextureUnits, format 5 Parts, format 6 ModelTextures and VertexHook.
+// 4 FreeTextureUnits, format 5 Parts, format 6 ModelTextures and VertexHook, format 7 Accumulation.
 constexpr int kEmbeddingFormat = 2, kPreciseFormat = 3, kFreeUnitsFormat = 4, kPartsFormat = 5,
-              kFormat = 6;
+              kTexturesFormat = 6, kFormat = 7;
 
 thread_local int formatBeingRead = 0;  ///< of the effect whose properties are read
 
@@ -112,7 +112,8 @@ bool hasVertexHook(const FactorizedBrdf& effect)
 /// they lose something.
 int formatOf(const FactorizedBrdf& effect)
 {
-    if (hasModelTextures(effect) || hasVertexHook(effect)) return kFormat;
+    if (effect.getAccumulation() != fbrdf::ColourFormat::rgba32f) return kFormat;
+    if (hasModelTextures(effect) || hasVertexHook(effect)) return kTexturesFormat;
     if (hasParts(effect)) return kPartsFormat;
     if (!effect.getFreeTextureUnits().empty()) return kFreeUnitsFormat;
     if (effect.getPreciseFiltering()) return kPreciseFormat;
@@ -281,8 +282,34 @@ bool writeVertexHook(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
     return true;
 }
 
-// A technique that the runtime gets later must not take this number, which is in scene files: it
-// needs a table from numbers of files to indices.
+bool checkAccumulation(const FactorizedBrdf& effect)
+{
+    return effect.getAccumulation() != fbrdf::ColourFormat::rgba32f;
+}
+
+bool readAccumulation(osgDB::InputStream& stream, FactorizedBrdf& effect)
+{
+    std::string name;
+    stream >> name;
+    for (const auto format : osgFbrdf::kAccumulationFormats)
+        if (name == fbrdf::colourFormatName(format)) {
+            effect.setAccumulation(format);
+            return true;
+        }
+    OSG_WARN << "osgFbrdf: "
+             << fbrdf::Found("accumulation '" + name + "'").expected("RGBA32F, RGBA16F or RGBA8")
+             << std::endl;
+    return true;
+}
+
+bool writeAccumulation(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
+{
+    stream << std::string(fbrdf::colourFormatName(effect.getAccumulation())) << std::endl;
+    return true;
+}
+
+// A technique that the runtime gets later must not take this number, which is in scene files:
+// it needs a table from numbers of files to indices.
 static_assert(osgFbrdf::kDiffuseFallback == 3, "scene files have this number");
 
 bool checkTechnique(const FactorizedBrdf& effect)
@@ -343,10 +370,14 @@ REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
         new FromFormat(kPartsFormat, new User("Parts", &hasParts, &readParts, &writeParts)),
         osgDB::BaseSerializer::RW_USER);
     wrapper->addSerializer(
-        new FromFormat(kFormat, new User("ModelTextures", &hasModelTextures, &readModelTextures,
-                                         &writeModelTextures)),
+        new FromFormat(kTexturesFormat, new User("ModelTextures", &hasModelTextures,
+                                                 &readModelTextures, &writeModelTextures)),
         osgDB::BaseSerializer::RW_USER);
-    wrapper->addSerializer(new FromFormat(kFormat, new User("VertexHook", &hasVertexHook,
-                                                            &readVertexHook, &writeVertexHook)),
+    wrapper->addSerializer(
+        new FromFormat(kTexturesFormat,
+                       new User("VertexHook", &hasVertexHook, &readVertexHook, &writeVertexHook)),
+        osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(new FromFormat(kFormat, new User("Accumulation", &checkAccumulation,
+                                                            &readAccumulation, &writeAccumulation)),
                            osgDB::BaseSerializer::RW_USER);
 }

@@ -128,21 +128,15 @@ TextureImage MaterialResources::imageOf(const Table& table, int index,
     return filtered(textureImage(table, c));
 }
 
-/// Filtering mixes texels, so none of its results is larger than the largest of them.
 void MaterialResources::raisePeaks(const Material& material)
 {
-    peaks_.tables.resize(material.tables.size(), 0.0);
-    peaks_.scales.resize(material.scales.size(), 0.0);
-    for (size_t i = 0; i < material.tables.size(); ++i) {
-        const Table& table = material.tables[i];
-        const auto largest =
-            static_cast<double>(*std::max_element(table.texels.begin(), table.texels.end()));
-        peaks_.tables[i] =
-            std::max(peaks_.tables[i], isLog(table.storage) ? std::exp2(largest) : largest);
-    }
-    for (size_t t = 0; t < material.scales.size(); ++t)
-        for (int c = 0; c < 3; ++c)
-            peaks_.scales[t] = std::max(peaks_.scales[t], double(material.scales[t][c]));
+    const Peaks found = peaksOf(material);
+    const auto raise = [](std::vector<double>& peaks, const std::vector<double>& values) {
+        peaks.resize(values.size(), 0.0);
+        for (size_t i = 0; i < values.size(); ++i) peaks[i] = std::max(peaks[i], values[i]);
+    };
+    raise(peaks_.tables, found.tables);
+    raise(peaks_.scales, found.scales);
 }
 
 /// The error of a product is at most the sum of its factors'; that of a sum of positive products is

@@ -11,6 +11,7 @@
 #include <fbrdf/plan/LightVectors.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace fbrdf {
@@ -205,6 +206,20 @@ Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabiliti
 }
 
 }  // namespace
+
+Peaks peaksOf(const Material& material)
+{
+    Peaks peaks;
+    for (const Table& table : material.tables) {
+        const auto largest =
+            static_cast<double>(*std::max_element(table.texels.begin(), table.texels.end()));
+        peaks.tables.push_back(std::max(0.0, isLog(table.storage) ? std::exp2(largest) : largest));
+    }
+    for (const Vec3f& scale : material.scales)
+        peaks.scales.push_back(
+            std::max(0.0, static_cast<double>(std::max({scale.x, scale.y, scale.z}))));
+    return peaks;
+}
 
 const char* filterName(Filter filter)
 {

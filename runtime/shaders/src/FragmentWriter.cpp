@@ -320,6 +320,14 @@ std::string outputLines(const FragmentContext& c)
            ");\n}\n";
 }
 
+/// Below a thousandth no sample was drawn to, as there are fewer.
+std::string readLines(const FragmentContext& c)
+{
+    const std::string texel = "FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale)";
+    if (!c.spec.resolved) return "    total *= " + texel + ".rgb;\n";
+    return "    vec4 read = " + texel + ";\n    total *= read.rgb / max(read.a, 0.001);\n";
+}
+
 std::string mainFunction(const FragmentContext& c)
 {
     std::string text = "void main()\n{\n" + tintLines(c);
@@ -327,8 +335,7 @@ std::string mainFunction(const FragmentContext& c)
         text += "    vec3 viewer = fbrdfToViewer();\n" + parameterLines(c) + surfaceLines(c) +
                 viewLines(c);
     text += c.spec.lit && !c.spec.parts.empty() ? litBody(c) : unlitBody(c);
-    if (c.spec.reads)
-        text += "    total *= FBRDF_TEXTURE2(fbrdfRead, gl_FragCoord.xy * fbrdfReadScale).rgb;\n";
+    if (c.spec.reads) text += readLines(c);
     text += lobeLines(c);
     return text + outputLines(c);
 }

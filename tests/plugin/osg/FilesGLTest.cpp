@@ -50,7 +50,7 @@ TEST(Options, AreAppliedOrRefusedByName)
                                        "exposure=2.5 technique=two-lookup lightsPerPass=4 "
                                        "lookupsPerPass=3 firstTextureUnit=2 floatTarget=1 "
                                        "transfer=tone-map reload=1 preciseFiltering=1 "
-                                       "freeTextureUnits=0,11-13 "
+                                       "freeTextureUnits=0,11-13 accumulation=RGBA16F "
                                        "somebodyElses=1 word")
                     .empty());
     EXPECT_EQ(effect->getExposure(), 2.5f);
@@ -63,12 +63,14 @@ TEST(Options, AreAppliedOrRefusedByName)
     EXPECT_TRUE(effect->getReloading());
     EXPECT_TRUE(effect->getPreciseFiltering());
     EXPECT_EQ(effect->getFreeTextureUnits(), (std::set<int>{0, 11, 12, 13}));
+    EXPECT_EQ(effect->getAccumulation(), ColourFormat::rgba16f);
     const std::string bad =
         "exposure=-1 exposure= technique=best lightsPerPass=0 "
         "lookupsPerPass=2x firstTextureUnit=-1 floatTarget=yes "
         "transfer=gamma reload=2 preciseFiltering=on freeTextureUnits=14-11 "
-        "freeTextureUnits=-1 freeTextureUnits=1024 freeTextureUnits=3,";
-    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 14u);
+        "freeTextureUnits=-1 freeTextureUnits=1024 freeTextureUnits=3, "
+        "accumulation=RGBA16 accumulation=half";
+    EXPECT_EQ(osgFbrdf::applyOptions(*effect, bad).size(), 16u);
     EXPECT_EQ(effect->getExposure(), 2.5f);
 }
 
@@ -346,6 +348,7 @@ TEST_P(RoundTrip, KeepsWhatAddsToTheFormat)
             auto& written = dynamic_cast<FactorizedBrdf&>(*before->getChild(0));
             written.setPreciseFiltering(precise);
             if (keeps) written.setFreeTextureUnits(units);
+            if (keeps) written.setAccumulation(ColourFormat::rgba8);
             const std::string file = path(std::string("precise.") + GetParam());
             ASSERT_TRUE(osgDB::writeNodeFile(*before, file));
             const auto node = osgDB::readRefNodeFile(file);
@@ -355,6 +358,8 @@ TEST_P(RoundTrip, KeepsWhatAddsToTheFormat)
             ASSERT_TRUE(effect && effect->getMaterial());
             EXPECT_EQ(effect->getPreciseFiltering(), precise);
             EXPECT_EQ(effect->getFreeTextureUnits(), keeps ? units : std::set<int>());
+            EXPECT_EQ(effect->getAccumulation(),
+                      keeps ? ColourFormat::rgba8 : ColourFormat::rgba32f);
             EXPECT_TRUE(effect->getReloading());
             EXPECT_EQ(dynamic_cast<PointLights*>(node->asGroup()->getChild(1))->getLights().size(),
                       testLights(64).size());

@@ -167,6 +167,12 @@ osg::ref_ptr<osgFbrdf::PointLights> osgLights(const std::vector<Light>& lights)
     return node;
 }
 
+void haveSamples(const osg::GraphicsContext& context)
+{
+    osg::GLExtensions::Get(context.getState()->getContextID(), true)
+        ->glRenderbufferStorageMultisampleCoverageNV = nullptr;
+}
+
 double meanOf(const std::vector<float>& image, int channel)
 {
     double sum = 0.0;

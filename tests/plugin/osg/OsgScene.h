@@ -80,6 +80,10 @@ osg::ref_ptr<osgFbrdf::FactorizedBrdf> osgEffect(const Material& material,
                                                  const gl::MeshData& mesh);
 osg::ref_ptr<osgFbrdf::PointLights> osgLights(const std::vector<Light>& lights);
 
+/// Multisampled cameras have no memory where libGL has a function of an extension that the driver
+/// lacks: OSG 3.6.5 calls it. To be called when the context is current and before the first frame.
+void haveSamples(const osg::GraphicsContext& context);
+
 /// The mean of one channel over all pixels.
 double meanOf(const std::vector<float>& image, int channel);
 

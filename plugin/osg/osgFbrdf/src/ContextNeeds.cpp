@@ -1,6 +1,7 @@
 #include "ContextNeeds.h"
 
 #include "CoreProfile.h"
+#include "Surfaces.h"
 #include "VersionedProgram.h"
 
 #include <fbrdf/base/Found.h>
@@ -33,10 +34,13 @@ std::string tooFew(const std::string& what, int needed, int limit)
 
 ContextLimits limitsOf(osg::State& state)
 {
-    return {limitOf(GL_MAX_TEXTURE_IMAGE_UNITS), limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
+    return {limitOf(GL_MAX_TEXTURE_IMAGE_UNITS),
+            limitOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
             hasOsgInputs(state) ||
                 osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_shader_texture_lod"),
-            readsBuffers(state) ? limitOf(GL_MAX_TEXTURE_BUFFER_SIZE) : 0};
+            readsBuffers(state) ? limitOf(GL_MAX_TEXTURE_BUFFER_SIZE) : 0,
+            drawableFormats(state),
+            resolvesSamples(state)};
 }
 
 std::string refusalBy(const ContextLimits& context, const ContextLimits& needed)

@@ -2,6 +2,7 @@
 // contexts are asked while they draw, when the properties of the effect may already be others.
 #pragma once
 #include <fbrdf/base/Found.h>
+#include <fbrdf/plan/Plan.h>
 
 #include <osg/State>
 
@@ -10,12 +11,25 @@
 
 namespace osgFbrdf {
 
+/// Formats of surfaces that passes can add up in.
+struct SurfaceFormats {
+    bool rgba32f = false, rgba16f = false, rgba8 = false;
+    bool has(fbrdf::ColourFormat format) const
+    {
+        return format == fbrdf::ColourFormat::rgba32f   ? rgba32f
+               : format == fbrdf::ColourFormat::rgba16f ? rgba16f
+                                                        : rgba8;
+    }
+};
+
 /// What a context has, or what passes with an environment need of it.
 struct ContextLimits {
     int textureUnits = 0;
     int uniformComponents = 0;
     bool choosesLevels = false;  ///< of cube maps, in fragment shaders
     int bufferTexels = 0;  ///< of a texture that GLSL 1.40 reads from a buffer; 0: there are none
+    SurfaceFormats surfaces = {};
+    bool resolvesSamples = false;  ///< passes can add up beside a multisampled target
 };
 
 inline ContextLimits larger(const ContextLimits& a, const ContextLimits& b)
@@ -28,8 +42,13 @@ inline ContextLimits larger(const ContextLimits& a, const ContextLimits& b)
 inline ContextLimits smaller(const ContextLimits& a, const ContextLimits& b)
 {
     return {std::min(a.textureUnits, b.textureUnits),
-            std::min(a.uniformComponents, b.uniformComponents), a.choosesLevels && b.choosesLevels,
-            std::min(a.bufferTexels, b.bufferTexels)};
+            std::min(a.uniformComponents, b.uniformComponents),
+            a.choosesLevels && b.choosesLevels,
+            std::min(a.bufferTexels, b.bufferTexels),
+            SurfaceFormats{a.surfaces.rgba32f && b.surfaces.rgba32f,
+                           a.surfaces.rgba16f && b.surfaces.rgba16f,
+                           a.surfaces.rgba8 && b.surfaces.rgba8},
+            a.resolvesSamples && b.resolvesSamples};
 }
 
 /// Of the context, which is current.

@@ -101,6 +101,7 @@ void FactorizedBrdf::takeProperties(const FactorizedBrdf& other)
     textures_ = other.textures_;
     vertexHook_ = other.vertexHook_;
     transfer_ = other.transfer_;
+    accumulation_ = other.accumulation_;
     selectTechnique(other.getSelectedTechnique());
 }
 
@@ -229,6 +230,14 @@ void FactorizedBrdf::setFloatTarget(bool isFloat)
     floatTarget_ = isFloat;
     changed();
     setOfParts(&FactorizedBrdf::setFloatTarget, isFloat);
+}
+
+void FactorizedBrdf::setAccumulation(fbrdf::ColourFormat format)
+{
+    using Format = fbrdf::ColourFormat;
+    accumulation_ = format == Format::rgba16f || format == Format::rgba8 ? format : Format::rgba32f;
+    changed();
+    setOfParts(&FactorizedBrdf::setAccumulation, accumulation_);
 }
 
 /// Contexts are asked anew what they can draw, and warnings may come again.

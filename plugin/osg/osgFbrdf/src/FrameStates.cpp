@@ -105,6 +105,8 @@ osg::ref_ptr<osg::StateSet> FrameStates::stateOf(const fbrdf::Pass& pass) const
     state->addUniform(eye_);
     for (const fbrdf::Part& part : pass.parts)
         if (part.scaled) state->addUniform(scales_[static_cast<size_t>(part.term)]);
+    if (pass.gain != 1.0)
+        state->addUniform(new osg::Uniform("fbrdfGain", static_cast<float>(pass.gain)));
     if (pass.lightCount > 0) addLights(*state, pass);
     if (pass.reads) addSurface(*state, *pass.reads);
     if (!pass.lobes.isEmpty()) addLobes(*state, pass);

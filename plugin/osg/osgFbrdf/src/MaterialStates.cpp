@@ -113,7 +113,8 @@ std::string keyOf(const fbrdf::PlanRequest& request, const PassInputs& inputs)
     for (const int value :
          {static_cast<int>(request.technique), request.lights, request.lightsPerPass,
           request.maxLookups, static_cast<int>(request.target), static_cast<int>(request.offscreen),
-          static_cast<int>(request.transfer), static_cast<int>(request.signs)})
+          static_cast<int>(request.transfer), static_cast<int>(request.signs),
+          static_cast<int>(inputs.surfaces)})
         key += ',' + std::to_string(value);
     const fbrdf::LobeLight& light = request.lobeLight;
     return light.isEmpty() ? key
@@ -127,7 +128,8 @@ std::string keyOf(const fbrdf::Pass& pass, const fbrdf::ProgramSpec& spec, int b
     std::string key = keyOf(inputs) + '@' + std::to_string(bin) + 'b' +
                       std::to_string(static_cast<int>(pass.blend)) + 'd' +
                       std::to_string(static_cast<int>(pass.depth)) + (spec.reads ? 'r' : '-') +
-                      (spec.lit ? 'l' : 'u') + std::to_string(spec.lightSlots) + 'o' +
+                      (spec.gained ? "g" : "") + (spec.lit ? 'l' : 'u') +
+                      std::to_string(spec.lightSlots) + 'o' +
                       std::to_string(static_cast<int>(spec.transfer));
     for (const fbrdf::Part& part : spec.parts) {
         key += ';' + std::to_string(part.term) + (part.scaled ? "s" : "");
@@ -160,7 +162,7 @@ void bindAttributes(VersionedProgram& program, const PassInputs& inputs)
 
 }  // namespace
 
-fbrdf::Capabilities assumedCapabilities(const LightHooks& hooks)
+fbrdf::Capabilities assumedCapabilities(const LightHooks& hooks, fbrdf::ColourFormat surfaces)
 {
     fbrdf::Capabilities assumed;
     assumed.maxTextureUnits = 16;
@@ -169,14 +171,16 @@ fbrdf::Capabilities assumedCapabilities(const LightHooks& hooks)
     // of an array may fill a vector and a light has three vectors beside it.
     if (hooks.any())
         assumed.maxUniformVectors -= hooks.uniformVectors() + assumed.maxUniformVectors / 4;
-    assumed.floatTextures = assumed.textureLod = true;
-    assumed.framebufferObjects = assumed.floatTargets = true;
+    assumed.floatTextures = assumed.textureLod = assumed.framebufferObjects = true;
+    assumed.floatTargets = surfaces == fbrdf::ColourFormat::rgba32f;
+    assumed.halfTargets = assumed.floatTargets || surfaces == fbrdf::ColourFormat::rgba16f;
     return assumed;
 }
 
 MaterialStates::MaterialStates(const fbrdf::Material& material)
     : form_(material.form),
       hasSigns_(fbrdf::hasSigns(material)),
+      peaks_(fbrdf::peaksOf(material)),
       lobes_(material),
       name_(material.name.empty() ? material.form.name : material.name)
 {
@@ -327,6 +331,7 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
     auto spec = fbrdf::programSpec(
         pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.hooks), pass.lobes));
     spec.clustered = inputs.listed && pass.lit;
+    spec.resolved = spec.reads;  // the target may be multisampled (Surfaces.h)
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, bin, inputs)];
     if (state) return state;
     state = new osg::StateSet;
@@ -344,9 +349,9 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
     return state;
 }
 
-fbrdf::Plan MaterialStates::plan(const fbrdf::PlanRequest& request, const LightHooks& hooks) const
+fbrdf::Plan MaterialStates::plan(const fbrdf::PlanRequest& request, const PassInputs& inputs) const
 {
-    return fbrdf::planPasses(form_, request, assumedCapabilities(hooks));
+    return fbrdf::planPasses(form_, request, assumedCapabilities(inputs.hooks, inputs.surfaces));
 }
 
 std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanRequest& request,
@@ -355,14 +360,16 @@ std::shared_ptr<const PlannedPasses> MaterialStates::passes(const fbrdf::PlanReq
 {
     const std::string key = keyOf(request, inputs);
     const Lock lock(mutex_);
-    if (const auto known = planned_.find(key); known != planned_.end()) return known->second;
+    const auto known = planned_.find(key);
+    if (known != planned_.end() && !request.peaks) return known->second;
     const auto planned = std::make_shared<PlannedPasses>();
-    planned->plan = plan(request, inputs.hooks);
+    planned->plan = plan(request, inputs);
     for (const fbrdf::Pass& pass : planned->plan.passes) {
         planned->states.push_back(
             stateOf(pass, static_cast<int>(planned->states.size()) + 1, inputs, lobes));
         planned->needed = larger(planned->needed, neededBy(pass, inputs));
     }
+    if (request.peaks) return planned;
     if (planned_.size() >= kMostPlans) planned_.clear();
     planned_.emplace(key, planned);
     return planned;

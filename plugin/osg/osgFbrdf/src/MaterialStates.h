@@ -27,8 +27,9 @@ namespace osgFbrdf {
 
 /// What plans assume of every context (a technique's validate() asks the context): GLSL 1.20,
 /// surfaces off screen, and as many uniforms as hardware with GLSL 1.40 has, less what the hooks
-/// need.
-fbrdf::Capabilities assumedCapabilities(const LightHooks& hooks = {});
+/// need. surfaces: RGBA32F, RGBA16F or RGBA8.
+fbrdf::Capabilities assumedCapabilities(
+    const LightHooks& hooks = {}, fbrdf::ColourFormat surfaces = fbrdf::ColourFormat::rgba32f);
 
 /// What an effect decides of its passes beside the plan.
 struct PassInputs {
@@ -40,6 +41,7 @@ struct PassInputs {
     ModelTextures textures;
     VertexHook vertexHook;
     bool blended = false;  ///< blending, depth and bin are the model's: for a plan of one pass
+    fbrdf::ColourFormat surfaces = fbrdf::ColourFormat::rgba32f;  ///< their format
 };
 
 /// A plan with one state set for each pass: program, maps, blending, depth and bin (the number of
@@ -56,6 +58,7 @@ public:
 
     const fbrdf::Form& form() const { return form_; }
     bool hasSigns() const { return hasSigns_; }
+    const fbrdf::Peaks& peaks() const { return peaks_; }  ///< without lights
     int textureUnits() const { return static_cast<int>(textures_.size()); }
     /// The unit of the environment's cube map in a pass that adds lobes: after the maps and the
     /// surface that the pass reads.
@@ -75,10 +78,10 @@ public:
     }
 
     /// The plan for the request, or its reason for being none.
-    fbrdf::Plan plan(const fbrdf::PlanRequest& request, const LightHooks& hooks) const;
+    fbrdf::Plan plan(const fbrdf::PlanRequest& request, const PassInputs& inputs) const;
     /// The same with the states of its passes, from the last few that were asked for where they are
-    /// among them: most frames ask for what the frame before asked for. lobes: from lobes(), where
-    /// the request lights them.
+    /// among them: most frames ask for what the frame before asked for. Peaks change with every
+    /// light, and so do such plans. lobes: from lobes(), where the request lights them.
     std::shared_ptr<const PlannedPasses> passes(const fbrdf::PlanRequest& request,
                                                 const PassInputs& inputs,
                                                 const fbrdf::LobeTable* lobes = nullptr);
@@ -115,6 +118,7 @@ private:
 
     fbrdf::Form form_;
     bool hasSigns_ = false;
+    fbrdf::Peaks peaks_;
     LobesOfMaterial lobes_;
     std::string name_;
     std::vector<fbrdf::TableEncoding> encodings_;

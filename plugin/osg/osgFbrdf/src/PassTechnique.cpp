@@ -20,8 +20,10 @@
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace osgFbrdf {
 namespace {
@@ -29,6 +31,29 @@ namespace {
 // Room for all uniforms but lights, attenuations and knots: as many as the planner leaves.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
+
+/// The formats of surfaces in the order in which they are tried: the one that is wanted, finer ones
+/// where its error is too large, coarser ones where there are no others.
+std::array<fbrdf::ColourFormat, 3> formatsFrom(fbrdf::ColourFormat wanted)
+{
+    constexpr auto k32 = fbrdf::ColourFormat::rgba32f, k16 = fbrdf::ColourFormat::rgba16f,
+                   k8 = fbrdf::ColourFormat::rgba8;
+    if (wanted == k8) return {k8, k16, k32};
+    if (wanted == k16) return {k16, k32, k8};
+    return {k32, k16, k8};
+}
+
+/// Of the material, exposed, and of the lights; none where attenuation.glsl may raise them, or
+/// where lists have them.
+std::optional<fbrdf::Peaks> peaksOf(const FactorizedBrdf& effect, const Illumination& light)
+{
+    if (light.lists || !light.lights.attenuations.empty()) return std::nullopt;
+    fbrdf::Peaks peaks = effect.getMaterial()->states()->peaks();
+    for (double& scale : peaks.scales) scale *= static_cast<double>(effect.getExposure());
+    for (const fbrdf::Light& each : light.lights.lights)
+        peaks.lights.push_back(fbrdf::largestIrradiance(each, light.bounds));
+    return peaks;
+}
 
 int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
 {
@@ -95,6 +120,7 @@ DrawReport reportOf(const EffectCull& cull, const fbrdf::Plan& plan, const Illum
     report.longestLightList = listed ? light.lists->longest : 0;
     report.whyLightsInvalid = scene.whyInvalid;
     report.maxLookups = plan.maxLookups;
+    report.accumulation = fbrdf::colourFormatName(plan.accumulation);
     report.whyNoEnvironment = light.lobes.whyNot;
     report.environmentsLeftOut = scene.environment.leftOut;
     report.shadowMaps = static_cast<int>(light.hooks().shadows.units.size());
@@ -347,23 +373,34 @@ PassTechnique::Drawing PassTechnique::drawingOf(const EffectCull& cull,
                                                 const Illumination& light) const
 {
     MaterialStates& states = *effect_.getMaterial()->states();
-    const int count = light.planned();
-    const PassInputs inputs = this->inputs(light);
-    Drawing drawing;
+    PassInputs inputs = this->inputs(light);
     const auto passes = [&](bool offscreen) {
-        return states.passes(request(count, offscreen, light.lobes), inputs,
-                             light.lobes.lobes.get());
+        fbrdf::PlanRequest wanted = request(light.planned(), offscreen, light.lobes);
+        if (inputs.surfaces == fbrdf::ColourFormat::rgba8) wanted.peaks = peaksOf(effect_, light);
+        return states.passes(wanted, inputs, light.lobes.lobes.get());
     };
-    drawing.passes = passes(!isMultisampled(cull.visitor));
+    const ContextLimits limits = internals_.choice->limits();
+    SurfaceFormats drawable = limits.surfaces;
+    const bool multisampled = isMultisampled(cull.visitor);
+    // A mean of few samples out of many would lose most of its codes.
+    if (multisampled) drawable.rgba8 = false;
+    Drawing drawing;
+    drawing.passes = passes(!multisampled || limits.resolvesSamples);
     if (!needsSurfaces(drawing.passes->plan)) return drawing;
-    Surfaces* surfaces = cull.view.surfaces(cull.visitor);
-    if (!surfaces || !surfaces->usable()) {
-        drawing.passes = passes(false);
-        drawing.surfacesFailed = true;
-        return drawing;
+    for (const fbrdf::ColourFormat format : formatsFrom(effect_.getAccumulation())) {
+        if (!drawable.has(format)) continue;
+        inputs.surfaces = format;
+        const auto planned = passes(true);
+        if (!needsSurfaces(planned->plan) || planned->plan.surfaces != format) continue;
+        Surfaces* surfaces = cull.view.surfaces(cull.visitor, format);
+        // Where a context promised a format and refuses its size, no other is tried.
+        if (!surfaces || !surfaces->usable()) break;
+        internals_.objects.use(*surfaces);
+        return {planned, surfaces, false};
     }
-    drawing.surfaces = surfaces;
-    internals_.objects.use(*surfaces);
+    inputs.surfaces = fbrdf::ColourFormat::rgba32f;
+    drawing.passes = passes(false);
+    drawing.surfacesFailed = true;
     return drawing;
 }
 

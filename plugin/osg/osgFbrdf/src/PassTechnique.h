@@ -11,6 +11,7 @@
 #include <fbrdf/plan/Plan.h>
 
 #include <memory>
+#include <optional>
 
 namespace osgFbrdf {
 

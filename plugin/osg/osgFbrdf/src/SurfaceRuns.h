@@ -7,6 +7,7 @@
 #include <fbrdf/plan/Plan.h>
 
 #include <algorithm>
+#include <set>
 
 namespace osgFbrdf {
 
@@ -25,13 +26,13 @@ template <class CullPass>
 void cullRuns(osgUtil::CullVisitor& visitor, const fbrdf::Plan& plan, Surfaces& surfaces,
               CullPass cullPass)
 {
-    bool cleared = false;
+    std::set<fbrdf::Surface> cleared;
     for (size_t i = 0; i < plan.passes.size();) {
         const fbrdf::Surface writes = plan.passes[i].writes;
         NestedBin run(visitor, static_cast<int>(i) + 1);
         if (isOffscreen(plan.passes[i])) {
-            run.setDrawCallback(new SurfaceDraw(surfaces, writes, !cleared));
-            cleared = true;
+            const bool first = cleared.empty(), clears = cleared.insert(writes).second;
+            run.setDrawCallback(new SurfaceDraw(surfaces, writes, clears, first));
         }
         for (; i < plan.passes.size() && plan.passes[i].writes == writes; ++i) cullPass(i);
     }

@@ -8,6 +8,8 @@
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
 
+#include <OpenThreads/ScopedLock>
+
 #include <algorithm>
 
 // OpenGL 3.0 defines these, and headers of OpenGL 2 lack them.
@@ -19,13 +21,28 @@
 namespace osgFbrdf {
 namespace {
 
-osg::ref_ptr<osg::Texture2D> colourTexture(int width, int height)
+using Lock = OpenThreads::ScopedLock<OpenThreads::Mutex>;
+
+struct TexelFormat {
+    GLint internal;
+    GLenum type;
+};
+
+TexelFormat texelFormat(fbrdf::ColourFormat format)
 {
+    if (format == fbrdf::ColourFormat::rgba32f) return {GL_RGBA32F_ARB, GL_FLOAT};
+    if (format == fbrdf::ColourFormat::rgba16f) return {GL_RGBA16F_ARB, GL_HALF_FLOAT};
+    return {GL_RGBA8, GL_UNSIGNED_BYTE};
+}
+
+osg::ref_ptr<osg::Texture2D> colourTexture(int width, int height, fbrdf::ColourFormat format)
+{
+    const TexelFormat texels = texelFormat(format);
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
     texture->setTextureSize(width, height);
-    texture->setInternalFormat(GL_RGBA32F_ARB);
+    texture->setInternalFormat(texels.internal);
     texture->setSourceFormat(GL_RGBA);
-    texture->setSourceType(GL_FLOAT);
+    texture->setSourceType(texels.type);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
@@ -79,43 +96,154 @@ void clearDepth(osg::State& state)
     state.haveAppliedAttribute(osg::StateAttribute::DEPTH);
 }
 
-}  // namespace
-
-Surfaces::Surfaces(int width, int height, osg::State* state)
-    : width_(width),
-      height_(height),
-      state_(state),
-      depth_(new osg::RenderBuffer(width, height, GL_DEPTH_COMPONENT24))
+/// To 0 in all channels.
+void clearColour(osg::State& state)
 {
-    for (One& one : surfaces_) {
-        one.texture = colourTexture(width, height);
-        one.framebuffer = new osg::FrameBufferObject;
-        one.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
-                                       osg::FrameBufferAttachment(one.texture));
-        one.framebuffer->setAttachment(osg::Camera::DEPTH_BUFFER,
-                                       osg::FrameBufferAttachment(depth_));
-    }
+    state.applyMode(GL_SCISSOR_TEST, false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    state.haveAppliedAttribute(osg::StateAttribute::COLORMASK);
 }
 
-const Surfaces::One& Surfaces::one(fbrdf::Surface surface) const
+/// Samples of a pixel of what is bound, as far as their mean can be taken.
+int samplesOfTarget(osg::State& state)
+{
+    GLint samples = 0;
+    if (resolvesSamples(state)) glGetIntegerv(GL_SAMPLES, &samples);
+    return std::max(1, samples);
+}
+
+/// libGL has the function of every extension. OSG 3.6 prefers that of
+/// NV_framebuffer_multisample_coverage wherever it is, and renderbuffers then get no memory.
+void forgetMissingCoverage(osg::GLExtensions& gl)
+{
+    if (!osg::isGLExtensionSupported(gl.contextID, "GL_NV_framebuffer_multisample_coverage"))
+        gl.glRenderbufferStorageMultisampleCoverageNV = nullptr;
+}
+
+size_t indexOf(fbrdf::Surface surface)
 {
     FBRDF_ASSERT(static_cast<int>(surface), !=, static_cast<int>(fbrdf::Surface::target));
-    return surfaces_[static_cast<size_t>(surface) - 1];
+    return static_cast<size_t>(surface) - 1;
+}
+
+}  // namespace
+
+Surfaces::Surfaces(int width, int height, fbrdf::ColourFormat format, osg::State* state)
+    : width_(width), height_(height), format_(format), state_(state)
+{
+    for (auto& texture : textures_) texture = colourTexture(width, height, format);
+}
+
+osg::Texture2D* Surfaces::texture(fbrdf::Surface surface) const
+{
+    return textures_[indexOf(surface)];
+}
+
+osg::FrameBufferAttachment Surfaces::colourOf(const Buffers& buffers, size_t index) const
+{
+    return buffers.colours[index] ? osg::FrameBufferAttachment(buffers.colours[index])
+                                  : osg::FrameBufferAttachment(textures_[index]);
+}
+
+Surfaces::Buffers Surfaces::makeBuffers(int samples) const
+{
+    Buffers buffers;
+    const auto make = [&](GLenum format) {
+        return samples > 1 ? new osg::RenderBuffer(width_, height_, format, samples, samples)
+                           : new osg::RenderBuffer(width_, height_, format);
+    };
+    buffers.depth = make(GL_DEPTH_COMPONENT24);
+    for (size_t i = 0; i < textures_.size(); ++i) {
+        if (samples > 1)
+            buffers.colours[i] = make(static_cast<GLenum>(texelFormat(format_).internal));
+        buffers.framebuffers[i] = new osg::FrameBufferObject;
+        buffers.framebuffers[i]->setAttachment(osg::Camera::COLOR_BUFFER0, colourOf(buffers, i));
+        buffers.framebuffers[i]->setAttachment(osg::Camera::DEPTH_BUFFER,
+                                               osg::FrameBufferAttachment(buffers.depth));
+    }
+    return buffers;
+}
+
+const osg::FrameBufferObject& Surfaces::framebuffer(fbrdf::Surface surface, int samples)
+{
+    const Lock lock(mutex_);
+    auto known = buffers_.find(samples);
+    if (known == buffers_.end()) known = buffers_.emplace(samples, makeBuffers(samples)).first;
+    return *known->second.framebuffers[indexOf(surface)];
+}
+
+void Surfaces::attachAnew(fbrdf::Surface surface, int samples)
+{
+    const Lock lock(mutex_);
+    const Buffers& buffers = buffers_.at(samples);
+    const size_t index = indexOf(surface);
+    buffers.framebuffers[index]->setAttachment(osg::Camera::COLOR_BUFFER0,
+                                               colourOf(buffers, index));
 }
 
 void Surfaces::releaseGLObjects(osg::State* state) const
 {
-    depth_->releaseGLObjects(state);
-    for (const One& one : surfaces_) {
-        one.texture->releaseGLObjects(state);
-        one.framebuffer->releaseGLObjects(state);
+    const Lock lock(mutex_);
+    for (const auto& texture : textures_) texture->releaseGLObjects(state);
+    for (const auto& [samples, buffers] : buffers_) {
+        buffers.depth->releaseGLObjects(state);
+        for (const auto& colour : buffers.colours)
+            if (colour) colour->releaseGLObjects(state);
+        for (const auto& framebuffer : buffers.framebuffers) framebuffer->releaseGLObjects(state);
     }
 }
 
-bool SurfaceDraw::bind(osg::State& state) const
+bool resolvesSamples(osg::State& state)
 {
     const auto& gl = *state.get<osg::GLExtensions>();
-    surfaces_->framebuffer(surface_).apply(state);
+    const auto has = [&](const char* extension) {
+        return osg::isGLExtensionSupported(state.getContextID(), extension);
+    };
+    return gl.glVersion >= 3.0f || has("GL_ARB_framebuffer_object") ||
+           (has("GL_EXT_framebuffer_blit") && has("GL_EXT_framebuffer_multisample"));
+}
+
+SurfaceFormats drawableFormats(osg::State& state)
+{
+    const auto& gl = *state.get<osg::GLExtensions>();
+    if (!gl.isFrameBufferObjectSupported) return {};
+    const bool floats = gl.glVersion >= 3.0f ||
+                        osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_texture_float");
+    const BoundFramebuffers bound(gl);
+    state.unbindPixelBufferObject();
+    // OSG applies textures before it asks, so theirs is needed.
+    GLint bound2d = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound2d);
+    const auto isDrawable = [&](fbrdf::ColourFormat format) {
+        const TexelFormat texels = texelFormat(format);
+        GLuint texture = 0, framebuffer = 0;
+        glGenTextures(1, &texture);
+        glBindTexture(GL_TEXTURE_2D, texture);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexImage2D(GL_TEXTURE_2D, 0, texels.internal, 4, 4, 0, GL_RGBA, texels.type, nullptr);
+        gl.glGenFramebuffers(1, &framebuffer);
+        gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, framebuffer);
+        gl.glFramebufferTexture2D(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D,
+                                  texture, 0);
+        const bool complete =
+            gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
+        gl.glDeleteFramebuffers(1, &framebuffer);
+        glDeleteTextures(1, &texture);
+        return complete;
+    };
+    const SurfaceFormats formats{floats && isDrawable(fbrdf::ColourFormat::rgba32f),
+                                 floats && isDrawable(fbrdf::ColourFormat::rgba16f),
+                                 isDrawable(fbrdf::ColourFormat::rgba8)};
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d));
+    return formats;
+}
+
+bool SurfaceDraw::bind(osg::State& state, int samples) const
+{
+    const auto& gl = *state.get<osg::GLExtensions>();
+    surfaces_->framebuffer(surface_, samples).apply(state);
     // A texture that was made just now is bound to this unit without the state's knowledge.
     state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
     return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
@@ -129,23 +257,40 @@ void SurfaceDraw::refuse(const osgUtil::RenderBin& bin, osg::State& state) const
         state.decrementDynamicObjectCount();
 }
 
-bool SurfaceDraw::canDraw(osg::State& state) const
+bool SurfaceDraw::canDraw(osg::State& state, int samples) const
 {
-    if (bind(state)) return true;
-    surfaces_->attachAnew(surface_);
-    return bind(state);
+    if (bind(state, samples)) return true;
+    surfaces_->attachAnew(surface_, samples);
+    return bind(state, samples);
+}
+
+/// The mean of the samples becomes the texel of the surface.
+void SurfaceDraw::resolve(osg::State& state, int samples) const
+{
+    const int width = surfaces_->width(), height = surfaces_->height();
+    state.applyMode(GL_SCISSOR_TEST, false);
+    // A framebuffer that is applied for the first time is bound to both.
+    bind(state, 1);
+    surfaces_->framebuffer(surface_, samples)
+        .apply(state, osg::FrameBufferObject::READ_FRAMEBUFFER);
+    state.get<osg::GLExtensions>()->glBlitFramebuffer(0, 0, width, height, 0, 0, width, height,
+                                                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void SurfaceDraw::drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
                                      osgUtil::RenderLeaf*& previous)
 {
     osg::State& state = *info.getState();
-    const auto& gl = *state.get<osg::GLExtensions>();
+    auto& gl = *state.get<osg::GLExtensions>();
     if (!gl.isFrameBufferObjectSupported) return refuse(*bin, state);
     const BoundFramebuffers bound(gl);
-    if (!canDraw(state)) return refuse(*bin, state);
+    const int samples = samplesOfTarget(state);
+    if (samples > 1) forgetMissingCoverage(gl);
+    if (!canDraw(state, samples)) return refuse(*bin, state);
+    if (clears_ && samples > 1) clearColour(state);
     if (clearsDepth_) clearDepth(state);
     bin->drawImplementation(info, previous);
+    if (samples > 1) resolve(state, samples);
 }
 
 bool isMultisampled(osgUtil::CullVisitor& visitor)

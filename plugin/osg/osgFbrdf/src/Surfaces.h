@@ -1,11 +1,15 @@
-// Surfaces.h - the RGBA32F surfaces in which passes add up before the last factor or curve is
-// applied. They are as large as the viewport and have a depth buffer in common. All effects of a
-// view share them and draw one after another.
+// Surfaces.h - the surfaces in which passes add up before the last factor or curve is applied. They
+// are as large as the viewport and have a depth buffer in common. All effects of a view share them
+// and draw one after another.
 //
 // Passes switch framebuffer objects while the host's render stage is being drawn, and put back
 // whatever was bound. So they work in a window, in a camera that draws to a texture, and in a
-// framebuffer of the host's own.
+// framebuffer of the host's own. Where that has several samples a pixel, passes draw to buffers
+// that have as many, and the mean of the samples is what later passes read: over those that were
+// drawn to, of which alpha is the share (ProgramSpec::resolved).
 #pragma once
+#include "ContextNeeds.h"
+
 #include <fbrdf/plan/Plan.h>
 
 #include <osg/Camera>
@@ -15,8 +19,11 @@
 #include <osg/Texture2D>
 #include <osgUtil/RenderBin>
 
+#include <OpenThreads/Mutex>
+
 #include <array>
 #include <atomic>
+#include <map>
 
 namespace osgUtil {
 class CullVisitor;
@@ -30,27 +37,21 @@ class Surfaces : public osg::Referenced {
 public:
     /// For the context of `state` alone, as framebuffers are not shared between contexts; null:
     /// none is known yet.
-    Surfaces(int width, int height, osg::State* state);
-    bool fit(int width, int height, const osg::State* state) const
+    Surfaces(int width, int height, fbrdf::ColourFormat format, osg::State* state);
+    bool fit(int width, int height, fbrdf::ColourFormat format, const osg::State* state) const
     {
-        return width == width_ && height == height_ && state == state_.get();
+        return width == width_ && height == height_ && format == format_ && state == state_.get();
     }
     int width() const { return width_; }
     int height() const { return height_; }
-    /// surface: any but the target.
-    osg::Texture2D* texture(fbrdf::Surface surface) const { return one(surface).texture; }
-    const osg::FrameBufferObject& framebuffer(fbrdf::Surface surface) const
-    {
-        return *one(surface).framebuffer;
-    }
-    /// Attaches the texture of the surface again. OSG numbers framebuffers by context, but deletes
-    /// one in any context that shares objects, and the attachments are lost with it.
-    void attachAnew(fbrdf::Surface surface)
-    {
-        const One& lost = one(surface);
-        lost.framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0,
-                                        osg::FrameBufferAttachment(lost.texture));
-    }
+    /// surface: any but the target, as in what follows.
+    osg::Texture2D* texture(fbrdf::Surface surface) const;
+    /// What passes draw to where the target has so many samples: the texture of the surface where
+    /// it has one. Called while the context draws.
+    const osg::FrameBufferObject& framebuffer(fbrdf::Surface surface, int samples);
+    /// Attaches to that framebuffer again. OSG numbers framebuffers by context, but deletes one in
+    /// any context that shares objects, and the attachments are lost with it.
+    void attachAnew(fbrdf::Surface surface, int samples);
     /// Releases the objects of the context of `state`, or of all contexts where it is null. They
     /// are made anew when they are drawn to.
     void releaseGLObjects(osg::State* state) const;
@@ -61,41 +62,54 @@ protected:
     ~Surfaces() override = default;
 
 private:
-    struct One {
-        osg::ref_ptr<osg::Texture2D> texture;
-        osg::ref_ptr<osg::FrameBufferObject> framebuffer;
+    /// For one number of samples.
+    struct Buffers {
+        osg::ref_ptr<osg::RenderBuffer> depth;
+        std::array<osg::ref_ptr<osg::RenderBuffer>, 3> colours;  ///< null: the textures
+        std::array<osg::ref_ptr<osg::FrameBufferObject>, 3> framebuffers;
     };
-    const One& one(fbrdf::Surface surface) const;
+    Buffers makeBuffers(int samples) const;
+    osg::FrameBufferAttachment colourOf(const Buffers& buffers, size_t index) const;
 
     int width_, height_;
+    fbrdf::ColourFormat format_;
     osg::observer_ptr<osg::State> state_;
-    osg::ref_ptr<osg::RenderBuffer> depth_;
-    std::array<One, 3> surfaces_;
+    std::array<osg::ref_ptr<osg::Texture2D>, 3> textures_;
+    mutable OpenThreads::Mutex mutex_;  ///< guards what follows
+    std::map<int, Buffers> buffers_;    ///< by samples
     std::atomic<bool> usable_{true};
 };
+
+/// Those that the context, which is current, can draw to.
+SurfaceFormats drawableFormats(osg::State& state);
+
+/// True where the context, which is current, can take the mean of the samples of a pixel.
+bool resolvesSamples(osg::State& state);
 
 /// Draws a bin into a surface instead of the host's target.
 class SurfaceDraw : public osgUtil::RenderBin::DrawCallback {
 public:
-    SurfaceDraw(Surfaces& surfaces, fbrdf::Surface surface, bool clearsDepth)
-        : surfaces_(&surfaces), surface_(surface), clearsDepth_(clearsDepth)
+    /// clears: the surface, and its depth buffer too.
+    SurfaceDraw(Surfaces& surfaces, fbrdf::Surface surface, bool clears, bool clearsDepth)
+        : surfaces_(&surfaces), surface_(surface), clears_(clears), clearsDepth_(clearsDepth)
     {
     }
     void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& info,
                             osgUtil::RenderLeaf*& previous) override;
 
 private:
-    bool canDraw(osg::State& state) const;
-    bool bind(osg::State& state) const;
+    bool canDraw(osg::State& state, int samples) const;
+    bool bind(osg::State& state, int samples) const;
+    void resolve(osg::State& state, int samples) const;
     void refuse(const osgUtil::RenderBin& bin, osg::State& state) const;
 
     osg::ref_ptr<Surfaces> surfaces_;
     fbrdf::Surface surface_;
-    bool clearsDepth_;
+    bool clears_, clearsDepth_;
 };
 
-/// True where pixels of the target have several samples: surfaces have one, and would lack what the
-/// others show at edges. False for a window that the host made, of which only the host knows.
+/// True where pixels of the target have several samples. False for a window that the host made, of
+/// which only OpenGL knows while it draws.
 bool isMultisampled(osgUtil::CullVisitor& visitor);
 
 }  // namespace osgFbrdf

@@ -61,7 +61,8 @@ ContextLimits TechniqueChoice::limits() const
     constexpr int kUnlimited = std::numeric_limits<int>::max();
     const Lock lock(mutex_);
     // Nobody knows of buffer textures before a context was asked.
-    ContextLimits limits{kUnlimited, kUnlimited, true, answers_.empty() ? 0 : kUnlimited};
+    ContextLimits limits{kUnlimited,         kUnlimited, true, answers_.empty() ? 0 : kUnlimited,
+                         {true, true, true}, true};
     for (const auto& answer : answers_) limits = smaller(limits, answer.second.limits);
     return limits;
 }

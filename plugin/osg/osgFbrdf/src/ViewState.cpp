@@ -12,7 +12,8 @@ namespace {
 
 constexpr const char* kKey = "osgFbrdf::ViewState";
 
-// Enough for the main window and for cameras within the view that have other sizes.
+// Enough for the main window and for cameras within the view that have other sizes, or effects that
+// have other formats.
 constexpr size_t kMostSurfaces = 4;
 
 struct Size {
@@ -67,18 +68,20 @@ const LightLists* ViewState::lightLists(osgUtil::CullVisitor& visitor, const osg
     return listMaker_.listsOf(lights_, toEye, *visitor.getProjectionMatrix(), *viewport);
 }
 
-Surfaces* ViewState::surfaces(osgUtil::CullVisitor& visitor)
+Surfaces* ViewState::surfaces(osgUtil::CullVisitor& visitor, fbrdf::ColourFormat format)
 {
     const osg::Viewport* viewport = visitor.getViewport();
     if (!viewport) return nullptr;
     const auto [width, height] = extentOf(*viewport);
     if (width < 1 || height < 1) return nullptr;
-    const auto found = std::find_if(surfaces_.begin(), surfaces_.end(),
-                                    [&, width = width, height = height](const auto& surfaces) {
-                                        return surfaces->fit(width, height, visitor.getState());
-                                    });
+    const auto found =
+        std::find_if(surfaces_.begin(), surfaces_.end(),
+                     [&, width = width, height = height](const auto& surfaces) {
+                         return surfaces->fit(width, height, format, visitor.getState());
+                     });
     const osg::ref_ptr<Surfaces> surfaces =
-        found == surfaces_.end() ? new Surfaces(width, height, visitor.getState()) : found->get();
+        found == surfaces_.end() ? new Surfaces(width, height, format, visitor.getState())
+                                 : found->get();
     if (found != surfaces_.end()) surfaces_.erase(found);
     surfaces_.insert(surfaces_.begin(), surfaces);
     if (surfaces_.size() > kMostSurfaces) surfaces_.pop_back();

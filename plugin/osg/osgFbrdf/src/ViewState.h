@@ -9,6 +9,8 @@
 #pragma once
 #include "LightLists.h"
 
+#include <fbrdf/plan/Plan.h>
+
 #include <osg/Object>
 
 #include <vector>
@@ -39,7 +41,7 @@ public:
 
     /// Surfaces as large as the viewport of the visitor, for its context; null where the visitor
     /// has no viewport.
-    Surfaces* surfaces(osgUtil::CullVisitor& visitor);
+    Surfaces* surfaces(osgUtil::CullVisitor& visitor, fbrdf::ColourFormat format);
 
     /// -1, -2, ... within a frame: bins of effects that draw to surfaces. All effects share the
     /// surfaces, so each effect is drawn as a whole, before those that need no surface.

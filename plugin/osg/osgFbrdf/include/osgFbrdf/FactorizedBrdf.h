@@ -26,12 +26,14 @@
 #include <osgFbrdf/ModelTextures.h>
 #include <osgFbrdf/VertexHook.h>
 
+#include <fbrdf/plan/Plan.h>
 #include <fbrdf/plan/Technique.h>
 #include <fbrdf/plan/Transfer.h>
 
 #include <osgDB/Options>
 #include <osgFX/Effect>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <set>
@@ -56,6 +58,10 @@ enum TechniqueIndex {
     kDiffuseFallback = fbrdf::kTechniqueCount,  ///< after all techniques of the runtime
 };
 
+/// Formats that setAccumulation() takes.
+constexpr std::array<fbrdf::ColourFormat, 3> kAccumulationFormats{
+    fbrdf::ColourFormat::rgba32f, fbrdf::ColourFormat::rgba16f, fbrdf::ColourFormat::rgba8};
+
 /// What the last cull of an effect did.
 struct DrawReport {
     /// techniqueName() of what was drawn; "nothing" in a core profile without OSG's inputs.
@@ -78,6 +84,7 @@ struct DrawReport {
     int shadowMaps = 0;  ///< maps of osgShadow in which passes look for shadows
     /// Why shadows of the scene do not fall on the effect; empty where they do, or there are none.
     std::string whyNoShadows = {};
+    std::string accumulation = {};  ///< format in which the lights added up, "RGBA32F"
 };
 
 struct ContextNeeds;
@@ -165,10 +172,15 @@ public:
     void setPreciseFiltering(bool precise);
     bool getPreciseFiltering() const { return preciseFiltering_; }
     /// True when the colour buffer is RGBA32F: then passes add up in it. In others (a window's)
-    /// they add up in an RGBA32F surface; where the target is multisampled such plans are refused,
-    /// with the reason.
+    /// they add up in a surface.
     void setFloatTarget(bool isFloat);
     bool getFloatTarget() const { return floatTarget_; }
+    /// The format of surfaces in which passes add up: rgba32f (the default); rgba16f, half as
+    /// large; rgba8, a quarter, in which sums are scaled so that none exceeds 1. A finer one is
+    /// taken where the error of a sum would be more than an eighth, or has no bound; a coarser one
+    /// where the context has no other. Other formats count as rgba32f.
+    void setAccumulation(fbrdf::ColourFormat format);
+    fbrdf::ColourFormat getAccumulation() const { return accumulation_; }
 
     /// Textures of the model that the effect uses, by their units; none unless they are named.
     /// Where the model then has an alpha its alpha test is kept in all passes, and what is blended,
@@ -222,6 +234,7 @@ private:
     bool floatTarget_ = false, derivedTangents_ = false, preciseFiltering_ = false,
          reloading_ = false;
     fbrdf::Transfer transfer_ = fbrdf::Transfer::linear;
+    fbrdf::ColourFormat accumulation_ = fbrdf::ColourFormat::rgba32f;
     std::unique_ptr<FileWatch> watch_;
     osg::ref_ptr<EffectInternals> internals_;
 };

@@ -14,6 +14,7 @@
 // light counts once for each light of the pass; tables in uniforms cost none.
 #pragma once
 #include <fbrdf/brdf/Form.h>
+#include <fbrdf/brdf/Material.h>
 #include <fbrdf/plan/Capabilities.h>
 #include <fbrdf/plan/Lobes.h>
 #include <fbrdf/plan/Technique.h>
@@ -69,6 +70,10 @@ struct Peaks {
     std::vector<double> scales;  ///< scale of each term
     std::vector<double> lights;  ///< irradiance of each light on the object
 };
+
+/// Those of a material, without lights. Filtering mixes texels, so nothing that is looked up is
+/// larger.
+Peaks peaksOf(const Material& material);
 
 /// What mixes the texels of a look-up: the texture unit, or the shader from single texels
 /// (MaterialOptions::precise), whose filtering is as fine as floats.

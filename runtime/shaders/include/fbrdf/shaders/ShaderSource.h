@@ -64,6 +64,9 @@ struct ProgramSpec {
     bool areaLists = false;
     /// Lights come from the function of HostLights.
     bool hosted = false;
+    /// What is read may be the mean of several samples that were cleared to 0 before: its alpha is
+    /// the share of them that was drawn to. 1 changes nothing.
+    bool resolved = false;
 };
 
 /// The program of a pass. lightSlots is the number of lights rounded up to 1, 8, 64, ..., at most
