@@ -1,5 +1,6 @@
 #include "LightEditor.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace fbrdf::viewer {
@@ -11,10 +12,14 @@ constexpr double kStep = 0.1;         // of a key, in radii of the objects
 
 }  // namespace
 
-/// -1 where there is no such light any more.
+/// -1 where there is no such light any more: in the world, or in the document, which the world
+/// follows once a frame while keys and drops may come in between.
 int LightEditor::selected() const
 {
-    return state_.light < static_cast<int>(world_.lights.size()) ? state_.light : -1;
+    const scene::SceneLights& lights = state_.document.lights;
+    const auto inDocument = lights.made > 0 ? static_cast<size_t>(lights.made) : lights.list.size();
+    const size_t count = std::min(world_.lights.size(), inDocument);
+    return state_.light < static_cast<int>(count) ? state_.light : -1;
 }
 
 /// The lights of the document as a list; those that are made become one.

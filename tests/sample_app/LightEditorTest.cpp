@@ -155,5 +155,31 @@ TEST_F(LightsOfAWindow, ASelectionThatIsGoneIsNone)
     EXPECT_EQ(state_.document.lights.made, 1);
 }
 
+// A file is dropped, and a key is pressed before the next frame: the world still has the lights of
+// before.
+TEST_F(LightsOfAWindow, KeysBeforeTheWorldHasFollowedDoNothingToLightsThatAreGone)
+{
+    for (int i = 0; i < 3; ++i) {
+        state_.lightWishes.add = 0;
+        wish();
+    }
+    state_.light = 2;
+    const scene::SceneLights one{0, 1, {{state_.document.lights.list.lights[0]}, {}}};
+    for (const bool removes : {true, false}) {
+        state_.document.lights = one;
+        state_.light = 2;
+        state_.lightWishes.remove = removes;
+        if (!removes) state_.lightWishes.push = Vec3d(1.0, 0.0, 0.0);
+        editor_.follow();
+        editor_.drag({100.0, 100.0});
+        EXPECT_EQ(state_.document.lights.list.size(), 1u);
+    }
+    follow();
+    state_.light = 0;
+    state_.lightWishes.remove = true;
+    wish();
+    EXPECT_EQ(world_.lights.size(), 0u);
+}
+
 }  // namespace
 }  // namespace fbrdf::viewer
