@@ -19,6 +19,21 @@ endif()
 add_library(fbrdf_ogre INTERFACE)
 target_include_directories(fbrdf_ogre SYSTEM INTERFACE ${OGRE_INCLUDE_DIRS})
 target_link_libraries(fbrdf_ogre INTERFACE OgreMain OgreRTShaderSystem)
+# Newer releases of OGRE 14 hand the factories of lighting stages a ScriptProperty instead of the nodes of a script.
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_LIBRARIES fbrdf_ogre)
+check_cxx_source_compiles("
+  #include <OgreShaderSubRenderState.h>
+  using namespace Ogre;
+  using namespace Ogre::RTShader;
+  struct Factory : SubRenderStateFactory {
+    SubRenderState* createInstance(const ScriptProperty&, Pass*, SGScriptTranslator*) override;
+  };
+  int main() { return 0; }" FBRDF_OGRE_SCRIPT_PROPERTY)
+unset(CMAKE_REQUIRED_LIBRARIES)
+if(FBRDF_OGRE_SCRIPT_PROPERTY)
+  target_compile_definitions(fbrdf_ogre INTERFACE FBRDF_OGRE_SCRIPT_PROPERTY)
+endif()
 # For tests and the example, which start OGRE without its plugins.cfg and resources.cfg.
 set_property(GLOBAL PROPERTY FBRDF_OGRE_MEDIA_DIR ${OGRE_MEDIA_DIR})
 set_property(GLOBAL PROPERTY FBRDF_OGRE_PLUGIN_DIR ${OGRE_PLUGIN_DIR})

@@ -18,6 +18,21 @@ bool setOptions(Ogre::RTShader::SubRenderState& state, const Ogre::StringVector&
     return areTaken;
 }
 
+#ifdef FBRDF_OGRE_SCRIPT_PROPERTY
+
+Ogre::RTShader::SubRenderState* BrdfStateFactory::createInstance(
+    const ScriptProperty& property, Ogre::Pass*, Ogre::RTShader::SGScriptTranslator* translator)
+{
+    if (property.name != kScriptWord) return nullptr;
+    Ogre::StringVector words{"material"};
+    words.insert(words.end(), property.values.begin(), property.values.end());
+    auto* state = createOrRetrieveInstance(translator);
+    if (!setOptions(*state, words)) translator->emitError();
+    return state;
+}
+
+#else
+
 Ogre::RTShader::SubRenderState* BrdfStateFactory::createInstance(
     Ogre::ScriptCompiler* compiler, Ogre::PropertyAbstractNode* property, Ogre::Pass*,
     Ogre::RTShader::SGScriptTranslator* translator)
@@ -34,6 +49,8 @@ Ogre::RTShader::SubRenderState* BrdfStateFactory::createInstance(
                            static_cast<int>(property->line));
     return state;
 }
+
+#endif
 
 void BrdfStateFactory::writeInstance(Ogre::MaterialSerializer* serializer,
                                      Ogre::RTShader::SubRenderState* state, Ogre::Pass*,

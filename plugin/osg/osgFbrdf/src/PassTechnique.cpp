@@ -1,5 +1,7 @@
 #include "PassTechnique.h"
 
+#include "Accumulation.h"
+#include "BoundsInEye.h"
 #include "DiffuseTechnique.h"
 #include "EffectInternals.h"
 #include "FogPass.h"
@@ -14,14 +16,13 @@
 
 #include <osgFbrdf/FactorizedBrdf.h>
 
+#include <fbrdf/base/Found.h>
 #include <fbrdf/plan/LightVectors.h>
 
 #include <osg/GLExtensions>
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -31,29 +32,6 @@ namespace {
 // Room for all uniforms but lights, attenuations and knots: as many as the planner leaves.
 constexpr int kOtherUniformVectors = 24;
 constexpr const char* kNoSurfaces = "found no RGBA32F surface that can be drawn to: ";
-
-/// The formats of surfaces in the order in which they are tried: the one that is wanted, finer ones
-/// where its error is too large, coarser ones where there are no others.
-std::array<fbrdf::ColourFormat, 3> formatsFrom(fbrdf::ColourFormat wanted)
-{
-    constexpr auto k32 = fbrdf::ColourFormat::rgba32f, k16 = fbrdf::ColourFormat::rgba16f,
-                   k8 = fbrdf::ColourFormat::rgba8;
-    if (wanted == k8) return {k8, k16, k32};
-    if (wanted == k16) return {k16, k32, k8};
-    return {k32, k16, k8};
-}
-
-/// Of the material, exposed, and of the lights; none where attenuation.glsl may raise them, or
-/// where lists have them.
-std::optional<fbrdf::Peaks> peaksOf(const FactorizedBrdf& effect, const Illumination& light)
-{
-    if (light.lists || !light.lights.attenuations.empty()) return std::nullopt;
-    fbrdf::Peaks peaks = effect.getMaterial()->states()->peaks();
-    for (double& scale : peaks.scales) scale *= static_cast<double>(effect.getExposure());
-    for (const fbrdf::Light& each : light.lights.lights)
-        peaks.lights.push_back(fbrdf::largestIrradiance(each, light.bounds));
-    return peaks;
-}
 
 int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
 {
@@ -66,27 +44,6 @@ int uniformVectorsNeeded(const FactorizedBrdf& effect, fbrdf::Technique kind)
     for (const fbrdf::TableSpec& table : form.tables)
         if (table.uniform) vectors += fbrdf::texelCount(table.domain);
     return std::min(vectors, assumedCapabilities().maxUniformVectors);
-}
-
-/// How much longer a matrix can make a vector, at most: the square root of the largest row sum of
-/// M M^T, exact where rows are at right angles.
-double largestScale(const osg::Matrixd& matrix)
-{
-    const auto row = [&](int i) { return osg::Vec3d(matrix(i, 0), matrix(i, 1), matrix(i, 2)); };
-    double largest = 0.0;
-    for (int i = 0; i < 3; ++i)
-        largest = std::max(largest, std::abs(row(i) * row(0)) + std::abs(row(i) * row(1)) +
-                                        std::abs(row(i) * row(2)));
-    return std::sqrt(largest);
-}
-
-/// The bounds of the model, in eye coordinates.
-fbrdf::Sphere boundsInEye(const FactorizedBrdf& model, const osg::Matrixd& toEye)
-{
-    const osg::BoundingSphere& bound = model.getBound();
-    const osg::Vec3d centre = osg::Vec3d(bound.center()) * toEye;
-    const double radius = std::max(0.0, static_cast<double>(bound.radius()));
-    return {toVec3(centre), static_cast<float>(largestScale(toEye) * radius)};
 }
 
 /// Leaves out what may be why nothing can be drawn; false where nothing is left to leave out.

@@ -102,8 +102,9 @@ struct PlanRequest {
     /// pass of their own; 0: none. Technique::single without a limit of look-ups only.
     int environmentSamples = 0;
     ColourFormat target = ColourFormat::rgba32f;
-    /// Accumulation and scratch surfaces may be used. A multisampled target cannot have them: its
-    /// edges would read texels that nothing was drawn to.
+    /// Accumulation and scratch surfaces may be used. Beside a multisampled target they need as
+    /// many samples (ProgramSpec::resolved): else its edges would read texels that nothing was
+    /// drawn to.
     bool offscreen = true;
     Transfer transfer = Transfer::linear;  ///< a curve comes after the sum over all passes
     bool signs = false;                ///< hasSigns(material): no pass but the last may clamp at 0
