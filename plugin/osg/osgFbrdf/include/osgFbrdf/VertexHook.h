@@ -10,7 +10,7 @@ namespace osgFbrdf {
 ///     void fbrdfVertexHook(inout vec3 position, inout vec3 normal, inout vec4 tangent)
 /// in object space, and declares what it reads: attributes by FBRDF_ATTRIBUTE, uniforms, samplers.
 /// It is put after the version line, which is 120 or, where contexts have osg::State's inputs, 140;
-/// lines that begin with #extension come first. The fallback and cameras of shadow maps do without.
+/// its \#extension lines come first. The fallback and cameras of shadow maps do without.
 struct VertexHook {
     std::string glsl = {};                                ///< "": none
     std::map<std::string, unsigned int> attributes = {};  ///< their indices, by name

@@ -101,8 +101,8 @@ struct SurfaceInputs {
     /// the others where all terms are.
     std::string tintHook = {};
     std::vector<int> tintedTerms = {};
-    /// GLSL of the host that defines what inputs_uniform.glsl does, in its place: where vertices
-    /// and matrices come from under other names. "": the fields above say so.
+    /// GLSL of the host that defines the inputs of the vertex shader in the place of ours, where
+    /// vertices and matrices have other names (docs/porting.md). "": the fields above say so.
     std::string vertexInputs = {};
 };
 
