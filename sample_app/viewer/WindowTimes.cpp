@@ -1,10 +1,12 @@
 #include "WindowTimes.h"
 
 #include <algorithm>
+#include <charconv>
 #include <ctime>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 
 #ifdef __linux__
 #include <unistd.h>
@@ -25,16 +27,23 @@ double secondsSinceStart()
 #ifdef __linux__
     // proc(5): field 22 of stat, counted behind the name, which may contain spaces, is the start in
     // ticks since the system was.
-    constexpr std::ptrdiff_t kStartField = 19;
+    constexpr size_t kStartField = 19;
     std::ifstream file("/proc/self/stat");
     std::string line;
     std::getline(file, line);
     std::istringstream rest(line.substr(std::min(line.size(), line.rfind(')') + 2)));
     const std::vector<std::string> fields{std::istream_iterator<std::string>(rest), {}};
     timespec now = {};
-    if (std::ptrdiff_t(fields.size()) > kStartField && clock_gettime(CLOCK_BOOTTIME, &now) == 0)
+    long long ticks = 0;
+    const bool isThere =
+        fields.size() > kStartField &&
+        std::from_chars(fields[kStartField].data(),
+                        fields[kStartField].data() + fields[kStartField].size(), ticks)
+                .ec == std::errc() &&
+        clock_gettime(CLOCK_BOOTTIME, &now) == 0;
+    if (isThere)
         return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) -
-               std::stod(fields[kStartField]) / static_cast<double>(sysconf(_SC_CLK_TCK));
+               static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
 #endif
     static const auto first = std::chrono::steady_clock::now();
     return 1e-3 * milliseconds(std::chrono::steady_clock::now() - first);
