@@ -15,6 +15,7 @@ namespace {
 using Ogre::RTShader::ShaderGenerator;
 
 constexpr int kSegments = 400, kSides = 32, kMostLights = 4096;
+constexpr unsigned kWidth = 640, kHeight = 480, kSamples = 4;
 constexpr float kTube = 0.15f;
 
 struct Arguments {
@@ -128,14 +129,33 @@ void addMaterial(const std::string& file)
     generator.getRenderState(scheme, "gold", "General", 0)->addTemplateSubRenderState(state);
 }
 
+void show(Ogre::RenderTarget& target, Ogre::Camera& camera)
+{
+    Ogre::Viewport* view = target.addViewport(&camera);
+    view->setMaterialScheme(ShaderGenerator::DEFAULT_SCHEME_NAME);
+    view->setBackgroundColour(Ogre::ColourValue(0.035f, 0.035f, 0.04f));
+}
+
+/// Draws one frame with four samples a pixel into a texture: not every window has them.
+void savePicture(Ogre::Camera& camera, const std::string& file)
+{
+    const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
+        "picture", "General", Ogre::TEX_TYPE_2D, kWidth, kHeight, 0, Ogre::PF_BYTE_RGB,
+        Ogre::TU_RENDERTARGET, nullptr, false, kSamples);
+    Ogre::RenderTarget* target = texture->getBuffer()->getRenderTarget();
+    show(*target, camera);
+    target->update();
+    target->writeContentsToFile(file);
+}
+
 void run(const Arguments& arguments)
 {
     Ogre::Root root("", "", "");
     loadPlugins(root, arguments.renderSystem);
     root.setRenderSystem(root.getAvailableRenderers().front());
     root.initialise(false);
-    const Ogre::NameValuePairList window{{"FSAA", "4"}};
-    Ogre::RenderWindow* target = root.createRenderWindow("fbrdf", 640, 480, false, &window);
+    const Ogre::NameValuePairList window{{"FSAA", std::to_string(kSamples)}};
+    Ogre::RenderWindow* target = root.createRenderWindow("fbrdf", kWidth, kHeight, false, &window);
     ShaderGenerator::initialize();
     std::string name, folder;
     Ogre::StringUtil::splitFilename(arguments.material, name, folder);
@@ -152,13 +172,15 @@ void run(const Arguments& arguments)
     scene->getRootSceneNode()
         ->createChildSceneNode(Ogre::Vector3(0.0f, 0.0f, 4.5f))
         ->attachObject(camera);
-    Ogre::Viewport* view = target->addViewport(camera);
-    view->setMaterialScheme(ShaderGenerator::DEFAULT_SCHEME_NAME);
-    do {
-        root.renderOneFrame();
-        node->yaw(Ogre::Degree(0.5f));
-    } while (arguments.picture.empty());
-    target->writeContentsToFile(arguments.picture);
+    if (arguments.picture.empty()) {
+        show(*target, *camera);
+        while (!target->isClosed()) {
+            root.renderOneFrame();
+            node->yaw(Ogre::Degree(0.5f));
+        }
+    } else {
+        savePicture(*camera, arguments.picture);
+    }
     ShaderGenerator::destroy();
 }
 
