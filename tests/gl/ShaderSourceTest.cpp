@@ -142,6 +142,35 @@ TEST(ShaderSource, TakesOneExponentialATermHoweverManyFactors)
     EXPECT_EQ(count, 1u);
 }
 
+// Alpha of a resolved texel is the share of its samples that something was drawn to.
+TEST(ShaderSource, DividesByTheShareOfSamplesOnlyWhereTexelsAreResolved)
+{
+    const Form form = sumOf(formPqp(8, 0.5), formIo());
+    PlanRequest request;
+    request.technique = Technique::twoLookup;
+    request.lights = 3;
+    request.target = ColourFormat::rgba8;
+    Capabilities c;
+    c.maxUniformVectors = 4096;
+    c.framebufferObjects = c.floatTargets = true;
+    const Plan plan = planPasses(form, request, c);
+    int reading = 0;
+    for (const Pass& pass : plan.passes)
+        for (const int glsl : kGlslVersions) {
+            ProgramSpec spec = programSpec(pass, 2000);
+            const std::string plain = sourceOf(form, spec, glsl);
+            spec.resolved = true;
+            const std::string resolved = sourceOf(form, spec, glsl);
+            EXPECT_EQ(plain.find("read.a"), std::string::npos);
+            EXPECT_EQ(resolved.find("total *= read.rgb / max(read.a, 0.001);") != std::string::npos,
+                      spec.reads);
+            EXPECT_EQ(resolved == plain, !spec.reads);
+            EXPECT_EQ(countLookups(resolved, {"fbrdfRead"}).once, spec.reads ? 1 : 0);
+            reading += spec.reads ? 1 : 0;
+        }
+    EXPECT_GT(reading, 0);
+}
+
 TEST(ShaderSource, RefusesWhatDoesNotAgree)
 {
     const Form form = formPqp(8, 0.5);

@@ -7,7 +7,10 @@
 
 #include "support/gl/Scenes.h"
 
+#include <osg/GLExtensions>
 #include <osgViewer/CompositeViewer>
+
+#include <set>
 
 namespace fbrdf::test {
 namespace {
@@ -134,18 +137,128 @@ TEST_F(SharedContexts, ACameraMovesToAnotherWindowAndBack)
     EXPECT_EQ(effect_->lastReport().reason, "");
 }
 
-// Where names of framebuffers belong to a context, as in OpenGL 3, the one that OSG deletes for the
-// other may have been ours. In Mesa the names are common, so this imitates such a driver.
-TEST_F(SharedContexts, SurfacesOutliveTheirFramebuffers)
+/// Refuses to bind a name that glGenFramebuffers did not give, as OpenGL 3 demands and the driver
+/// of NVIDIA does; Mesa makes a framebuffer of any name in a compatibility context.
+class StrictNames {
+public:
+    explicit StrictNames(osg::GLExtensions& gl) : gl_(gl), real_(gl.glBindFramebuffer)
+    {
+        active = this;
+        gl_.glBindFramebuffer = bind;
+        osg::setGLExtensionFuncPtr(isFramebuffer_, "glIsFramebuffer");
+        generate_ = gl_.glGenFramebuffers;
+        gl_.glGenFramebuffers = generate;
+    }
+    ~StrictNames()
+    {
+        gl_.glBindFramebuffer = real_;
+        gl_.glGenFramebuffers = generate_;
+        active = nullptr;
+    }
+    StrictNames(const StrictNames&) = delete;
+    StrictNames& operator=(const StrictNames&) = delete;
+
+private:
+    static void GL_APIENTRY generate(GLsizei count, GLuint* names)
+    {
+        active->generate_(count, names);
+        active->fresh_.insert(names, names + count);
+    }
+    static void GL_APIENTRY bind(GLenum target, GLuint name)
+    {
+        // A fresh name is no framebuffer before it is bound for the first time.
+        const bool known = active->fresh_.erase(name) > 0 || active->isFramebuffer_(name);
+        constexpr GLenum kNoTarget = 0;  // sets an error
+        active->real_(name == 0 || known ? target : kNoTarget, name);
+    }
+
+    static inline StrictNames* active = nullptr;  // functions of GL have no user pointer
+    osg::GLExtensions& gl_;
+    decltype(osg::GLExtensions::glBindFramebuffer) real_;
+    decltype(osg::GLExtensions::glGenFramebuffers) generate_ = nullptr;
+    GLboolean(GL_APIENTRY* isFramebuffer_)(GLuint) = nullptr;
+    std::set<GLuint> fresh_;
+};
+
+/// Where names of framebuffers belong to a context, as in OpenGL 3, the one that OSG deletes for
+/// the other may have been ours. In Mesa the names are common, so this imitates such a driver.
+class LostFramebuffers : public SharedContexts {
+protected:
+    osg::GLExtensions& extensions()
+    {
+        windows_[1]->makeCurrent();
+        return *osg::GLExtensions::Get(windows_[1]->getState()->getContextID(), true);
+    }
+    /// Deletes, in the second window, all but what the windows show; returns their names.
+    std::vector<GLuint> deleteAll(const osg::GLExtensions& gl)
+    {
+        GLboolean(GL_APIENTRY * isFramebuffer)(GLuint) = nullptr;
+        osg::setGLExtensionFuncPtr(isFramebuffer, "glIsFramebuffer");
+        std::vector<GLuint> deleted;
+        for (GLuint name = 1; name < 50; ++name) {
+            if (!isFramebuffer(name) || name == windows_[0]->getDefaultFboId() ||
+                name == windows_[1]->getDefaultFboId())
+                continue;
+            gl.glDeleteFramebuffers(1, &name);
+            deleted.push_back(name);
+        }
+        EXPECT_FALSE(deleted.empty());
+        return deleted;
+    }
+    void expectTheSamePictures()
+    {
+        for (int frame = 0; frame < 2; ++frame)
+            for (size_t window = 0; window < kWindows; ++window)
+                EXPECT_TRUE(draw(window) == expected_) << "window " << window;
+        EXPECT_EQ(effect_->lastReport().reason, "");
+    }
+};
+
+TEST_F(LostFramebuffers, AreMadeAnew)
 {
+    const osg::GLExtensions& gl = extensions();
+    for (int time = 0; time < 3; ++time) {
+        windows_[1]->makeCurrent();
+        deleteAll(gl);
+        expectTheSamePictures();
+    }
+}
+
+TEST_F(LostFramebuffers, AreMadeAnewWhereADriverRefusesTheirNames)
+{
+    osg::GLExtensions& gl = extensions();
+    deleteAll(gl);
+    const StrictNames strict(gl);
+    expectTheSamePictures();
+}
+
+// The host has got the names that were ours. It takes them by binding them, as Mesa allows.
+TEST_F(LostFramebuffers, AreMadeAnewWhereTheirNamesAreAnothersByNow)
+{
+    const osg::GLExtensions& gl = extensions();
+    const std::vector<GLuint> names = deleteAll(gl);
+    std::vector<GLuint> textures(names.size());
+    glGenTextures(static_cast<GLsizei>(names.size()), textures.data());
+    glClearColor(0.25f, 0.5f, 0.75f, 1.0f);
+    for (size_t i = 0; i < names.size(); ++i) {
+        glBindTexture(GL_TEXTURE_2D, textures[i]);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, names[i]);
+        if (glGetError() != GL_NO_ERROR) GTEST_SKIP() << "the driver chooses all names by itself";
+        gl.glFramebufferTexture2D(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D,
+                                  textures[i], 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    expectTheSamePictures();
     windows_[1]->makeCurrent();
-    const auto* gl = osg::GLExtensions::Get(windows_[1]->getState()->getContextID(), true);
-    for (GLuint name = 1; name < 50; ++name)
-        if (name != windows_[0]->getDefaultFboId() && name != windows_[1]->getDefaultFboId())
-            gl->glDeleteFramebuffers(1, &name);
-    for (size_t window = 0; window < kWindows; ++window)
-        EXPECT_TRUE(draw(window) == expected_) << "window " << window;
-    EXPECT_EQ(effect_->lastReport().reason, "");
+    for (const GLuint name : names) {
+        gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, name);
+        float pixel[4] = {};
+        glReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_FLOAT, pixel);
+        EXPECT_NEAR(pixel[0], 0.25, 0.01) << "the host's framebuffer " << name;
+    }
+    glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
 }
 
 }  // namespace

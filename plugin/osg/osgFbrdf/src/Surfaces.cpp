@@ -158,12 +158,19 @@ Surfaces::Buffers Surfaces::makeBuffers(int samples) const
     for (size_t i = 0; i < textures_.size(); ++i) {
         if (samples > 1)
             buffers.colours[i] = make(static_cast<GLenum>(texelFormat(format_).internal));
-        buffers.framebuffers[i] = new osg::FrameBufferObject;
-        buffers.framebuffers[i]->setAttachment(osg::Camera::COLOR_BUFFER0, colourOf(buffers, i));
-        buffers.framebuffers[i]->setAttachment(osg::Camera::DEPTH_BUFFER,
-                                               osg::FrameBufferAttachment(buffers.depth));
+        buffers.framebuffers[i] = makeFramebuffer(buffers, i);
     }
     return buffers;
+}
+
+osg::ref_ptr<osg::FrameBufferObject> Surfaces::makeFramebuffer(const Buffers& buffers,
+                                                               size_t index) const
+{
+    osg::ref_ptr<osg::FrameBufferObject> framebuffer = new osg::FrameBufferObject;
+    framebuffer->setAttachment(osg::Camera::COLOR_BUFFER0, colourOf(buffers, index));
+    framebuffer->setAttachment(osg::Camera::DEPTH_BUFFER,
+                               osg::FrameBufferAttachment(buffers.depth));
+    return framebuffer;
 }
 
 const osg::FrameBufferObject& Surfaces::framebuffer(fbrdf::Surface surface, int samples)
@@ -174,13 +181,50 @@ const osg::FrameBufferObject& Surfaces::framebuffer(fbrdf::Surface surface, int 
     return *known->second.framebuffers[indexOf(surface)];
 }
 
-void Surfaces::attachAnew(fbrdf::Surface surface, int samples)
+void Surfaces::loadQueries()
+{
+    if (queries_.isFramebuffer) return;
+    osg::setGLExtensionFuncPtr(queries_.isFramebuffer, "glIsFramebuffer", "glIsFramebufferEXT");
+    osg::setGLExtensionFuncPtr(queries_.attachmentParameter,
+                               "glGetFramebufferAttachmentParameteriv",
+                               "glGetFramebufferAttachmentParameterivEXT");
+}
+
+/// True where the framebuffer that is bound draws to this surface.
+bool Surfaces::isAttached(const Buffers& buffers, size_t index, osg::State& state) const
+{
+    const unsigned int context = state.getContextID();
+    GLint attached = 0;
+    queries_.attachmentParameter(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT,
+                                 GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_EXT, &attached);
+    const osg::Texture::TextureObject* const texture = textures_[index]->getTextureObject(context);
+    const GLuint expected = buffers.colours[index] ? buffers.colours[index]->getObjectID(
+                                                         context, state.get<osg::GLExtensions>())
+                                                   : (texture ? texture->id() : 0);
+    return static_cast<GLuint>(attached) == expected;
+}
+
+bool Surfaces::bind(fbrdf::Surface surface, int samples, osg::State& state)
+{
+    const osg::FrameBufferObject& bound = framebuffer(surface, samples);
+    const Lock lock(mutex_);
+    loadQueries();
+    const GLuint name = bound.getHandle(state.getContextID());
+    // OpenGL 3 has an error for a name that is nobody's, and goes on drawing to what was bound.
+    if (name != 0 && !queries_.isFramebuffer(name)) return false;
+    bound.apply(state);
+    // A texture that was made just now is bound to this unit without the state's knowledge.
+    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
+    return isAttached(buffers_.at(samples), indexOf(surface), state);
+}
+
+void Surfaces::makeAnew(fbrdf::Surface surface, int samples)
 {
     const Lock lock(mutex_);
-    const Buffers& buffers = buffers_.at(samples);
-    const size_t index = indexOf(surface);
-    buffers.framebuffers[index]->setAttachment(osg::Camera::COLOR_BUFFER0,
-                                               colourOf(buffers, index));
+    Buffers& buffers = buffers_.at(samples);
+    auto& framebuffer = buffers.framebuffers[indexOf(surface)];
+    lost_.push_back(framebuffer);
+    framebuffer = makeFramebuffer(buffers, indexOf(surface));
 }
 
 void Surfaces::releaseGLObjects(osg::State* state) const
@@ -242,11 +286,9 @@ SurfaceFormats drawableFormats(osg::State& state)
 
 bool SurfaceDraw::bind(osg::State& state, int samples) const
 {
-    const auto& gl = *state.get<osg::GLExtensions>();
-    surfaces_->framebuffer(surface_, samples).apply(state);
-    // A texture that was made just now is bound to this unit without the state's knowledge.
-    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
-    return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
+    return surfaces_->bind(surface_, samples, state) &&
+           state.get<osg::GLExtensions>()->glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) ==
+               GL_FRAMEBUFFER_COMPLETE_EXT;
 }
 
 /// Draws nothing, but counts the dynamic leaves as drawn, as the viewer waits for them.
@@ -260,7 +302,7 @@ void SurfaceDraw::refuse(const osgUtil::RenderBin& bin, osg::State& state) const
 bool SurfaceDraw::canDraw(osg::State& state, int samples) const
 {
     if (bind(state, samples)) return true;
-    surfaces_->attachAnew(surface_, samples);
+    surfaces_->makeAnew(surface_, samples);
     return bind(state, samples);
 }
 

@@ -24,6 +24,7 @@
 #include <array>
 #include <atomic>
 #include <map>
+#include <vector>
 
 namespace osgUtil {
 class CullVisitor;
@@ -49,9 +50,12 @@ public:
     /// What passes draw to where the target has so many samples: the texture of the surface where
     /// it has one. Called while the context draws.
     const osg::FrameBufferObject& framebuffer(fbrdf::Surface surface, int samples);
-    /// Attaches to that framebuffer again. OSG numbers framebuffers by context, but deletes one in
-    /// any context that shares objects, and the attachments are lost with it.
-    void attachAnew(fbrdf::Surface surface, int samples);
+    /// Binds that framebuffer; false where it is lost. OSG gives contexts that share objects one
+    /// number, and deletes names of framebuffers, which belong to one context, in any of them: the
+    /// name may be nobody's by now, or another's.
+    bool bind(fbrdf::Surface surface, int samples, osg::State& state);
+    /// Replaces that framebuffer by one with a name of its own.
+    void makeAnew(fbrdf::Surface surface, int samples);
     /// Releases the objects of the context of `state`, or of all contexts where it is null. They
     /// are made anew when they are drawn to.
     void releaseGLObjects(osg::State* state) const;
@@ -68,15 +72,28 @@ private:
         std::array<osg::ref_ptr<osg::RenderBuffer>, 3> colours;  ///< null: the textures
         std::array<osg::ref_ptr<osg::FrameBufferObject>, 3> framebuffers;
     };
+    /// Functions that osg::GLExtensions lacks; null before the first use.
+    struct Queries {
+        GLboolean(GL_APIENTRY* isFramebuffer)(GLuint) = nullptr;
+        void(GL_APIENTRY* attachmentParameter)(GLenum, GLenum, GLenum, GLint*) = nullptr;
+    };
+    void loadQueries();
+    bool isAttached(const Buffers& buffers, size_t index, osg::State& state) const;
     Buffers makeBuffers(int samples) const;
+    osg::ref_ptr<osg::FrameBufferObject> makeFramebuffer(const Buffers& buffers,
+                                                         size_t index) const;
     osg::FrameBufferAttachment colourOf(const Buffers& buffers, size_t index) const;
 
     int width_, height_;
     fbrdf::ColourFormat format_;
     osg::observer_ptr<osg::State> state_;
+    Queries queries_;
     std::array<osg::ref_ptr<osg::Texture2D>, 3> textures_;
     mutable OpenThreads::Mutex mutex_;  ///< guards what follows
     std::map<int, Buffers> buffers_;    ///< by samples
+    /// Without a framebuffer of their own. OSG deletes their names once they are gone, which may be
+    /// those of others by then.
+    std::vector<osg::ref_ptr<osg::FrameBufferObject>> lost_;
     std::atomic<bool> usable_{true};
 };
 
