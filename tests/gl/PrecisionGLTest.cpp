@@ -4,10 +4,13 @@
 
 #include "support/gl/CompareImages.h"
 #include "support/gl/GlTest.h"
+#include "support/gl/Hooks.h"
 #include "support/gl/Reference.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace fbrdf::test {
 namespace {
@@ -98,6 +101,84 @@ TEST_P(Precision, IsWithinBoundsWhereSumsAreHalves)
             }
     }
     EXPECT_GT(worst, 0.2) << "a bound that nothing comes near says nothing";
+}
+
+// As on a GPU, to which small surfaces cost less; a CPU takes RGBA32F.
+TEST_P(Precision, IsWithinBoundsInWhateverFormatLightsAddUp)
+{
+    gl::RendererOptions options = rendererOptions();
+    options.capabilities = makeRenderer().capabilities();
+    options.capabilities->softwareSampling = false;
+    gl::Renderer renderer(options);
+    const gl::MeshData sphere = sphereMesh(16);
+    const auto mesh = renderer.createMesh(sphere);
+    const gl::View view = perspectiveView();
+    Offscreen floats = makeOffscreen(kSize);
+    const auto geometry = geometryBuffer(gl(), floats, sphere, glm::mat4(1.0f), view);
+    std::map<std::string, int> taken;
+    double worst = 0.0;
+    const auto drawn = [&](const Material& material, const gl::DrawOptions& drawOptions, int count,
+                           float dim, Transfer transfer) {
+        const auto gpu = renderer.createMaterial(material);
+        auto lights = testLights(count);
+        for (Light& light : lights) light.intensity *= dim / static_cast<float>(count);
+        Offscreen offscreen = makeOffscreen(kSize, OffscreenFormat::rgba8);
+        const auto stats = renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view,
+                                         {{gpu.get(), mesh.get()}}, lights, drawOptions);
+        const auto exact =
+            storedImage(referenceImage(material, geometry, lights, view), transfer, true);
+        const double part = deviationOf(offscreen.readPixels(), exact, stats.error).share;
+        EXPECT_LE(part, 1.0) << material.name << " in " << stats.accumulation << " bound "
+                             << stats.error.relative << " + " << stats.error.absolute;
+        worst = std::max(worst, part);
+        return stats;
+    };
+    for (const Form& form : {formPqp(8, 0.5), formPqpr(8, 0.5, 6)})
+        for (const Transfer transfer : {Transfer::linear, Transfer::srgb, Transfer::toneMap})
+            for (const int count : {2, 3, 40})
+                for (const float dim : {0.002f, 0.5f, 20.0f}) {
+                    const auto stats =
+                        drawn(calmMaterial(form), {Technique::twoLookup}, count, dim, transfer);
+                    ++taken[stats.accumulation];
+                    EXPECT_NE(stats.whyAccumulation.find("allowed"), std::string::npos);
+                }
+    // Halves that are cut off, as on llvmpipe, are within the tolerance of no sum.
+    for (const char* format : {"RGBA8", "RGBA16", "RGBA32F"}) EXPECT_GT(taken[format], 0) << format;
+    for (const auto asked : {ColourFormat::rgba8, ColourFormat::rgba16f, ColourFormat::rgba16,
+                             ColourFormat::rgba32f}) {
+        if (asked == ColourFormat::rgba16 && !renderer.capabilities().unorm16Targets) continue;
+        gl::DrawOptions wanted{Technique::twoLookup};
+        wanted.accumulation = asked;
+        const auto stats = drawn(calmMaterial(formPqp(8, 0.5)), wanted, 4, 0.15f, Transfer::linear);
+        EXPECT_EQ(stats.accumulation, colourFormatName(asked)) << stats.whyAccumulation;
+    }
+    EXPECT_GT(worst, 0.3) << "a bound that nothing comes near says nothing";
+}
+
+// A driver may refuse at any size what it promised.
+TEST_P(Precision, IsThatOfFloatsWhereSmallSurfacesAreRefused)
+{
+    Hooks hooks(context().loader());
+    gl::RendererOptions options = rendererOptions();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    options.capabilities = makeRenderer().capabilities();
+    options.capabilities->softwareSampling = false;
+    gl::Renderer renderer(options);
+    const auto gpu = renderer.createMaterial(calmMaterial(formPqp(8, 0.5)));
+    const auto mesh = renderer.createMesh(sphereMesh(16));
+    Offscreen offscreen = makeOffscreen(kSize, OffscreenFormat::rgba8);
+    const auto accumulation = [&] {
+        return renderer
+            .draw({offscreen.framebuffer(), offscreen.width(), offscreen.width()},
+                  perspectiveView(), {{gpu.get(), mesh.get()}}, testLights(3),
+                  {Technique::twoLookup})
+            .accumulation;
+    };
+    EXPECT_EQ(accumulation(), "RGBA16");
+    hooks.refusedFormat = GL_RGBA16;
+    offscreen = makeOffscreen(kSize + 1, OffscreenFormat::rgba8);  // for which there are none yet
+    EXPECT_EQ(accumulation(), "RGBA32F");
 }
 
 TEST_P(Precision, OfReplacedTechniquesIsThatOfWhatIsDrawn)

@@ -145,7 +145,7 @@ TEST(ShaderSource, TakesOneExponentialATermHoweverManyFactors)
 // Alpha of a resolved texel is the share of its samples that something was drawn to.
 TEST(ShaderSource, DividesByTheShareOfSamplesOnlyWhereTexelsAreResolved)
 {
-    const Form form = sumOf(formPqp(8, 0.5), formIo());
+    const Form form = formPqp(8, 0.5);
     PlanRequest request;
     request.technique = Technique::twoLookup;
     request.lights = 3;

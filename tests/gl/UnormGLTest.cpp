@@ -2,6 +2,7 @@
 // in double within the plan's bound.
 #include <gtest/gtest.h>
 
+#include "support/gl/CoarseStore.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Hooks.h"
 #include "support/gl/Reference.h"
@@ -155,6 +156,83 @@ TEST_P(Unorm, WithoutSurfacesThereIsTheOnePass)
     }));
 }
 
+class ByteStores : public Unorm {
+protected:
+    gl::RendererOptions storing(ByteStore store)
+    {
+        gl::RendererOptions options = withoutFloatTargets();
+        options.load = coarselyStoring(context().options().backend, store);
+        return options;
+    }
+    /// Steps that the plan of one pass says a byte may be off; a shader filters, and nothing else
+    /// adds to them.
+    double stepsOf(const gl::RendererOptions& options)
+    {
+        gl::Renderer renderer(options);
+        const Result drawn =
+            draw(renderer, calmMaterial(formPqp(8, 0.5)), ring(1, 0.2f), {}, Transfer::linear);
+        EXPECT_LE(drawn.share, 1.0);
+        return 255.0 * (drawn.stats.error.absolute - drawn.stats.error.maps.absolute);
+    }
+};
+
+TEST_P(ByteStores, AreMeasured)
+{
+    EXPECT_NEAR(stepsOf(storing(ByteStore::truncated)), 1.0, 0.01);
+    EXPECT_NEAR(stepsOf(storing(ByteStore::wrong)), 1.06, 0.01);
+    // Between a half and one, halves are 2^-11 apart, and no code lies in the middle of two.
+    const double viaHalves = stepsOf(storing(ByteStore::viaHalves));
+    EXPECT_GT(viaHalves, 0.52);
+    EXPECT_LT(viaHalves, 0.5 + 255.0 * 0x1p-12);
+    const std::string name = reinterpret_cast<const char*>(gl().GetString(GL_RENDERER));
+    if (name.find("llvmpipe") != std::string::npos) {
+        EXPECT_NEAR(stepsOf(withoutFloatTargets()), 0.5, 0.01);
+    }
+}
+
+TEST_P(ByteStores, ThatAHostKnowsAreNotMeasured)
+{
+    gl::RendererOptions options = storing(ByteStore::truncated);
+    options.capabilities->rounding = StoreRounding{3.0, 4.0};
+    EXPECT_NEAR(stepsOf(options), 3.0, 1e-9);
+}
+
+// The sums are within what is stated where bytes are stored coarsely; and what is true of llvmpipe
+// is not true there.
+TEST_P(ByteStores, AreWithinTheBoundOfSums)
+{
+    for (const ByteStore store : {ByteStore::truncated, ByteStore::viaHalves, ByteStore::wrong}) {
+        gl::RendererOptions believing = storing(store);
+        believing.capabilities->rounding = StoreRounding{0.5, 0.5};
+        gl::Renderer renderer(storing(store)), wrong(believing);
+        double used = 0.0, untrue = 0.0;
+        for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
+            for (const Technique technique : {Technique::single, Technique::twoLookup}) {
+                const Material material = calmMaterial(formPqp(8, 0.5));
+                const auto lights = ring(2, isCurved(transfer) ? 0.08f : 0.15f);
+                const Result drawn = draw(renderer, material, lights, {technique}, transfer);
+                EXPECT_EQ(drawn.stats.technique, technique) << drawn.stats.whyReplaced;
+                EXPECT_LE(drawn.share, 1.0) << static_cast<int>(store);
+                used = std::max(used, drawn.share);
+                untrue =
+                    std::max(untrue, draw(wrong, material, lights, {technique}, transfer).share);
+            }
+        EXPECT_GT(used, 0.4) << "a bound that nothing comes near says nothing";
+        EXPECT_GT(untrue, 1.0) << static_cast<int>(store);
+    }
+}
+
+TEST_P(ByteStores, AreWhatOpenGlGrantsWhereTheyCannotBeMeasured)
+{
+    Hooks hooks(context().loader());
+    gl::RendererOptions options = withoutFloatTargets();
+    options.load = Hooks::load;
+    options.loadUser = &hooks;
+    hooks.refuseFramebuffers = true;
+    EXPECT_NEAR(stepsOf(options), 1.0, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, ByteStores, ::testing::ValuesIn(allVariants()), variantName);
 INSTANTIATE_TEST_SUITE_P(Backends, Unorm, ::testing::ValuesIn(allVariants()), variantName);
 
 }  // namespace

@@ -18,7 +18,8 @@ TEST(Precision, GrowsByOneRoundingAPass)
         return planPasses(formHdio({4, 4, 4}), request, modern()).error;
     };
     const ErrorBound one = bound(1, ColourFormat::rgba32f);
-    EXPECT_NEAR(bound(256, ColourFormat::rgba32f).relative - one.relative, 255 * ulp, 1e-12);
+    // Blending rounds twice where OpenGL grants it, and once where the context was seen to.
+    EXPECT_NEAR(bound(256, ColourFormat::rgba32f).relative - one.relative, 2 * 255 * ulp, 1e-12);
     EXPECT_EQ(one.absolute, 0.0);
     // A sum in a float surface is rounded to the target once, however many lights there are.
     EXPECT_EQ(bound(256, ColourFormat::rgba8).absolute, 1.0 / 255.0);

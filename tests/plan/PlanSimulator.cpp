@@ -64,13 +64,27 @@ double lobesOf(const Pass& pass, const SimulatedFragment& fragment)
     return sum;
 }
 
-double stored(ColourFormat format, double value)
+bool isUnorm(ColourFormat format)
 {
-    if (format == ColourFormat::rgba8)
-        return std::round(255.0 * std::clamp(value, 0.0, 1.0)) / 255.0;
-    if (format == ColourFormat::rgba16f)
-        return double(floatFromHalf(halfFromFloat(static_cast<float>(value))));
-    return value;
+    return format == ColourFormat::rgba8 || format == ColourFormat::rgba16;
+}
+
+double halfOf(double value, Store store)
+{
+    uint16_t half = halfFromFloat(static_cast<float>(value));
+    const bool above = double(floatFromHalf(half)) > value;  // no value is negative here
+    if (store != Store::nearest && above) --half;
+    return double(floatFromHalf(half));
+}
+
+double stored(ColourFormat format, double value, Store store)
+{
+    if (format == ColourFormat::rgba16f) return halfOf(value, store);
+    if (!isUnorm(format)) return value;
+    const double steps = format == ColourFormat::rgba8 ? 255.0 : 65535.0,
+                 code = steps * std::clamp(value, 0.0, 1.0);
+    // What was stored already stays, whatever the division has rounded.
+    return (store == Store::nearest ? std::round(code) : std::floor(code + 1e-9)) / steps;
 }
 
 double blended(Blend blend, double held, double value)
@@ -135,7 +149,7 @@ double expectedValue(const Form& form, const SimulatedFragment& fragment)
 }
 
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
-                        SimulatedPixel target, ColourFormat format)
+                        SimulatedPixel target, ColourFormat format, Store store)
 {
     double surface[4] = {target.value, kStale, kStale, kStale};
     double targetDepth = target.depth, offscreenDepth = 1.0;
@@ -153,8 +167,9 @@ SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& 
             double& held = surface[static_cast<size_t>(pass.writes)];
             const ColourFormat into = pass.writes == Surface::target ? format : plan.surfaces;
             // A UNORM surface clamps what is blended as well.
-            if (into == ColourFormat::rgba8) value = std::clamp(value, 0.0, 1.0);
-            held = stored(into, blended(pass.blend, held, value));
+            if (isUnorm(into)) value = std::clamp(value, 0.0, 1.0);
+            if (store == Store::coarsest) value = stored(into, value, store);
+            held = stored(into, blended(pass.blend, held, value), store);
         }
     }
     return {surface[0], targetDepth};

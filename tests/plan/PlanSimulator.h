@@ -33,9 +33,14 @@ double simulatedScale(int term);
 /// The sum over lights and terms, and over lobes, by the definition.
 double expectedValue(const Form& form, const SimulatedFragment& fragment);
 
+/// How a context rounds what it stores: to the nearest value of the format, towards 0, or as
+/// coarsely as OpenGL grants, where blending cuts the source off too (StoreRounding).
+enum class Store { nearest, truncates, coarsest };
+
 /// Draws the fragments in the order given, once for each pass, over the content of the target. The
-/// target has a format; RGBA8 clamps and rounds to the nearest step.
+/// target has a format; UNORM clamps to [0, 1].
 SimulatedPixel simulate(const Plan& plan, const std::vector<SimulatedFragment>& fragments,
-                        SimulatedPixel target, ColourFormat format = ColourFormat::rgba32f);
+                        SimulatedPixel target, ColourFormat format = ColourFormat::rgba32f,
+                        Store store = Store::nearest);
 
 }  // namespace fbrdf

@@ -121,7 +121,8 @@ TEST(ScaledPlan, BoundsWhatItLoses)
     EXPECT_EQ(plan.accumulation, ColourFormat::rgba8);
     // Five steps for q p of five lights, scaled up, and one for p with the scale.
     const double sum = lights * 2.0 * dim * 4.0, uplift = sum * 2.0 * simulatedScale(0);
-    EXPECT_NEAR(plan.error.absolute, (lights * uplift + 1.0) / 255.0, 1e-12);
+    // The first light is written, the others are blended, with twice the rounding.
+    EXPECT_NEAR(plan.error.absolute, ((2 * lights - 1) * uplift + 1.0) / 255.0, 1e-12);
     for (size_t i = 0; i < 5; ++i) EXPECT_NEAR(plan.passes[i].gain, 1.0 / sum, 1e-12);
     EXPECT_NEAR(plan.passes.back().gain, sum, 1e-12);
 }
@@ -190,7 +191,11 @@ TEST(HalfPlan, IsNotMadeForMoreLightsThanHalvesAddUp)
     Capabilities halves = old();
     halves.halfTargets = true;
     const Form form = formPqp(4, 1.0);
-    PlanRequest request = requestOf(form, 100, 0.001);
+    PlanRequest request = requestOf(form, 60, 0.001);
+    EXPECT_EQ(planPasses(form, request, halves).accumulation, ColourFormat::rgba16f);
+    // More of them where the context rounds as finely as halves allow.
+    request = requestOf(form, 240, 0.001);
+    request.roundings.fill({0.5, 0.5});
     EXPECT_EQ(planPasses(form, request, halves).accumulation, ColourFormat::rgba16f);
     request = requestOf(form, 200, 0.001);
     const Plan none = planPasses(form, request, halves);

@@ -105,6 +105,7 @@ Capabilities detected(const Functions& gl)
     c.softwareSampling = isSoftware(gl) && has32BitTextures(gl);
     c.floatTargets = hasFloatTargets(gl);
     c.halfTargets = hasHalfTargets(gl);
+    c.unorm16Targets = gl.es == 0 && gl.version >= 30;
     c.vertexArrays = gl.has(30, 30) || gl.ARB_vertex_array_object;
     if (gl.hasArrays()) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     c.bufferTextures = gl.version >= 31;

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -33,6 +34,7 @@ struct Device {
     std::vector<uint64_t> retiredMaterials, retiredHooks;
     /// What was measured (FilterProbe.h), by type of texel and target.
     std::map<std::pair<TexelType, GLenum>, FilterPrecision> filters;
+    std::optional<StoreRoundings> roundings;  ///< what was measured (RoundingProbe.h)
     std::string whyFilterAssumed;  ///< the last reason for which nothing was measured; ""
     bool alive = true;             ///< false: the context is gone, no GL call may be made
 

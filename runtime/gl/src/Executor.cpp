@@ -1,5 +1,7 @@
 #include "Executor.h"
 
+#include "Blending.h"
+
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
@@ -56,7 +58,7 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
         const DebugGroup group(device_, "fbrdf pass " + std::to_string(i + 1) + " of " +
                                             std::to_string(plan.passes.size()));
         bindSurface(pass);
-        setBlend(pass.blend);
+        setBlend(gl_, pass.blend);
         setDepth(pass.depth);
         // All surfaces share one depth buffer, which the items before this one have left.
         if (pass.writes != Surface::target && !offscreenCleared) {
@@ -93,27 +95,6 @@ void Executor::bindSurface(const Pass& pass)
     gl_.BindFramebuffer(gl_.drawFramebuffer(), pass.writes == Surface::target
                                                    ? request_.target.framebuffer
                                                    : surfaces_->framebuffer(pass.writes));
-}
-
-// Alpha becomes 1 where the first pass draws, and later passes leave it alone.
-void Executor::setBlend(Blend blend)
-{
-    // Draw buffer 0 only: the host may blend in others.
-    if (gl_.version >= 30)
-        blend == Blend::replace ? gl_.Disablei(GL_BLEND, 0) : gl_.Enablei(GL_BLEND, 0);
-    else
-        blend == Blend::replace ? gl_.Disable(GL_BLEND) : gl_.Enable(GL_BLEND);
-    if (blend == Blend::replace) return;
-    // (GL_DST_COLOR, GL_ZERO) is Blend::multiply, source x target. (0, 1) keeps alpha in both.
-    const GLenum source = blend == Blend::add ? GL_ONE : GL_DST_COLOR,
-                 target = blend == Blend::add ? GL_ONE : GL_ZERO;
-    if (gl_.version >= 40) {
-        gl_.BlendFuncSeparatei(0, source, target, GL_ZERO, GL_ONE);
-        gl_.BlendEquationSeparatei(0, GL_FUNC_ADD, GL_FUNC_ADD);
-    } else {
-        gl_.BlendFuncSeparate(source, target, GL_ZERO, GL_ONE);
-        gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
-    }
 }
 
 void Executor::setDepth(Depth depth)

@@ -52,7 +52,6 @@ public:
 
 private:
     void bindSurface(const Pass& pass);
-    void setBlend(Blend blend);
     void setDepth(Depth depth);
     void useProgram(const Drawable& item, const Program& program);
     void setMatrices(const Drawable& item, const Program& program);

@@ -1,5 +1,7 @@
 #include "RendererState.h"
 
+#include "RoundingProbe.h"
+
 #include <fbrdf/base/Found.h>
 
 #include <algorithm>
@@ -30,6 +32,7 @@ void addPlan(DrawStats& stats, const Plan& plan)
     // Name and format go with the item of most passes; bounds are the worst of all.
     if (passes > stats.passes) {
         stats.accumulation = colourFormatName(plan.accumulation);
+        stats.whyAccumulation = plan.whyAccumulation;
         stats.technique = plan.technique;
         stats.filter = plan.filter;
     }
@@ -136,6 +139,8 @@ PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
     request.target = target.format;
     request.offscreen = !target.multisampled;
     request.transfer = target.transfer;
+    request.accumulation = options.accumulation;
+    if (device->roundings) request.roundings = *device->roundings;
     return request;
 }
 
@@ -163,10 +168,19 @@ ReadyPlan Renderer::State::planOf(const Form& form, PlanRequest& wanted,
     ReadyPlan ready{planPasses(form, wanted, capabilities), nullptr, {}};
     if (!draw || !needsSurfaces(ready.plan)) return ready;
     const Target& target = draw->target;
-    // The driver knows only now whether surfaces of this size can be made.
-    ready.surfaces =
-        surfaces.find(target.framebuffer,
-                      {target.width, target.height, ready.plan.surfaces, draw->info.floatDepth});
+    const auto find = [&] {
+        return surfaces.find(target.framebuffer, {target.width, target.height, ready.plan.surfaces,
+                                                  draw->info.floatDepth});
+    };
+    // The driver knows only now whether surfaces of this format and size can be made.
+    ready.surfaces = find();
+    if (!ready.surfaces && ready.plan.surfaces != ColourFormat::rgba32f &&
+        capabilities.floatTargets) {
+        wanted.accumulation = ColourFormat::rgba32f;
+        ready.plan = planPasses(form, wanted, capabilities);
+        if (!needsSurfaces(ready.plan)) return ready;
+        ready.surfaces = find();
+    }
     if (ready.surfaces) return ready;
     // A context may promise a format and refuse its size: the plan is made again for the target
     // alone.
@@ -236,6 +250,7 @@ ReadyPlan Renderer::State::planFor(const MaterialResources& material, const Comp
 
 void Renderer::State::prepareFirst(const MaterialResources& material)
 {
+    storeRoundings(device);
     prepare(material, {}, {}, 1);
     // Not before: what keeps a filter from being measured most often refuses the material too.
     const std::string why = std::exchange(device->whyFilterAssumed, "");

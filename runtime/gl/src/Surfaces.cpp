@@ -55,6 +55,7 @@ void Surfaces::allocate() const
     };
     if (format_.colour == ColourFormat::rgba32f) return allocated(GL_RGBA32F, GL_FLOAT);
     if (format_.colour == ColourFormat::rgba16f) return allocated(GL_RGBA16F, GL_HALF_FLOAT);
+    if (format_.colour == ColourFormat::rgba16) return allocated(GL_RGBA16, GL_UNSIGNED_SHORT);
     allocated(isOld(gl) ? GL_RGBA : GL_RGBA8, GL_UNSIGNED_BYTE);
 }
 

@@ -4,9 +4,9 @@
 //   factors; and a total that k additions build up, each rounded by u, at most k u more, for
 //   partial sums never exceed the total.
 // A pass computes its value with a relative error of kEvaluation, to which the error of the surface
-// that it reads adds. Writing rounds by u relative to the value (float formats) or by one step
-// (UNORM: GL demands an integer next to the product). A multiplication carries the absolute error
-// on, times a factor that UNORM clamps to 1.
+// that it reads adds. Writing and blending round by so many units in the last place as the context
+// was seen to, or as OpenGL grants (StoreRounding): relative to the value (float formats), or steps
+// (UNORM). A multiplication carries the absolute error on, times a factor that UNORM clamps to 1.
 // A code of an sRGB curve is 1.055 x^(1/2.4) - 0.055, so a relative error r of x <= 1 moves it by
 // at most x dcode/dx r <= 1.055 / 2.4 r; the tone map, x (1 + x / 16) / (1 + x), does not raise r,
 // as its elasticity 1 + x / (16 + x) - x / (1 + x) is at most 1.
@@ -33,8 +33,8 @@ namespace {
 constexpr double kEvaluation = 1e-5;
 constexpr double kCurveSlope = 1.055 / 2.4;
 
-// The rounding of a format. GL allows float formats to truncate instead of rounding.
-ErrorBound writing(ColourFormat format)
+// A unit in the last place of a format.
+ErrorBound unitOf(ColourFormat format)
 {
     switch (format) {
         case ColourFormat::rgba32f: return {0x1p-23, 0.0};
@@ -46,9 +46,23 @@ ErrorBound writing(ColourFormat format)
     return {};
 }
 
+ErrorBound storing(ColourFormat format, Blend blend, const StoreRoundings& roundings)
+{
+    const StoreRounding& rounding = roundings[static_cast<size_t>(format)];
+    const double units = blend == Blend::replace ? rounding.write : rounding.blend;
+    const ErrorBound unit = unitOf(format);
+    return {units * unit.relative, units * unit.absolute};
+}
+
 }  // namespace
 
-ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps)
+double sumTolerance(ColourFormat target)
+{
+    return 0.5 * unitOf(target).absolute * (unitOf(target).relative > 0.0 ? 0.0 : 1.0);
+}
+
+ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps,
+                      const StoreRoundings& roundings)
 {
     const double replaced = std::exp2(maps.recombination + maps.filtering) - 1.0;
     bool curved = false;
@@ -56,7 +70,7 @@ ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& ma
     for (const Pass& pass : plan.passes) {
         ErrorBound& content = surfaces[static_cast<size_t>(pass.writes)];
         const ErrorBound rounding =
-            writing(pass.writes == Surface::target ? target : plan.surfaces);
+            storing(pass.writes == Surface::target ? target : plan.surfaces, pass.blend, roundings);
         ErrorBound value{kEvaluation, 0.0};
         if (pass.reads) {
             const ErrorBound& from = surfaces[static_cast<size_t>(*pass.reads)];

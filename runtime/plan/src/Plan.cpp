@@ -129,19 +129,29 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
     return plan.feasible() ? curvedPlan(std::move(plan), request.transfer, offscreen) : plan;
 }
 
-/// True when scaled RGBA8 surfaces may replace float surfaces, which do not exist here.
+/// True when sums may be scaled by their peaks.
 bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
 {
     return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
            request.lobeLight.isEmpty() && isUnorm(request.target) &&
-           capabilities.framebufferObjects && !capabilities.floatTargets &&
-           !capabilities.halfTargets;
+           capabilities.framebufferObjects;
+}
+
+bool hasFloatSurfaces(const Capabilities& capabilities)
+{
+    return capabilities.floatTargets || capabilities.halfTargets;
+}
+
+bool writesSurfaces(const Plan& plan)
+{
+    return std::any_of(plan.passes.begin(), plan.passes.end(),
+                       [](const Pass& pass) { return pass.writes != Surface::target; });
 }
 
 /// True when the error bound is too large for the result to be useful (kCoarsestSum).
 bool isCoarse(const ErrorBound& error)
 {
-    return std::max(error.relative, error.absolute) > kCoarsestSum;
+    return !(std::max(error.relative, error.absolute) <= kCoarsestSum);
 }
 
 void checkPeaks(const Form& form, const PlanRequest& request)
@@ -158,8 +168,9 @@ void checkPeaks(const Form& form, const PlanRequest& request)
                         .expected("one of each table, term and light"));
 }
 
-/// Plans as if RGBA32F could be drawn to, then scales the sums for RGBA8.
-Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capabilities)
+/// Plans as if RGBA32F could be drawn to, then scales the sums for a smaller format.
+Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capabilities,
+                ColourFormat surfaces)
 {
     checkPeaks(form, request);
     capabilities.floatTargets = true;
@@ -167,27 +178,27 @@ Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capab
     if (plan.feasible() && isCurved(request.transfer))
         plan = curvedPlan(std::move(plan), request.transfer, true);
     if (!plan.feasible()) return plan;
-    plan = scaledPlan(std::move(plan), form, *request.peaks);
-    plan.accumulation = plan.surfaces;
-    const ErrorBound error = errorBound(plan, request.target);
+    plan = scaledPlan(std::move(plan), form, *request.peaks, surfaces);
+    const ErrorBound error = errorBound(plan, request.target, {}, request.roundings);
     if (!isCoarse(error)) return plan;
     Plan none;
-    none.reason = Found("a sum of " + std::to_string(request.lights) +
-                        " lights in RGBA8 surfaces that is off by up to " +
+    none.reason = Found("a sum of " + std::to_string(request.lights) + " lights in " +
+                        colourFormatName(surfaces) + " surfaces that is off by up to " +
                         numberText(double(error.absolute)))
                       .expected("at most " + numberText(double(kCoarsestSum)));
     return none;
 }
 
-Plan betterOf(Plan plan, Plan scaled, ColourFormat target)
+Plan betterOf(Plan plan, Plan scaled, const PlanRequest& request)
 {
+    const auto errorOf = [&](const Plan& of) {
+        return errorBound(of, request.target, {}, request.roundings).absolute;
+    };
     if (!scaled.feasible()) {
         if (!plan.feasible()) plan.reason += "; " + scaled.reason;
         return plan;
     }
-    const bool isWorse =
-        plan.feasible() && errorBound(plan, target).absolute <= errorBound(scaled, target).absolute;
-    return isWorse ? plan : scaled;
+    return plan.feasible() && errorOf(plan) <= errorOf(scaled) ? plan : scaled;
 }
 
 Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
@@ -203,6 +214,63 @@ Plan planUnscaled(const Form& form, const PlanRequest& request, const Capabiliti
                       colourFormatName(request.target) + " without float surfaces";
     }
     return plan;
+}
+
+/// In halves while their error is that of a picture, else without them.
+Plan planUnscaledOrNot(const Form& form, const PlanRequest& request, Capabilities capabilities)
+{
+    Plan plan = planUnscaled(form, request, capabilities);
+    if (plan.surfaces != ColourFormat::rgba16f ||
+        !isCoarse(errorBound(plan, request.target, {}, request.roundings)))
+        return plan;
+    capabilities.halfTargets = false;
+    plan = planUnscaled(form, request, capabilities);
+    if (!plan.feasible())
+        plan.reason += "; a sum of " + std::to_string(request.lights) +
+                       " lights in RGBA16F surfaces is off by more than an eighth";
+    return plan;
+}
+
+/// The plan with surfaces of the format that was asked for; nothing where there is none.
+std::optional<Plan> planAsked(const Form& form, const PlanRequest& request,
+                              Capabilities capabilities)
+{
+    if (!request.accumulation || *request.accumulation == ColourFormat::rgba32f) return {};
+    Plan plan;
+    if (*request.accumulation == ColourFormat::rgba16f) {
+        if (!hasFloatSurfaces(capabilities)) return {};
+        capabilities.floatTargets = false;
+        capabilities.halfTargets = true;
+        plan = planUnscaledOrNot(form, request, capabilities);
+    } else {
+        const bool exists =
+            *request.accumulation == ColourFormat::rgba8 ||
+            (*request.accumulation == ColourFormat::rgba16 && capabilities.unorm16Targets);
+        if (!exists || !mayScale(request, capabilities)) return {};
+        plan = planScaled(form, request, capabilities, *request.accumulation);
+    }
+    if (!plan.feasible() || (writesSurfaces(plan) && plan.surfaces != *request.accumulation))
+        return {};
+    plan.whyAccumulation = std::string(colourFormatName(*request.accumulation)) + " was asked for";
+    return plan;
+}
+
+/// With surfaces in the format that the request allows and that costs least.
+Plan planSums(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
+{
+    if (std::optional<Plan> asked = planAsked(form, request, capabilities))
+        return std::move(*asked);
+    Plan plan = planUnscaledOrNot(form, request, capabilities);
+    if (!mayScale(request, capabilities)) return plan;
+    if (!hasFloatSurfaces(capabilities))
+        return betterOf(std::move(plan),
+                        planScaled(form, request, capabilities, ColourFormat::rgba8), request);
+    const bool maySave = plan.feasible() && plan.surfaces == ColourFormat::rgba32f &&
+                         writesSurfaces(plan) && !request.accumulation &&
+                         !capabilities.softwareSampling;
+    if (!maySave) return plan;
+    checkPeaks(form, request);
+    return withSmallestSum(std::move(plan), form, request, capabilities);
 }
 
 }  // namespace
@@ -242,27 +310,17 @@ int maxLightsInUniforms(const Form& form, const Capabilities& capabilities, cons
                     (freeUniformVectors(form, capabilities) - lobes.vectors()) / kVectorsPerLight);
 }
 
-Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& found)
+Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities)
 {
     validate(request);
-    Capabilities capabilities = found;
     Plan none;
     none.reason = whyNoLobes(request, capabilities);
     if (none.feasible()) none.reason = whyNotSampled(request);
     if (!none.feasible()) return none;
-    Plan plan = planUnscaled(form, request, capabilities);
-    if (plan.surfaces == ColourFormat::rgba16f && isCoarse(errorBound(plan, request.target))) {
-        capabilities.halfTargets = false;
-        plan = planUnscaled(form, request, capabilities);
-        if (!plan.feasible())
-            plan.reason += "; a sum of " + std::to_string(request.lights) +
-                           " lights in RGBA16F surfaces is off by more than an eighth";
-    }
-    if (mayScale(request, capabilities))
-        plan = betterOf(std::move(plan), planScaled(form, request, capabilities), request.target);
+    Plan plan = planSums(form, request, capabilities);
     plan.technique = request.technique;
     plan.filter = request.filter;
-    plan.error = errorBound(plan, request.target, request.maps);
+    plan.error = errorBound(plan, request.target, request.maps, request.roundings);
     const bool sampledAlone = request.environmentSamples > 0 && request.lobeLight.areaLights == 0;
     if (!request.lobeLight.isEmpty() && !sampledAlone) plan.lobeError = request.lobeError;
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;

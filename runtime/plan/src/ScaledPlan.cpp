@@ -5,9 +5,12 @@
 #include "ScaledPlan.h"
 
 #include <fbrdf/base/Assert.h>
+#include <fbrdf/base/Number.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace fbrdf {
 namespace {
@@ -90,7 +93,7 @@ private:
 
 }  // namespace
 
-Plan scaledPlan(Plan plan, const Form& form, const Peaks& peaks)
+Plan scaledPlan(Plan plan, const Form& form, const Peaks& peaks, ColourFormat surfaces)
 {
     FBRDF_ASSERT(plan.feasible(), ==, true);
     FBRDF_ASSERT(peaks.tables.size(), ==, form.tables.size());
@@ -105,7 +108,41 @@ Plan scaledPlan(Plan plan, const Form& form, const Peaks& peaks)
         if (from) pass.gain *= orOne(from->peak());
         if (into) pass.gain /= orOne(pass.blend == Blend::multiply ? pass.largest : into->sum);
     }
-    plan.surfaces = ColourFormat::rgba8;
+    plan.surfaces = surfaces;
+    for (const Pass& pass : plan.passes)
+        if (pass.writes != Surface::target) plan.accumulation = surfaces;
+    return plan;
+}
+
+Plan withSmallestSum(Plan plan, const Form& form, const PlanRequest& request,
+                     const Capabilities& capabilities)
+{
+    const auto errorOf = [&](const Plan& of) {
+        const ErrorBound error = errorBound(of, request.target, {}, request.roundings);
+        return error.relative + error.absolute;  // of a value of 1, beyond which UNORM clamps
+    };
+    const double finest = errorOf(plan), tolerance = sumTolerance(request.target);
+    const std::pair<ColourFormat, bool> formats[] = {
+        {ColourFormat::rgba8, true},
+        {ColourFormat::rgba16f, capabilities.halfTargets || capabilities.floatTargets},
+        {ColourFormat::rgba16, capabilities.unorm16Targets}};
+    Plan scaled = scaledPlan(plan, form, *request.peaks, ColourFormat::rgba8);
+    std::string others;
+    for (const auto& [format, exists] : formats) {
+        if (!exists) continue;
+        scaled.surfaces = format;
+        const double added = errorOf(scaled) - finest;
+        const std::string what =
+            std::string(colourFormatName(format)) + " adds up to " + numberText(added, 2);
+        if (added <= tolerance) {
+            scaled = scaledPlan(std::move(plan), form, *request.peaks, format);
+            scaled.whyAccumulation =
+                what + " to the error, of " + numberText(tolerance, 2) + " allowed";
+            return scaled;
+        }
+        others += (others.empty() ? "" : ", ") + what;
+    }
+    plan.whyAccumulation = others + " to the error, of " + numberText(tolerance, 2) + " allowed";
     return plan;
 }
 

@@ -247,6 +247,11 @@ std::string filterProbeFragmentSource(int glsl, ProbedTexture texture)
            fetches[static_cast<size_t>(texture)] + joined({"filter_probe.frag"});
 }
 
+std::string roundingProbeFragmentSource(int glsl)
+{
+    return assembled(glsl, {}, {"version.glsl", "rounding_probe.frag"});
+}
+
 std::string prefilterVertexSource(int glsl)
 {
     return filterProbeVertexSource(glsl);

@@ -1,14 +1,9 @@
 #include "CoarseFilter.h"
 
-#include <glad/gl.h>
-
-#include <cstring>
-#include <string>
+#include "ShaderRewriter.h"
 
 namespace fbrdf::test {
 namespace {
-
-int filterBits = 8;
 
 const char* const kLookUps = R"(
 #if __VERSION__ < 130 && defined(GL_EXT_gpu_shader4)
@@ -48,12 +43,12 @@ vec4 fbrdfLookedUp(samplerCube map, vec3 at)
 )";
 const std::string kEndOfMacros = "#define FBRDF_TEXTURE_PRECISE fbrdfFiltered\n";
 
-std::string coarse(std::string text)
+std::string coarse(std::string text, int bits)
 {
     const size_t at = text.find(kEndOfMacros);
     if (at == std::string::npos) return text;
     text.insert(at + kEndOfMacros.size(),
-                "#define FBRDF_STEPS " + std::to_string(1 << filterBits) + ".0\n" + kLookUps);
+                "#define FBRDF_STEPS " + std::to_string(1 << bits) + ".0\n" + kLookUps);
     // GLSL 1.20 has no textureSize; where that extension is missing, it filters as the driver does.
     if (text.rfind("#version 120", 0) == 0)
         text.insert(text.find('\n') + 1,
@@ -63,41 +58,12 @@ std::string coarse(std::string text)
     return text;
 }
 
-/// One for each backend: a function that GL calls has no user pointer.
-template <Backend backend>
-struct Coarse {
-    static inline PFNGLSHADERSOURCEPROC real = nullptr;
-
-    static void GLAD_API_PTR shaderSource(GLuint shader, GLsizei count, const GLchar* const* parts,
-                                          const GLint* lengths)
-    {
-        std::string text;
-        for (GLsizei i = 0; i < count; ++i)
-            text += lengths && lengths[i] >= 0
-                        ? std::string(parts[i], static_cast<size_t>(lengths[i]))
-                        : std::string(parts[i]);
-        text = coarse(std::move(text));
-        const GLchar* const whole = text.c_str();
-        real(shader, 1, &whole, nullptr);
-    }
-
-    static void* load(void* user, const char* name)
-    {
-        const auto loader =
-            backend == Backend::egl ? HeadlessContext::loadEgl : HeadlessContext::loadOsMesa;
-        void* const function = loader(user, name);
-        if (std::strcmp(name, "glShaderSource") != 0) return function;
-        real = reinterpret_cast<PFNGLSHADERSOURCEPROC>(function);
-        return reinterpret_cast<void*>(shaderSource);
-    }
-};
-
 }  // namespace
 
 HeadlessContext::Load coarselyFiltering(Backend backend, int bits)
 {
-    filterBits = bits;
-    return backend == Backend::egl ? Coarse<Backend::egl>::load : Coarse<Backend::osmesa>::load;
+    return rewritingShaders(backend,
+                            [bits](std::string text) { return coarse(std::move(text), bits); });
 }
 
 }  // namespace fbrdf::test

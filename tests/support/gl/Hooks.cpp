@@ -86,7 +86,8 @@ GLenum GLAD_API_PTR checkFramebufferStatus(GLenum target)
     GLint type = GL_NONE;
     active->real.GetFramebufferAttachmentParameteriv(target, GL_COLOR_ATTACHMENT0,
                                                      GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-    if (active->refuseFramebuffers && type == GL_TEXTURE) return GL_FRAMEBUFFER_UNSUPPORTED;
+    if (type == GL_TEXTURE && (active->refuseFramebuffers || active->refusedIsBound))
+        return GL_FRAMEBUFFER_UNSUPPORTED;
     return active->real.CheckFramebufferStatus(target);
 }
 
@@ -117,6 +118,7 @@ void GLAD_API_PTR texImage2D(GLenum target, GLint level, GLint internal, GLsizei
 {
     const GladGLContext& gl = active->real;
     gl.TexImage2D(target, level, internal, width, height, border, format, type, texels);
+    active->refusedIsBound = active->refusedFormat != 0 && internal == active->refusedFormat;
     if (internal != active->unfilteredFormat || target != GL_TEXTURE_2D) return;
     gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -27,6 +27,7 @@ public:
     bool corruptShaders = false;       ///< sources no longer compile
     bool spoilPrograms = false;        ///< shaders compile, programs do not link
     bool refuseFramebuffers = false;   ///< framebuffers with a texture are never complete
+    GLint refusedFormat = 0;           ///< nor are those with one of this internal format
     GLenum nextError = GL_NO_ERROR;    ///< what glGetError returns once
     int errorAfter = 0;                ///< calls of glGetError that are still answered by GL
     GLint unfilteredFormat = 0;        ///< textures of this internal format are not filtered
@@ -37,6 +38,7 @@ public:
     /// and viewports together, and the depth range in float.
     bool coarseQueries = false;
 
+    bool refusedIsBound = false;  ///< the texture that was made last is of that format
     GladGLContext real{};
 };
 

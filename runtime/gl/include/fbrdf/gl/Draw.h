@@ -10,6 +10,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,9 @@ struct DrawOptions {
     /// environment (EnvironmentLight::lobes limits both), without any look-up. A shadow hook
     /// receives the number of lights plus the index in this list, and the direction to the centre.
     std::vector<AreaLight> areaLights = {};
+    /// The format of the surfaces in which lights add up; empty: the smallest one whose error is
+    /// within sumTolerance of the target (Plan.h). One that cannot be had is replaced likewise.
+    std::optional<ColourFormat> accumulation = {};
 };
 
 struct DrawStats {
@@ -105,8 +109,9 @@ struct DrawStats {
     /// Why another technique than the one asked for was taken, or lists of lights were not; of the
     /// last item where that happened.
     std::string whyReplaced;
-    ErrorBound error;          ///< the largest of all items
-    std::string accumulation;  ///< format of the surface in which lights add up: "RGBA32F", ...
+    ErrorBound error;             ///< the largest of all items
+    std::string accumulation;     ///< format of the surface in which lights add up: "RGBA32F", ...
+    std::string whyAccumulation;  ///< why that one, where there was a choice
     /// The largest LobeTable::error of the items whose lobes were drawn with an environment or area
     /// lights.
     double environmentError = 0.0;

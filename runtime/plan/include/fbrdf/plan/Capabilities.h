@@ -16,6 +16,15 @@ struct FilterPrecision {
     double rounding = 0.0;
 };
 
+/// How far a stored colour may be from what a pass gave it, in the last place of the format: steps
+/// of UNORM; of floats 2^-10 (RGBA16F) or 2^-23 (RGBA32F), relative to the value. These are what
+/// OpenGL grants (4.6, 2.3.5.2 and 17.3.6.1): either neighbour is a correct conversion, and
+/// blending may round the source to the format before.
+struct StoreRounding {
+    double write = 1.0;  ///< without blending
+    double blend = 2.0;  ///< of what is added, or of what is multiplied by at most 1
+};
+
 struct Capabilities {
     int glMajor = 2, glMinor = 1;
     int glsl = 120;  ///< version to write shaders in: 120, 140, 150, 330, 450, or of ES 100, 300
@@ -34,6 +43,7 @@ struct Capabilities {
                                     ///< nothing has to be unpacked
     bool floatTargets = false;      ///< RGBA32F is renderable and blendable
     bool halfTargets = false;       ///< RGBA16F is, which OpenGL ES has more often
+    bool unorm16Targets = false;    ///< RGBA16 is
     bool vertexArrays = false;
     int maxArrayLayers = 0;       ///< of a texture array; 0: there are none
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
@@ -41,6 +51,8 @@ struct Capabilities {
     bool clipControl = false;     ///< a projection may leave depths in [0, 1] (glClipControl)
     /// Of all textures; empty: the renderer measures it for each kind that it uses.
     std::optional<FilterPrecision> filter = {};
+    /// Of all formats; empty: the renderer measures it for each that it uses.
+    std::optional<StoreRounding> rounding = {};
 
     /// True where a fragment shader can choose the level of a cube map, which environments need.
     bool choosesLevels() const { return glsl == 120 ? textureLod : glsl != 100; }

@@ -20,6 +20,7 @@
 #include <fbrdf/plan/Technique.h>
 #include <fbrdf/plan/Transfer.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ namespace fbrdf {
 /// Colour formats as far as adding up passes depends on them.
 enum class ColourFormat { rgba8, rgba16, rgba16f, rgba32f, other };
 const char* colourFormatName(ColourFormat format);  ///< "RGBA8", ..., "other"
+
+/// By ColourFormat.
+using StoreRoundings = std::array<StoreRounding, 5>;
 
 /// Surfaces that passes write and read. All but the target belong to the renderer, are as large as
 /// the target, have the plan's format and share one depth buffer. sum stands for the target where a
@@ -110,9 +114,12 @@ struct PlanRequest {
     bool signs = false;                ///< hasSigns(material): no pass but the last may clamp at 0
     Filter filter = Filter::hardware;  ///< of the maps: does not change the plan but its error
     MapErrors maps = {};
-    /// A UNORM target in a context that cannot draw to floats may have RGBA8 surfaces if the peaks
-    /// are known.
+    /// Where the peaks are known, sums may be scaled into UNORM surfaces and halves.
     std::optional<Peaks> peaks = {};
+    /// The format of surfaces; empty: the smallest one whose error is bounded (planPasses). One
+    /// that the context does not have, or whose error would be no picture, is replaced likewise.
+    std::optional<ColourFormat> accumulation = {};
+    StoreRoundings roundings = {};
 };
 
 /// Throws Error(usage) for a request out of range.
@@ -134,7 +141,9 @@ struct Plan {
     std::vector<Pass> passes;
     ColourFormat surfaces = ColourFormat::rgba32f;      ///< format of all but the target
     ColourFormat accumulation = ColourFormat::rgba32f;  ///< format in which the lights add up
-    int maxLookups = 0;                                 ///< the largest Pass::lookups
+    /// Why that format was taken, where there was a choice; a sentence without its full stop.
+    std::string whyAccumulation;
+    int maxLookups = 0;  ///< the largest Pass::lookups
     Technique technique = Technique::single;
     Filter filter = Filter::hardware;
     ErrorBound error;
@@ -149,8 +158,14 @@ struct Plan {
 /// exceeds this.
 constexpr double kCoarsestSum = 1.0 / 8.0;
 
+/// What sums in a smaller format than RGBA32F may add to the error of a stored colour: half a step
+/// of a UNORM target, and nothing of a float target. Whatever is converted to the nearest code is
+/// then at most a step off, which OpenGL grants the conversion alone.
+double sumTolerance(ColourFormat target);
+
 /// The error of a plan that draws into a target of a format; `other` counts as RGBA8.
-ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps = {});
+ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps = {},
+                      const StoreRoundings& roundings = {});
 
 /// vec4 uniforms that a pass has for lights and lobes beside the knots of the form; may be
 /// negative.
@@ -159,11 +174,13 @@ int freeUniformVectors(const Form& form, const Capabilities& capabilities);
 int maxLightsInUniforms(const Form& form, const Capabilities& capabilities,
                         const LobeShare& lobes = {});
 
-/// The plan with the fewest passes within the limits, or a reason why there is none. Sums are
+/// The plan with the fewest passes within the limits, or a reason why there is none. Sums for a
+/// UNORM target, with peaks, are scaled into the first of RGBA8, RGBA16F and RGBA16 whose error is
+/// within sumTolerance, but not where a CPU draws, to which RGBA32F costs least. Otherwise they are
 /// RGBA32F where that can be drawn to, else RGBA16F while few enough lights add up for its error
 /// (kCoarsestSum; halves end at 65504), else scaled UNORM where its error is smaller than that of
-/// one pass. Lobes need sums in floats or a single pass. Expects a form that validate
-/// accepts. Throws what validate throws.
+/// one pass. Lobes need sums in floats or a single pass. Expects a form that validate accepts.
+/// Throws what validate throws.
 Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities& capabilities);
 
 }  // namespace fbrdf

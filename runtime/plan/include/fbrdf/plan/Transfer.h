@@ -32,8 +32,8 @@ constexpr bool isCurved(Transfer transfer)
 template <class T>
 T toneMapped(T radiance)
 {
-    const T x = std::max(T(0), radiance);
-    return std::min(T(1), x * (T(1) + x / T(16)) / (T(1) + x));
+    const T x = std::clamp(radiance, T(0), T(4));  // white, also where radiance is infinite
+    return x * (T(1) + x / T(16)) / (T(1) + x);
 }
 
 /// One channel of radiance >= 0 as it is stored.

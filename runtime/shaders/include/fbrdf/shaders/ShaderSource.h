@@ -169,6 +169,11 @@ enum class ProbedTexture { plane, volume, cube, array };
 std::string filterProbeVertexSource(int glsl);
 std::string filterProbeFragmentSource(int glsl, ProbedTexture texture);
 
+/// A fragment shader for the same vertices that writes fbrdfRamp.x + fbrdfRamp.y 511 i / 2^23 with
+/// i = 4 (64 y + x) + 1 in red, one more in green, two more in blue, and alpha 1 to pixel (x, y) of
+/// 64 x 64. All of it is exact in floats for ramps (vec2) of (0, 1), (0, 1/2) and (1/4, 1/4).
+std::string roundingProbeFragmentSource(int glsl);
+
 /// A file of glsl/ by its name, "lights.glsl"; empty where there is none.
 std::string_view shaderSnippet(std::string_view name);
 

@@ -1,0 +1,211 @@
+#include "RoundingProbe.h"
+
+#include "Blending.h"
+#include "CubePainter.h"
+#include "MeshResources.h"
+#include "Program.h"
+#include "ReadGuard.h"
+#include "StateGuard.h"
+#include "TextureUpload.h"
+#include "UploadGuard.h"
+
+#include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
+#include <fbrdf/shaders/ShaderSource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace fbrdf::gl {
+namespace {
+
+constexpr int kSide = 64;  // rounding_probe.frag
+
+/// A format as it is drawn to and read back.
+struct ProbedFormat {
+    ColourFormat format;
+    GLint internal;
+    GLenum type;
+    double steps;  ///< of 1; 0: floats, whose last place is 2^-10 of the value
+};
+
+constexpr ProbedFormat kBytes{ColourFormat::rgba8, GL_RGBA8, GL_UNSIGNED_BYTE, 255.0},
+    kHalves{ColourFormat::rgba16f, GL_RGBA16F, GL_FLOAT, 0.0},
+    kWords{ColourFormat::rgba16, GL_RGBA16, GL_UNSIGNED_SHORT, 65535.0};
+
+/// The values of rounding_probe.frag.
+struct ValueRamp {
+    double first, extent;
+    double at(size_t pixel, size_t channel) const
+    {
+        return first + extent * 511.0 * static_cast<double>(4 * pixel + channel + 1) / 0x1p23;
+    }
+};
+
+using Pixels = std::vector<double>;  ///< RGBA, row by row
+
+template <class T>
+Pixels readAs(const Functions& gl, GLenum type, double steps)
+{
+    std::vector<T> texels(4 * kSide * kSide);
+    gl.ReadPixels(0, 0, kSide, kSide, GL_RGBA, type, texels.data());
+    Pixels pixels;
+    for (const T texel : texels) pixels.push_back(static_cast<double>(texel) / steps);
+    return pixels;
+}
+
+class RoundingProbe {
+public:
+    RoundingProbe(const DevicePtr& device, StateGuard& state, const MeshResources& triangle,
+                  const ProbedFormat& format)
+        : device_(device), gl_(device->gl), state_(state), triangle_(triangle), format_(format)
+    {
+        createTarget();
+        createProgram();
+    }
+
+    StoreRounding measured()
+    {
+        constexpr ValueRamp kWhole{0.0, 1.0}, kHalf{0.0, 0.5}, kRest{0.25, 0.25};
+        StoreRounding rounding;
+        const Pixels black(4 * kSide * kSide, 0.0);
+        const auto one = [](double, double value) { return value; };
+        rounding.write = worst(black, kWhole, Blend::replace, one);
+        // What is blended with is what was stored before, whatever that was rounded by.
+        const Pixels half = drawn(kHalf, Blend::replace);
+        rounding.blend = worst(half, kRest, Blend::add, std::plus<>());
+        const Pixels whole = drawn(kWhole, Blend::replace);
+        rounding.blend =
+            std::max(rounding.blend, worst(whole, kRest, Blend::multiply, std::multiplies<>()));
+        return rounding;
+    }
+
+private:
+    void createTarget()
+    {
+        colour_ = createObject(device_, ObjectKind::texture);
+        state_.bindTexture(0, GL_TEXTURE_2D, colour_.name());
+        setSampling(gl_, GL_TEXTURE_2D, false);
+        const bool old = gl_.es != 0 && gl_.es < 30;
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : format_.internal, kSide, kSide, 0, GL_RGBA,
+                       format_.type, nullptr);
+        framebuffer_ = createObject(device_, ObjectKind::framebuffer);
+        // For drawing and for reading.
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                 colour_.name(), 0);
+        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw Error(ErrorKind::gl, "rounding",
+                        Found("a target that cannot be drawn to").expected("one that can"));
+        Target target;
+        target.framebuffer = framebuffer_.name();
+        target.width = target.height = kSide;
+        state_.setTarget(target);
+        gl_.DepthMask(GL_FALSE);
+        gl_.DepthFunc(GL_ALWAYS);
+    }
+
+    void createProgram()
+    {
+        const int glsl = device_->capabilities.glsl;
+        const Object vertex =
+                         compiledShader(device_, GL_VERTEX_SHADER, filterProbeVertexSource(glsl)),
+                     fragment = compiledShader(device_, GL_FRAGMENT_SHADER,
+                                               roundingProbeFragmentSource(glsl));
+        program_ = linkedShaders(device_, vertex, fragment, "rounding probe");
+        gl_.UseProgram(program_.name());
+    }
+
+    /// Throws Error(gl) where nothing was drawn.
+    Pixels drawn(const ValueRamp& ramp, Blend blend) const
+    {
+        setBlend(gl_, blend);
+        gl_.Uniform2f(gl_.GetUniformLocation(program_.name(), "fbrdfRamp"),
+                      static_cast<GLfloat>(ramp.first), static_cast<GLfloat>(ramp.extent));
+        triangle_.draw(0);
+        Pixels pixels =
+            format_.type == GL_UNSIGNED_BYTE    ? readAs<GLubyte>(gl_, format_.type, format_.steps)
+            : format_.type == GL_UNSIGNED_SHORT ? readAs<GLushort>(gl_, format_.type, format_.steps)
+                                                : readAs<GLfloat>(gl_, format_.type, 1.0);
+        checkErrors(*device_, "rounding");
+        if (pixels.back() != 1.0)
+            throw Error(ErrorKind::gl, "rounding", Found("nothing drawn").expected("pixels"));
+        return pixels;
+    }
+
+    /// The largest error of what is stored, in the last place. exact: of what was there before and
+    /// of what is drawn.
+    template <class Exact>
+    double worst(const Pixels& before, const ValueRamp& ramp, Blend blend, const Exact& exact) const
+    {
+        const Pixels after = drawn(ramp, blend);
+        double worst = 0.0;
+        for (size_t i = 0; i < after.size(); ++i) {
+            if (i % 4 == 3) continue;
+            const double value = exact(before[i], ramp.at(i / 4, i % 4)),
+                         unit = format_.steps > 0.0 ? 1.0 / format_.steps : 0x1p-10 * value;
+            worst = std::max(worst, std::abs(after[i] - value) / unit);
+        }
+        return worst;
+    }
+
+    const DevicePtr& device_;
+    const Functions& gl_;
+    StateGuard& state_;
+    const MeshResources& triangle_;
+    ProbedFormat format_;
+    Object colour_, framebuffer_, program_;
+};
+
+StoreRounding measuredRounding(const DevicePtr& device, const ProbedFormat& format)
+{
+    const MeshResources triangle(device, coveringTriangle());
+    const UploadGuard upload(*device);
+    const ReadGuard reading(*device);
+    StateGuard state(*device);
+    const MeshBinding binding(triangle);
+    StoreRounding rounding = RoundingProbe(device, state, triangle, format).measured();
+    // Values fall on 4096 places between two halves: the worst may lie between two of them.
+    constexpr double kBetween = 1.001;
+    rounding.write *= kBetween;
+    rounding.blend *= kBetween;
+    return rounding;
+}
+
+StoreRoundings measuredRoundings(const DevicePtr& device)
+{
+    StoreRoundings roundings{};
+    const Capabilities& c = device->capabilities;
+    if (!c.framebufferObjects) return roundings;
+    const std::pair<ProbedFormat, bool> formats[] = {
+        {kBytes, true}, {kHalves, c.halfTargets || c.floatTargets}, {kWords, c.unorm16Targets}};
+    for (const auto& [format, exists] : formats) {
+        if (!exists) continue;
+        try {
+            roundings[static_cast<size_t>(format.format)] = measuredRounding(device, format);
+        } catch (const Error&) {
+            // What OpenGL grants is true of every context, so nothing has to be reported.
+            discardErrors(*device);
+        }
+    }
+    return roundings;
+}
+
+}  // namespace
+
+const StoreRoundings& storeRoundings(const DevicePtr& device)
+{
+    if (!device->roundings) {
+        if (const std::optional<StoreRounding>& known = device->capabilities.rounding) {
+            device->roundings.emplace();
+            device->roundings->fill(*known);
+        } else {
+            device->roundings = measuredRoundings(device);
+        }
+    }
+    return *device->roundings;
+}
+
+}  // namespace fbrdf::gl
