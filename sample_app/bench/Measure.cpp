@@ -67,7 +67,12 @@ private:
                 runs.push_back({variant.name, variant.make(scene)});
         }
         time(rig_, runs);
-        for (const Run& run : runs) addTiming(run, result);
+        for (const Run& run : runs) {
+            addTiming(run, result);
+            const auto variant = std::find_if(variants_.begin(), variants_.end(),
+                                              [&](const Variant& v) { return v.name == run.name; });
+            result.timings.back().cost = variant->cost(scene);
+        }
         for (const Timing& timing : result.timings)
             before_[timing.variant] = {timing.milliseconds, lights};
         return result;

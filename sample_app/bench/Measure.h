@@ -17,6 +17,7 @@ struct Timing {
     double milliseconds = 0.0;  ///< median over the frames
     double ratio = 0.0;  ///< time relative to `ggx` in the same turns; 0 where that was left out
     int frames = 0;
+    LightCost cost = {};
 };
 
 struct LeftOut {

@@ -31,14 +31,26 @@ std::string cell(const Table& table, const std::string& variant)
     return fmt::format("{:>9} {:>6}", "-", "");
 }
 
+/// Of the most lights that it was timed with.
+std::string costCell(const std::vector<const Table*>& tables, const std::string& variant)
+{
+    LightCost cost;
+    for (const Table* table : tables)
+        for (const Timing& timing : table->timings)
+            if (timing.variant == variant) cost = timing.cost;
+    return fmt::format("{:>7.1f} {:>7.1f} {:>7.1f}", cost.multiplyAdds, cost.specials, cost.bytes);
+}
+
 std::string meshText(const std::vector<const Table*>& tables)
 {
-    std::string text =
-        fmt::format("\n{}: ms a frame, and ratio to ggx\n{:<20}", tables.front()->mesh, "lights");
+    std::string text = fmt::format(
+        "\n{}: ms a frame, and ratio to ggx, after multiply-adds, special functions and "
+        "bytes of texels for a pixel and light\n{:<20}{:>7} {:>7} {:>7}",
+        tables.front()->mesh, "lights", "MACs", "special", "bytes");
     for (const Table* table : tables) text += fmt::format("{:>9} {:>6}", table->lights, "");
     text += "\n";
     for (const std::string& variant : variantsOf(tables)) {
-        text += fmt::format("{:<20}", variant);
+        text += fmt::format("{:<20}", variant) + costCell(tables, variant);
         for (const Table* table : tables) text += cell(*table, variant);
         text += "\n";
     }
@@ -88,7 +100,10 @@ std::string asJson(const Measurement& measurement)
                                {"variant", t.variant},
                                {"milliseconds", t.milliseconds},
                                {"ratio", t.ratio > 0.0 ? Json(t.ratio) : Json()},
-                               {"frames", t.frames}});
+                               {"frames", t.frames},
+                               {"multiply_adds", t.cost.multiplyAdds},
+                               {"specials", t.cost.specials},
+                               {"bytes", t.cost.bytes}});
         for (const LeftOut& out : table.leftOut)
             leftOut.push_back({{"mesh", table.mesh},
                                {"lights", table.lights},

@@ -20,16 +20,6 @@ namespace {
 
 constexpr int kGlsl = 330;
 
-std::string fragmentText(const ShaderPeer& peer, int slots)
-{
-    std::string text = "#version " + std::to_string(kGlsl) + "\n#define PEER_LIGHTS " +
-                       std::to_string(slots) + "\n";
-    for (const char* file : {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
-                             "projection.glsl", "lights.glsl"})
-        text += embeddedShader(file);
-    return text + peer.shader + std::string(peerShader("peer_main.glsl"));
-}
-
 GLuint compiled(const GladGLContext& gl, GLenum stage, const std::string& text)
 {
     const GLuint shader = gl.CreateShader(stage);
@@ -83,6 +73,16 @@ std::vector<LightVectors> vectorsOf(const std::vector<Light>& lights, const gl::
 
 }  // namespace
 
+std::string peerFragmentSource(const ShaderPeer& peer, int slots)
+{
+    std::string text = "#version " + std::to_string(kGlsl) + "\n#define PEER_LIGHTS " +
+                       std::to_string(slots) + "\n";
+    for (const char* file : {"version.glsl", "surface.glsl", "frame.glsl", "angles.glsl",
+                             "projection.glsl", "lights.glsl"})
+        text += embeddedShader(file);
+    return text + peer.shader + std::string(peerShader("peer_main.glsl"));
+}
+
 PeerDrawing::PeerDrawing(const GladGLContext& gl, const ShaderPeer& peer, const Stage& stage,
                          int lights)
     : gl_(gl),
@@ -90,7 +90,7 @@ PeerDrawing::PeerDrawing(const GladGLContext& gl, const ShaderPeer& peer, const 
       view_(stage.view),
       mesh_(gl, stage.mesh),
       slots_(slotsFor(gl, peer, lights)),
-      program_(linked(gl_, fragmentText(peer, slots_)))
+      program_(linked(gl_, peerFragmentSource(peer, slots_)))
 {
     for (const PeerMap& map : peer.maps) uploadMap(map);
     setUniforms();

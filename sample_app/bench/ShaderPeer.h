@@ -27,6 +27,9 @@ struct ShaderPeer {
         false;  ///< one additive pass for each light, after a black one that writes depth
 };
 
+/// The fragment shader of a peer with an array of so many lights.
+std::string peerFragmentSource(const ShaderPeer& peer, int slots);
+
 /// A peer and a stage in the context that is current when it is made.
 class PeerDrawing {
 public:
