@@ -17,16 +17,25 @@ namespace {
 
 constexpr int kSize = 32;
 
-class Precision : public GlTest {};
+class Precision : public GlTest {
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        Offscreen floats = makeOffscreen(kSize);
+        geometry_ = geometryBuffer(gl(), floats, sphere_, glm::mat4(1.0f), view_);
+    }
+
+    const gl::MeshData sphere_ = sphereMesh(16);
+    const gl::View view_ = perspectiveView();
+    GeometryBuffer geometry_;
+};
 
 TEST_P(Precision, IsWithinBoundsInEveryFormTechniqueTargetAndTransfer)
 {
     gl::Renderer renderer = makeRenderer();
-    const gl::MeshData sphere = sphereMesh(16);
-    const auto mesh = renderer.createMesh(sphere);
-    const gl::View view = perspectiveView();
-    Offscreen floats = makeOffscreen(kSize);
-    const auto geometry = geometryBuffer(gl(), floats, sphere, glm::mat4(1.0f), view);
+    const auto mesh = renderer.createMesh(sphere_);
     double worst = 0.0;
     for (const Material& material : testMaterials())
         for (const int count : {1, 12}) {
@@ -34,7 +43,7 @@ TEST_P(Precision, IsWithinBoundsInEveryFormTechniqueTargetAndTransfer)
             const auto gpu = renderer.createMaterial(material);
             auto lights = testLights(count);
             for (Light& light : lights) light.intensity /= static_cast<float>(2 * count);
-            const auto radiance = referenceImage(material, geometry, lights, view);
+            const auto radiance = referenceImage(material, geometry_, lights, view_);
             for (const auto format :
                  {OffscreenFormat::rgba32f, OffscreenFormat::rgba16f, OffscreenFormat::rgba8})
                 for (const Transfer transfer :
@@ -42,7 +51,7 @@ TEST_P(Precision, IsWithinBoundsInEveryFormTechniqueTargetAndTransfer)
                     for (const Technique technique : allTechniques()) {
                         Offscreen offscreen = makeOffscreen(kSize, format);
                         const auto stats =
-                            renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view,
+                            renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view_,
                                           {{gpu.get(), mesh.get()}}, lights, {technique, 8, 0});
                         EXPECT_EQ(stats.technique, technique);
                         EXPECT_EQ(stats.whyReplaced, "");
@@ -68,23 +77,19 @@ TEST_P(Precision, IsWithinBoundsWhereSumsAreHalves)
     options.capabilities = makeRenderer().capabilities();
     options.capabilities->floatTargets = false;
     gl::Renderer renderer(options);
-    const gl::MeshData sphere = sphereMesh(16);
-    const auto mesh = renderer.createMesh(sphere);
-    const gl::View view = perspectiveView();
-    Offscreen floats = makeOffscreen(kSize);
-    const auto geometry = geometryBuffer(gl(), floats, sphere, glm::mat4(1.0f), view);
+    const auto mesh = renderer.createMesh(sphere_);
     auto lights = testLights(5);
     for (Light& light : lights) light.intensity /= 10.0f;
     double worst = 0.0;
     for (const Material& material : testMaterials()) {
         if (hasSigns(material)) continue;
         const auto gpu = renderer.createMaterial(material);
-        const auto radiance = referenceImage(material, geometry, lights, view);
+        const auto radiance = referenceImage(material, geometry_, lights, view_);
         for (const auto format : {OffscreenFormat::rgba16f, OffscreenFormat::rgba8})
             for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
                 Offscreen offscreen = makeOffscreen(kSize, format);
                 const auto stats =
-                    renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view,
+                    renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view_,
                                   {{gpu.get(), mesh.get()}}, lights, {Technique::twoLookup, 8, 0});
                 EXPECT_EQ(stats.technique, Technique::twoLookup) << stats.whyReplaced;
                 EXPECT_LE(stats.maxLookups, 2);
@@ -110,11 +115,7 @@ TEST_P(Precision, IsWithinBoundsInWhateverFormatLightsAddUp)
     options.capabilities = makeRenderer().capabilities();
     options.capabilities->softwareSampling = false;
     gl::Renderer renderer(options);
-    const gl::MeshData sphere = sphereMesh(16);
-    const auto mesh = renderer.createMesh(sphere);
-    const gl::View view = perspectiveView();
-    Offscreen floats = makeOffscreen(kSize);
-    const auto geometry = geometryBuffer(gl(), floats, sphere, glm::mat4(1.0f), view);
+    const auto mesh = renderer.createMesh(sphere_);
     std::map<std::string, int> taken;
     double worst = 0.0;
     const auto drawn = [&](const Material& material, const gl::DrawOptions& drawOptions, int count,
@@ -123,10 +124,10 @@ TEST_P(Precision, IsWithinBoundsInWhateverFormatLightsAddUp)
         auto lights = testLights(count);
         for (Light& light : lights) light.intensity *= dim / static_cast<float>(count);
         Offscreen offscreen = makeOffscreen(kSize, OffscreenFormat::rgba8);
-        const auto stats = renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view,
+        const auto stats = renderer.draw({offscreen.framebuffer(), kSize, kSize, transfer}, view_,
                                          {{gpu.get(), mesh.get()}}, lights, drawOptions);
         const auto exact =
-            storedImage(referenceImage(material, geometry, lights, view), transfer, true);
+            storedImage(referenceImage(material, geometry_, lights, view_), transfer, true);
         const double part = deviationOf(offscreen.readPixels(), exact, stats.error).share;
         EXPECT_LE(part, 1.0) << material.name << " in " << stats.accumulation << " bound "
                              << stats.error.relative << " + " << stats.error.absolute;

@@ -2,9 +2,8 @@
 
 #include "CubePainter.h"
 #include "MeshResources.h"
-#include "Program.h"
+#include "ProbeTarget.h"
 #include "ReadGuard.h"
-#include "StateGuard.h"
 #include "TextureUpload.h"
 #include "UploadGuard.h"
 
@@ -75,10 +74,15 @@ Ramp rampOf(TexelType type, GLenum target, float low, float high)
 class Probe {
 public:
     Probe(const DevicePtr& device, StateGuard& guard, TexelType type, GLenum target)
-        : device_(device), gl_(device->gl), state_(guard), type_(type), target_(target)
+        : device_(device),
+          gl_(device->gl),
+          state_(guard),
+          type_(type),
+          target_(target),
+          probed_(device, guard, 1, GL_RGBA8, GL_UNSIGNED_BYTE, "filter")
     {
-        createTarget();
-        createProgram();
+        probed_.use(filterProbeFragmentSource(device->capabilities.glsl, kindOf(target)));
+        gl_.Uniform1i(probed_.uniform("fbrdfMap"), device->firstTextureUnit);
     }
 
     double largestError(const MeshResources& triangle, float low, float high)
@@ -92,51 +96,13 @@ public:
                            formatOf(type_, gl_).type, texelsOf(ramp.image));
         else
             upload(gl_, target_, ramp.image);
-        gl_.Uniform2f(gl_.GetUniformLocation(program_.name(), "fbrdfRamp"),
-                      static_cast<GLfloat>(ramp.low), static_cast<GLfloat>(ramp.high));
+        gl_.Uniform2f(probed_.uniform("fbrdfRamp"), static_cast<GLfloat>(ramp.low),
+                      static_cast<GLfloat>(ramp.high));
         triangle.draw(0);
         return read();
     }
 
 private:
-    void createTarget()
-    {
-        colour_ = createObject(device_, ObjectKind::texture);
-        state_.bindTexture(0, GL_TEXTURE_2D, colour_.name());
-        setSampling(gl_, GL_TEXTURE_2D, false);
-        const bool old = gl_.es != 0 && gl_.es < 30;
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : GL_RGBA8, 1, 1, 0, GL_RGBA,
-                       GL_UNSIGNED_BYTE, nullptr);
-        framebuffer_ = createObject(device_, ObjectKind::framebuffer);
-        // For drawing and for reading.
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                                 colour_.name(), 0);
-        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw Error(ErrorKind::gl, "filter",
-                        Found("an RGBA8 target that cannot be drawn to").expected("one that can"));
-        Target target;
-        target.framebuffer = framebuffer_.name();
-        target.width = target.height = 1;
-        state_.setTarget(target);
-        gl_.version >= 30 ? gl_.Disablei(GL_BLEND, 0) : gl_.Disable(GL_BLEND);
-        gl_.DepthMask(GL_FALSE);
-        gl_.DepthFunc(GL_ALWAYS);
-    }
-
-    void createProgram()
-    {
-        const int glsl = device_->capabilities.glsl;
-        const Object vertex =
-                         compiledShader(device_, GL_VERTEX_SHADER, filterProbeVertexSource(glsl)),
-                     fragment = compiledShader(device_, GL_FRAGMENT_SHADER,
-                                               filterProbeFragmentSource(glsl, kindOf(target_)));
-        program_ = linkedShaders(device_, vertex, fragment, "filter probe");
-        gl_.UseProgram(program_.name());
-        gl_.Uniform1i(gl_.GetUniformLocation(program_.name(), "fbrdfMap"),
-                      device_->firstTextureUnit);
-    }
-
     /// Throws Error(gl) where nothing was drawn or what was drawn is no number.
     double read() const
     {
@@ -153,7 +119,7 @@ private:
     StateGuard& state_;
     TexelType type_;
     GLenum target_;
-    Object colour_, framebuffer_, program_;
+    ProbeTarget probed_;
 };
 
 FilterPrecision measured(const DevicePtr& device, TexelType type, GLenum target)

@@ -3,10 +3,8 @@
 #include "Blending.h"
 #include "CubePainter.h"
 #include "MeshResources.h"
-#include "Program.h"
+#include "ProbeTarget.h"
 #include "ReadGuard.h"
-#include "StateGuard.h"
-#include "TextureUpload.h"
 #include "UploadGuard.h"
 
 #include <fbrdf/base/Error.h>
@@ -60,10 +58,13 @@ class RoundingProbe {
 public:
     RoundingProbe(const DevicePtr& device, StateGuard& state, const MeshResources& triangle,
                   const ProbedFormat& format)
-        : device_(device), gl_(device->gl), state_(state), triangle_(triangle), format_(format)
+        : device_(device),
+          gl_(device->gl),
+          triangle_(triangle),
+          format_(format),
+          probed_(device, state, kSide, format.internal, format.type, "rounding")
     {
-        createTarget();
-        createProgram();
+        probed_.use(roundingProbeFragmentSource(device->capabilities.glsl));
     }
 
     StoreRounding measured()
@@ -83,47 +84,12 @@ public:
     }
 
 private:
-    void createTarget()
-    {
-        colour_ = createObject(device_, ObjectKind::texture);
-        state_.bindTexture(0, GL_TEXTURE_2D, colour_.name());
-        setSampling(gl_, GL_TEXTURE_2D, false);
-        const bool old = gl_.es != 0 && gl_.es < 30;
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, old ? GL_RGBA : format_.internal, kSide, kSide, 0, GL_RGBA,
-                       format_.type, nullptr);
-        framebuffer_ = createObject(device_, ObjectKind::framebuffer);
-        // For drawing and for reading.
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                                 colour_.name(), 0);
-        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw Error(ErrorKind::gl, "rounding",
-                        Found("a target that cannot be drawn to").expected("one that can"));
-        Target target;
-        target.framebuffer = framebuffer_.name();
-        target.width = target.height = kSide;
-        state_.setTarget(target);
-        gl_.DepthMask(GL_FALSE);
-        gl_.DepthFunc(GL_ALWAYS);
-    }
-
-    void createProgram()
-    {
-        const int glsl = device_->capabilities.glsl;
-        const Object vertex =
-                         compiledShader(device_, GL_VERTEX_SHADER, filterProbeVertexSource(glsl)),
-                     fragment = compiledShader(device_, GL_FRAGMENT_SHADER,
-                                               roundingProbeFragmentSource(glsl));
-        program_ = linkedShaders(device_, vertex, fragment, "rounding probe");
-        gl_.UseProgram(program_.name());
-    }
-
     /// Throws Error(gl) where nothing was drawn.
     Pixels drawn(const ValueRamp& ramp, Blend blend) const
     {
         setBlend(gl_, blend);
-        gl_.Uniform2f(gl_.GetUniformLocation(program_.name(), "fbrdfRamp"),
-                      static_cast<GLfloat>(ramp.first), static_cast<GLfloat>(ramp.extent));
+        gl_.Uniform2f(probed_.uniform("fbrdfRamp"), static_cast<GLfloat>(ramp.first),
+                      static_cast<GLfloat>(ramp.extent));
         triangle_.draw(0);
         Pixels pixels =
             format_.type == GL_UNSIGNED_BYTE    ? readAs<GLubyte>(gl_, format_.type, format_.steps)
@@ -153,10 +119,9 @@ private:
 
     const DevicePtr& device_;
     const Functions& gl_;
-    StateGuard& state_;
     const MeshResources& triangle_;
     ProbedFormat format_;
-    Object colour_, framebuffer_, program_;
+    ProbeTarget probed_;
 };
 
 StoreRounding measuredRounding(const DevicePtr& device, const ProbedFormat& format)
