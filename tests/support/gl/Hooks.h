@@ -29,6 +29,7 @@ public:
     bool refuseFramebuffers = false;   ///< framebuffers with a texture are never complete
     GLenum nextError = GL_NO_ERROR;    ///< what glGetError returns once
     int errorAfter = 0;                ///< calls of glGetError that are still answered by GL
+    bool loseContext = false;          ///< no name is given to a new object
     GLint unfilteredFormat = 0;        ///< textures of this internal format are not filtered
     bool countSamples = false;         ///< measure every draw call
     std::vector<GLuint> samples;       ///< samples that passed, one for each draw call
