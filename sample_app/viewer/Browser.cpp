@@ -92,9 +92,8 @@ Browser::Browser(gl::LoadFunction load, const std::string& folder, ThumbnailCach
 
 Browser::~Browser() = default;
 
-void Browser::follow(const scene::Document& document, World& world, bool mayDraw)
+void Browser::follow(const scene::Document& document)
 {
-    if (mayDraw) makeOne(world, document);
     items_.clear();
     const auto textureIn = [](const auto& pictures, const auto& key) {
         const auto known = pictures.find(key);
@@ -141,19 +140,23 @@ Browser::Picture Browser::pictureOfFile(const std::string& path)
 }
 
 /// Each picture once, that of a file that has none too.
-void Browser::makeOne(World& world, const scene::Document& document)
+bool Browser::makeOne(const scene::Document& document, World& world, bool isBusy)
 {
     for (const scene::SceneMaterial& material : document.materials) {
-        if (material.slot < 0 || slotPictures_.count(material.slot) > 0) continue;
-        const auto image = drawn(world.materials[static_cast<size_t>(material.slot)].material());
-        slotPictures_[material.slot] = image ? Picture(gl_, *image) : Picture();
-        return;
+        const int slot = material.slot;
+        const bool isThere = slotPictures_.count(slot) > 0;
+        if (slot < 0 || (isThere && (isBusy || stale_.count(slot) == 0))) continue;
+        const auto image = drawn(world.materials[static_cast<size_t>(slot)].material());
+        slotPictures_[slot] = image ? Picture(gl_, *image) : Picture();
+        stale_.erase(slot);
+        return true;
     }
     for (const std::string& path : files_) {
         if (filePictures_.count(path) > 0) continue;
         filePictures_[path] = pictureOfFile(path);
-        return;
+        return true;
     }
+    return false;
 }
 
 }  // namespace fbrdf::viewer

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,13 @@ public:
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
 
-    /// A material of the world is another than before.
-    void forget(size_t slot) { slotPictures_.erase(static_cast<int>(slot)); }
-    /// Lists what there is, and makes the picture of one that has none: one a frame, so that
-    /// frames stay short. mayDraw: false where there is no time for that.
-    void follow(const scene::Document& document, World& world, bool mayDraw);
+    /// A material of the world is another than before: its picture will be drawn again.
+    void forget(size_t slot) { stale_.insert(static_cast<int>(slot)); }
+    /// Lists what there is.
+    void follow(const scene::Document& document);
+    /// Makes the picture of one that has none, or, where nothing is busy, of one that has become
+    /// another: one at a time, so that frames stay short. False where there is none to be made.
+    bool makeOne(const scene::Document& document, World& world, bool isBusy);
     const std::vector<BrowserItem>& items() const { return items_; }
 
 private:
@@ -55,7 +58,6 @@ private:
     };
     std::optional<PngImage> drawn(const Material& material);
     Picture pictureOfFile(const std::string& path);
-    void makeOne(World& world, const scene::Document& document);
 
     GladGLContext gl_;
     gl::LoadFunction load_;
@@ -64,6 +66,7 @@ private:
     std::vector<std::string> files_;
     std::map<std::string, Picture> filePictures_;
     std::map<int, Picture> slotPictures_;  ///< of materials that are no files
+    std::set<int> stale_;                  ///< keys of slotPictures_
     std::vector<BrowserItem> items_;
 };
 

@@ -10,6 +10,11 @@
 namespace fbrdf::viewer {
 namespace {
 
+const scene::Mesh& coarseMeshOf(const World& world)
+{
+    return world.coarseMesh ? *world.coarseMesh : world.mesh;
+}
+
 const char* severityName(gl::Severity severity)
 {
     if (severity == gl::Severity::error) return "error";
@@ -45,18 +50,18 @@ GlScene::GlScene(gl::LoadFunction load, World& world, const Options& options)
     environmentLight_.samples = options.document.environment.samples;
     if (world.environment) replaceEnvironment(&*world.environment);
     for (MaterialSlot& slot : world.materials) setMaterial(materials_.size(), slot.material());
-    replaceMesh(world.mesh);
-    setShadows(options.document.shadows, world.mesh);
+    replaceMesh(world);
+    setShadows(options.document.shadows, world);
     if (world.ground) replaceGround(*world.ground);
 }
 
-void GlScene::setShadows(bool shadows, const scene::Mesh& mesh)
+void GlScene::setShadows(bool shadows, const World& world)
 {
     hooks_.reset();
     shadowMaps_.reset();
     if (!shadows) return;
     shadowMaps_ = std::make_unique<ShadowMaps>(load_);
-    shadowMaps_->setMesh(mesh);
+    shadowMaps_->setMesh(world.mesh, coarseMeshOf(world));
     hooks_ = renderer_.createHooks(shadowMaps_->hooks());
 }
 
@@ -102,10 +107,11 @@ void GlScene::setMaterial(size_t index, const Material& material)
         materials_[index] = uploaded(material);
 }
 
-void GlScene::replaceMesh(const scene::Mesh& mesh)
+void GlScene::replaceMesh(const World& world)
 {
-    mesh_ = renderer_.createMesh(mesh);
-    if (shadowMaps_) shadowMaps_->setMesh(mesh);
+    mesh_.whole = renderer_.createMesh(world.mesh);
+    mesh_.coarse = world.coarseMesh ? renderer_.createMesh(*world.coarseMesh) : mesh_.whole;
+    if (shadowMaps_) shadowMaps_->setMesh(world.mesh, coarseMeshOf(world));
 }
 
 void GlScene::replaceEnvironment(const scene::EnvironmentLight* light)
@@ -160,8 +166,8 @@ void GlScene::prepare(Technique technique, const World& world)
     gl::DrawOptions options = drawOptions(technique, world.lights);
     const auto count = static_cast<int>(world.lights.lights.size());
     for (const auto& material : materials_)
-        renderer_.prepare({material.get(), mesh_.get(), glm::mat4(1.0f), hooks_.get()}, options,
-                          count);
+        renderer_.prepare({material.get(), mesh_.whole.get(), glm::mat4(1.0f), hooks_.get()},
+                          options, count);
     if (!world.ground) return;
     options.environment.map = nullptr;
     renderer_.prepare(groundItem(*world.ground), options, count);
@@ -191,7 +197,7 @@ gl::DrawStats GlScene::draw(const gl::Target& target, const GlRequest& request)
         shadowMaps_->draw(
             request.instances,
             shadowedLights(lights, scene::boundsOf(request.instances), request.sample),
-            request.view);
+            request.view, request.step);
     gl::DrawStats ground;
     if (request.ground && request.ground->isSeenFrom(request.view))
         ground = drawGround(target, request);
@@ -199,7 +205,7 @@ gl::DrawStats GlScene::draw(const gl::Target& target, const GlRequest& request)
     for (const scene::Instance& instance : request.instances)
         items.push_back(
             {request.only ? request.only : materials_[static_cast<size_t>(instance.material)].get(),
-             mesh_.get(), instance.model, hooks_.get()});
+             mesh_.at(request.step), instance.model, hooks_.get()});
     gl::DrawStats drawn = renderer_.draw(target, request.view, items, lights,
                                          drawOptions(request.technique, *request.lights));
     drawn.drawCalls += ground.drawCalls;

@@ -19,7 +19,8 @@ struct GlRequest {
     const scene::Ground* ground = nullptr;  ///< null: none
     int sample = 0;  ///< of the pixels; the view is moved already, shadows depend on it
     gl::GpuMaterial* only =
-        nullptr;  ///< all instances are made of it; null: of materials by number
+        nullptr;   ///< all instances are made of it; null: of materials by number
+    int step = 1;  ///< one pixel in step x step is drawn: shadows may be as coarse
 };
 
 class GlScene {
@@ -31,7 +32,7 @@ public:
     const gl::Renderer& renderer() const { return renderer_; }
     /// Of the last draw, those of the ground first.
     const PassList& passes() const { return passes_; }
-    void replaceMesh(const scene::Mesh& mesh);
+    void replaceMesh(const World& world);
     /// Takes another material in the place of one, or one more where `index` is their number.
     void setMaterial(size_t index, const Material& material);
     /// Uploads one for GlRequest::only.
@@ -39,7 +40,7 @@ public:
     /// Takes the plane of a ground, and what the objects hide of the sky above it.
     void replaceGround(const scene::Ground& ground);
     /// Casts shadows from the next draw on, or none.
-    void setShadows(bool shadows, const scene::Mesh& mesh);
+    void setShadows(bool shadows, const World& world);
     void setLimits(const scene::DrawLimits& limits) { limits_ = limits; }
     /// Uploads all materials again, with maps of another kind.
     void setUpload(LookUp lookUp, bool precise, World& world);
@@ -64,6 +65,11 @@ public:
     gl::DrawStats draw(const gl::Target& target, const GlRequest& request);
 
 private:
+    /// As uploaded: all of a mesh, or what is enough of it for coarse pictures.
+    struct Meshes {
+        std::shared_ptr<gl::GpuMesh> whole, coarse;
+        const gl::GpuMesh* at(int step) const { return step > 1 ? coarse.get() : whole.get(); }
+    };
     gl::DrawOptions drawOptions(Technique technique, const scene::LightSet& lights) const;
     gl::Item groundItem(const scene::Ground& ground) const;
     gl::DrawStats drawGround(const gl::Target& target, const GlRequest& request);
@@ -85,7 +91,8 @@ private:
     Vec3d skyIrradiance_{0.0};  ///< of the environment on an open ground
     std::vector<std::shared_ptr<gl::GpuMaterial>> materials_;
     std::shared_ptr<gl::GpuMaterial> groundMaterial_;
-    std::shared_ptr<gl::GpuMesh> mesh_, groundMesh_;
+    Meshes mesh_;
+    std::shared_ptr<gl::GpuMesh> groundMesh_;
 };
 
 }  // namespace fbrdf::viewer

@@ -194,9 +194,11 @@ void GlfwWindow::present()
     glfwSwapBuffers(window_);
 }
 
-void GlfwWindow::takeInput(bool isStill)
+void GlfwWindow::takeInput(bool isStill, double rest)
 {
     constexpr double kStillSeconds = 1.0 / 60.0;
+    const double end = glfwGetTime() + rest;
+    for (double left = rest; left > 0.0; left = end - glfwGetTime()) glfwWaitEventsTimeout(left);
     if (isStill)
         glfwWaitEventsTimeout(kStillSeconds);
     else

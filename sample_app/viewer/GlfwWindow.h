@@ -45,8 +45,8 @@ public:
     bool shouldClose() const;
     /// Shows what was drawn.
     void present();
-    /// isStill: waits for some, a short while.
-    void takeInput(bool isStill);
+    /// isStill: waits for some, a short while. rest: takes what comes for so many seconds before.
+    void takeInput(bool isStill, double rest);
 
 private:
     void installCallbacks();

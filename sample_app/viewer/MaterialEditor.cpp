@@ -35,6 +35,14 @@ std::string resultOf(const fitting::FitReply& reply)
                        materialBytes(material), 100.0 * reply.summary.all.logMedian, reply.seconds);
 }
 
+/// The material of a document that is in the slot, or the end.
+template <class Materials>
+auto materialOf(int slot, Materials& materials)
+{
+    return std::find_if(materials.begin(), materials.end(),
+                        [&](const scene::SceneMaterial& m) { return m.slot == slot; });
+}
+
 }  // namespace
 
 MaterialEditor::MaterialEditor(World& world, std::function<void(size_t)> changed)
@@ -47,14 +55,10 @@ void MaterialEditor::open(const std::string& spec)
     Opening opening;
     opening.recipe.source = spec;
     opening.isDropped = true;
-    std::optional<Material> material = readIfMaterial(spec);
-    if (!material) {
+    if (std::optional<Material> material = readIfMaterial(spec))
+        ready_.emplace_back(std::move(opening), std::move(*material));
+    else
         toOpen_.push_back(std::move(opening));
-        return;
-    }
-    world_.materials.emplace_back(spec, nullptr, std::move(*material));
-    opening.recipe.slot = static_cast<int>(world_.materials.size()) - 1;
-    ready_.push_back(std::move(opening));
 }
 
 void MaterialEditor::cancel()
@@ -83,14 +87,20 @@ void MaterialEditor::keep(Edit& edit, Fitted fitted)
     if (edit.fitted.size() > kKeptFits) edit.fitted.pop_back();
 }
 
+/// What comes of the slot's orders is too late.
+void MaterialEditor::dropOrders(size_t slot)
+{
+    for (auto order = orders_.begin(); order != orders_.end();)
+        order = order->second.slot == slot ? orders_.erase(order) : std::next(order);
+}
+
 /// Takes a fit that there was; orders that are under way come too late. False where there is none.
 bool MaterialEditor::restore(size_t slot, Edit& edit, const SceneMaterial& recipe)
 {
     const auto known = std::find_if(edit.fitted.begin(), edit.fitted.end(),
                                     [&](const Fitted& fitted) { return fitted.recipe == recipe; });
     if (known == edit.fitted.end()) return false;
-    for (auto order = orders_.begin(); order != orders_.end();)
-        order = order->second.slot == slot ? orders_.erase(order) : std::next(order);
+    dropOrders(slot);
     world_.materials[slot].replace(recipe.source, known->source, known->material);
     edit.ordered = recipe;
     edit.hasLobes = true;
@@ -166,19 +176,51 @@ void MaterialEditor::place(const Opening& opening, scene::Document& document)
     loaded_[opening.recipe.slot] = opening.recipe;
     changed_(static_cast<size_t>(opening.recipe.slot));
     if (opening.isDropped) {
-        document.materials.push_back(opening.recipe);
-        document.shown = static_cast<int>(document.materials.size()) - 1;
+        auto place = materialOf(opening.recipe.slot, document.materials);
+        if (place == document.materials.end())
+            place = document.materials.insert(place, opening.recipe);
+        *place = opening.recipe;
+        document.shown = static_cast<int>(place - document.materials.begin());
     }
     for (SceneMaterial& material : document.materials)
         if (material.slot < 0 && opening.recipe == material) material.slot = opening.recipe.slot;
 }
 
-void MaterialEditor::add(Opening& opening, const fitting::FitReply& reply,
+/// The slot takes the material, and forgets what it was made of before.
+void MaterialEditor::fill(size_t slot, const SceneMaterial& recipe,
+                          std::shared_ptr<const Source> source, Material material)
+{
+    dropOrders(slot);
+    Edit& edit = edits_[slot] = {};
+    edit.ordered = recipe;
+    keep(edit, {recipe, source, material});
+    world_.materials[slot].replace(recipe.source, std::move(source), std::move(material));
+}
+
+/// A slot that was loaded from this, and that the document has for nothing else (a slider changes
+/// what a model is); -1: there is none.
+int MaterialEditor::slotFrom(const std::string& source, const scene::Document& document) const
+{
+    for (const auto& [slot, recipe] : loaded_) {
+        const auto use = materialOf(slot, document.materials);
+        if (recipe.source == source && (use == document.materials.end() || use->source == source))
+            return slot;
+    }
+    return -1;
+}
+
+/// What was dropped takes the place of what was read from the same file before.
+void MaterialEditor::add(Opening& opening, std::shared_ptr<const Source> source, Material material,
                          scene::Document& document)
 {
     SceneMaterial& recipe = opening.recipe;
-    world_.materials.emplace_back(recipe.source, reply.source, *reply.material);
-    recipe.slot = static_cast<int>(world_.materials.size()) - 1;
+    if (opening.isDropped) recipe.slot = slotFrom(recipe.source, document);
+    if (recipe.slot >= 0) {
+        fill(static_cast<size_t>(recipe.slot), recipe, std::move(source), std::move(material));
+    } else {
+        world_.materials.emplace_back(recipe.source, std::move(source), std::move(material));
+        recipe.slot = static_cast<int>(world_.materials.size()) - 1;
+    }
     place(opening, document);
 }
 
@@ -187,28 +229,25 @@ void MaterialEditor::improve(const Opening& opening, const fitting::FitReply& re
                              scene::Document& document)
 {
     const auto slot = static_cast<size_t>(opening.recipe.slot);
-    const auto recipe = std::find_if(
-        document.materials.begin(), document.materials.end(), [&](const SceneMaterial& material) {
-            return material.slot == opening.recipe.slot && material == opening.recipe;
-        });
-    if (recipe == document.materials.end()) return;
+    const auto recipe = materialOf(opening.recipe.slot, document.materials);
+    if (recipe == document.materials.end() || !(*recipe == opening.recipe)) return;
     // A search that ends by the clock may find another form the next time.
     recipe->form = reply.material->form.name;
     loaded_[opening.recipe.slot] = *recipe;
-    world_.materials[slot].replace(recipe->source, reply.source, *reply.material);
-    edits_.erase(slot);
+    fill(slot, *recipe, reply.source, *reply.material);
     changed_(slot);
 }
 
 void MaterialEditor::takeOpened(scene::Document& document)
 {
-    for (; !ready_.empty(); ready_.pop_front()) place(ready_.front(), document);
+    for (; !ready_.empty(); ready_.pop_front())
+        add(ready_.front().first, nullptr, std::move(ready_.front().second), document);
     if (auto reply = openings_.take(); reply && opening_) {
         const bool isMade = take(*reply, opening_->recipe.source);
         if (isMade && opening_->isSearched)
             improve(*opening_, *reply, document);
         else if (isMade)
-            add(*opening_, *reply, document);
+            add(*opening_, reply->source, *reply->material, document);
         else if (!opening_->isDropped)
             refused_.push_back(opening_->recipe);
         const bool goesOn = isMade && opening_->isDropped && !opening_->isSearched &&

@@ -27,8 +27,8 @@ public:
     MaterialEditor(World& world, std::function<void(size_t slot)> changed);
 
     /// Fits a file or model, and adds it to the document as soon as there is a quick fit; the
-    /// search for the best form goes on. A material file is added with the next follow(). Throws
-    /// what reading a material file throws.
+    /// search for the best form goes on. A material file is added with the next follow(). What was
+    /// read from the same file before is replaced. Throws what reading a material file throws.
     void open(const std::string& spec);
     /// Gives up what is being fitted, and what waits for it.
     void cancel();
@@ -68,15 +68,20 @@ private:
 
     Edit& editOf(const SceneMaterial& material);
     void keep(Edit& edit, Fitted fitted);
+    void dropOrders(size_t slot);
     bool restore(size_t slot, Edit& edit, const SceneMaterial& recipe);
     void orderEdit(size_t slot, Edit& edit, const SceneMaterial& recipe, bool withLobes);
     void followShown(SceneMaterial& material);
     int slotOf(const SceneMaterial& wanted) const;
+    int slotFrom(const std::string& source, const scene::Document& document) const;
     void load(scene::Document& document);
     void takeEdit();
     void takeOpened(scene::Document& document);
     void orderOpening();
-    void add(Opening& opening, const fitting::FitReply& reply, scene::Document& document);
+    void fill(size_t slot, const SceneMaterial& recipe, std::shared_ptr<const Source> source,
+              Material material);
+    void add(Opening& opening, std::shared_ptr<const Source> source, Material material,
+             scene::Document& document);
     void improve(const Opening& opening, const fitting::FitReply& reply, scene::Document& document);
     void place(const Opening& opening, scene::Document& document);
     bool take(const fitting::FitReply& reply, const std::string& source);
@@ -86,8 +91,9 @@ private:
     std::map<int, SceneMaterial> loaded_;  ///< by slots: what each was loaded for
     std::map<size_t, Edit> edits_;
     std::map<int, Order> orders_;  ///< by their numbers; those without a reply
-    std::deque<Opening> toOpen_, ready_;
-    std::optional<Opening> opening_;      ///< what openings_ fits
+    std::deque<Opening> toOpen_;
+    std::deque<std::pair<Opening, Material>> ready_;  ///< material files
+    std::optional<Opening> opening_;                  ///< what openings_ fits
     std::vector<SceneMaterial> refused_;  ///< of the document, which could not be loaded
     FitFacts facts_;
     fitting::FitWorker editing_, openings_;

@@ -13,7 +13,8 @@ NewFolder::NewFolder(const std::string& path) : path_(path)
     isNew_ = std::filesystem::create_directory(path, error);
     if (error || !std::filesystem::is_directory(path))
         throw Error(ErrorKind::output, path,
-                    Found(error ? error.message() : "no folder").expected("a folder to fill"));
+                    Found(error ? systemErrorText(error.value()) : "no folder")
+                        .expected("a folder to fill"));
 }
 
 NewFolder::~NewFolder()

@@ -18,8 +18,21 @@ constexpr int kCoarseStep = 4;
 // things change.
 constexpr double kWholeSample = std::numeric_limits<double>::infinity();
 constexpr double kFrameMilliseconds = 25.0, kCpuMilliseconds = 50.0, kSlowMilliseconds = 80.0;
+constexpr double kCoarseMilliseconds = 40.0;
 constexpr int kLeastStep = 2, kMostStep = 4;
-constexpr double kRefineMilliseconds = 15.0;  // of a frame, while an environment comes
+// Of a frame, while an environment comes.
+constexpr double kRefineMilliseconds = 15.0, kBusyRefineMilliseconds = 5.0;
+
+/// The step after a coarse picture that took so long: larger where that was too long, smaller where
+/// as many more pixels would be quick enough.
+int nextStep(int step, double milliseconds)
+{
+    constexpr double kEnough = 0.8;  // so that it does not go to and fro
+    const double finer = step * step / static_cast<double>((step - 1) * (step - 1));
+    if (milliseconds > kCoarseMilliseconds) return std::min(step + 1, kMostStep);
+    if (finer * milliseconds < kEnough * kCoarseMilliseconds) return std::max(step - 1, kLeastStep);
+    return step;
+}
 
 }  // namespace
 
@@ -42,6 +55,11 @@ Progressive::Progressive(gl::LoadFunction load, const Options& options, World& w
         scene_.prepare(runtimeTechnique(options.document.technique), world);
 }
 
+bool Progressive::isSlow() const
+{
+    return sampleMilliseconds_ > kSlowMilliseconds;
+}
+
 int Progressive::samples() const
 {
     if (!isOnCpu(shown_->technique)) return sum_.count();
@@ -52,7 +70,8 @@ std::optional<double> Progressive::draw(const Shown& wanted, bool isBusy, scene:
 {
     // Lobes that are still being fitted change the picture when they are there.
     const bool waits = !isOnCpu(wanted.technique) && !stats.whyNoEnvironment.empty();
-    if (shown_ && !isOnCpu(wanted.technique)) scene_.refineEnvironment(kRefineMilliseconds);
+    if (shown_ && !isOnCpu(wanted.technique))
+        scene_.refineEnvironment(isBusy ? kBusyRefineMilliseconds : kRefineMilliseconds);
     const bool sharpened = sharpness_ != scene_.sharpness() && !isOnCpu(wanted.technique);
     sharpness_ = scene_.sharpness();
     const bool changed = !shown_ || !(*shown_ == wanted) || waits || sharpened;
@@ -64,7 +83,7 @@ std::optional<double> Progressive::draw(const Shown& wanted, bool isBusy, scene:
             std::chrono::steady_clock::now() - start;
         return time.count();
     }
-    const bool isSlow = sampleMilliseconds_ > kSlowMilliseconds;
+    const bool isSlow = this->isSlow();
     if (isBusy && isSlow && !changed && !options_.frames) return std::nullopt;
     // A counted frame is drawn even where it shows the same, and is worth its full size.
     if (changed || coarse_ || options_.frames) restartSum(changed && !options_.frames && isSlow);
@@ -77,8 +96,7 @@ std::optional<double> Progressive::draw(const Shown& wanted, bool isBusy, scene:
     drawByRuntime(count, stats);
     const double milliseconds = timer_.end();
     sampleMilliseconds_ = milliseconds / count * (coarse_ ? step_ * step_ : 1);
-    if (coarse_ && milliseconds > kSlowMilliseconds) step_ = std::min(step_ + 1, kMostStep);
-    if (coarse_ && milliseconds < 0.25 * kSlowMilliseconds) step_ = std::max(step_ - 1, kLeastStep);
+    if (coarse_) step_ = nextStep(step_, milliseconds);
     return milliseconds;
 }
 
@@ -102,6 +120,7 @@ void Progressive::drawByRuntime(int samples, scene::Stats& stats)
     for (int i = 0; i < samples; ++i) {
         const gl::Target target = sum_.clearedTarget();
         request.sample = sum_.count();
+        request.step = coarse_ ? step_ : 1;
         request.view = scene::movedBy(shown_->view, scene::subPixel(request.sample), target.width,
                                       target.height);
         addDrawStats(scene_.draw(target, request), scene_.renderer(), stats);

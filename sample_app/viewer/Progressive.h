@@ -45,6 +45,7 @@ public:
 
     bool hasShown(const Shown& wanted) const { return shown_ && *shown_ == wanted; }
     bool isCoarse() const { return coarse_; }
+    bool isSlow() const;  ///< a whole sample takes so long that pictures that move are coarse
     const Shown& shown() const { return *shown_; }  ///< expects draw() before
     int samples() const;                            ///< of each pixel, so far
     /// Of techniques of the runtime.

@@ -14,6 +14,9 @@ namespace fbrdf::viewer {
 namespace {
 
 constexpr int kMapSize = 1024;  ///< texels on a side: about two a pixel of a large object
+// Each level of the texture has half as many on a side. Without a GPU four maps of 1024 texels take
+// half of the time of a coarse picture.
+constexpr int kLevels = 3;
 // The last of the 16 units that OpenGL 3.3 promises; the runtime counts from 0.
 constexpr int kUnit = 15;
 // Depths are moved away from the light by these (glPolygonOffset), so that texels do not shade the
@@ -37,6 +40,13 @@ glm::mat4 clipFromWorldOf(const Light& light, const scene::Bounds& ball)
     return glm::mat4(projection * view);
 }
 
+int levelFor(int step)
+{
+    int level = 0;
+    while (level + 1 < kLevels && step >> (level + 1) > 0) ++level;
+    return level;
+}
+
 /// From clip coordinates to those of a texture.
 glm::mat4 textureFromClip()
 {
@@ -48,15 +58,19 @@ glm::mat4 textureFromClip()
 ShadowMaps::ShadowMaps(gl::LoadFunction load)
     : gl_(loadGlFunctions(load)), program_(linkedProgram(gl_, "shadow.vert", "shadow.frag"))
 {
-    gl_.GenVertexArrays(1, &vertexArray_);
-    gl_.GenBuffers(1, &positions_);
-    gl_.GenBuffers(1, &indices_);
+    for (Triangles* triangles : {&whole_, &coarse_}) {
+        gl_.GenVertexArrays(1, &triangles->vertexArray);
+        gl_.GenBuffers(1, &triangles->positions);
+        gl_.GenBuffers(1, &triangles->indices);
+    }
     gl_.GenFramebuffers(1, &framebuffer_);
     gl_.GenTextures(1, &depths_);
     gl_.ActiveTexture(GL_TEXTURE0 + kUnit);
     gl_.BindTexture(GL_TEXTURE_2D_ARRAY, depths_);
-    gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, kMapSize, kMapSize,
-                   scene::kMostShadowed, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    for (int level = 0; level < kLevels; ++level)
+        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_DEPTH_COMPONENT24, kMapSize >> level,
+                       kMapSize >> level, scene::kMostShadowed, 0, GL_DEPTH_COMPONENT,
+                       GL_UNSIGNED_INT, nullptr);
     for (const auto& [name, value] :
          {std::pair(GL_TEXTURE_MIN_FILTER, GL_LINEAR), std::pair(GL_TEXTURE_MAG_FILTER, GL_LINEAR),
           std::pair(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE),
@@ -64,40 +78,59 @@ ShadowMaps::ShadowMaps(gl::LoadFunction load)
           std::pair(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE),
           std::pair(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL)})
         gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, static_cast<GLenum>(name), value);
-    gl_.ActiveTexture(GL_TEXTURE0);
+    setLevel(0);
 }
 
 ShadowMaps::~ShadowMaps()
 {
     gl_.DeleteTextures(1, &depths_);
     gl_.DeleteFramebuffers(1, &framebuffer_);
-    gl_.DeleteBuffers(1, &indices_);
-    gl_.DeleteBuffers(1, &positions_);
-    gl_.DeleteVertexArrays(1, &vertexArray_);
+    for (const Triangles* triangles : {&whole_, &coarse_}) {
+        gl_.DeleteBuffers(1, &triangles->indices);
+        gl_.DeleteBuffers(1, &triangles->positions);
+        gl_.DeleteVertexArrays(1, &triangles->vertexArray);
+    }
     gl_.DeleteProgram(program_);
 }
 
-void ShadowMaps::setMesh(const scene::Mesh& mesh)
+void ShadowMaps::setMesh(const scene::Mesh& mesh, const scene::Mesh& coarse)
+{
+    upload(mesh, whole_);
+    upload(coarse, coarse_);
+    drawn_.clear();
+}
+
+void ShadowMaps::upload(const scene::Mesh& mesh, Triangles& triangles) const
 {
     const auto bytes = [](const auto& values) {
         return static_cast<GLsizeiptr>(values.size() * sizeof values[0]);
     };
-    gl_.BindVertexArray(vertexArray_);
-    gl_.BindBuffer(GL_ARRAY_BUFFER, positions_);
+    gl_.BindVertexArray(triangles.vertexArray);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, triangles.positions);
     gl_.BufferData(GL_ARRAY_BUFFER, bytes(mesh.positions), mesh.positions.data(), GL_STATIC_DRAW);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles.indices);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.indices), mesh.indices.data(),
                    GL_STATIC_DRAW);
     gl_.EnableVertexAttribArray(0);
     gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
     gl_.BindVertexArray(0);
     gl_.BindBuffer(GL_ARRAY_BUFFER, 0);
-    indexCount_ = static_cast<GLsizei>(mesh.indices.size());
-    drawn_.clear();
+    triangles.indexCount = static_cast<GLsizei>(mesh.indices.size());
+}
+
+/// Lets samplers see that level alone.
+void ShadowMaps::setLevel(int level)
+{
+    level_ = level;
+    gl_.ActiveTexture(GL_TEXTURE0 + kUnit);
+    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, level);
+    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, level);
+    gl_.ActiveTexture(GL_TEXTURE0);
 }
 
 void ShadowMaps::draw(const std::vector<scene::Instance>& objects,
-                      const std::vector<scene::ShadowedLight>& lights, const gl::View& view)
+                      const std::vector<scene::ShadowedLight>& lights, const gl::View& view,
+                      int step)
 {
     FBRDF_ASSERT(lights.size(), <=, static_cast<size_t>(scene::kMostShadowed));
     worldFromEye_ = glm::inverse(view.view);
@@ -107,9 +140,11 @@ void ShadowMaps::draw(const std::vector<scene::Instance>& objects,
         maps.push_back({light.place, clipFromWorldOf(light.from, ball)});
     std::vector<glm::mat4> models;
     for (const scene::Instance& object : objects) models.push_back(object.model);
-    if (maps == maps_ && models == drawn_) return;
+    const int level = levelFor(step);
+    if (maps == maps_ && models == drawn_ && level == level_) return;
     maps_ = maps;
     drawn_ = models;
+    setLevel(level);
     drawMaps(objects);
 }
 
@@ -118,21 +153,22 @@ void ShadowMaps::drawMaps(const std::vector<scene::Instance>& objects)
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.DrawBuffer(GL_NONE);
     gl_.ReadBuffer(GL_NONE);
-    gl_.Viewport(0, 0, kMapSize, kMapSize);
+    gl_.Viewport(0, 0, kMapSize >> level_, kMapSize >> level_);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     gl_.PolygonOffset(kSlopeOffset, kConstantOffset);
     gl_.UseProgram(program_);
-    gl_.BindVertexArray(vertexArray_);
+    const Triangles& triangles = level_ > 0 ? coarse_ : whole_;
+    gl_.BindVertexArray(triangles.vertexArray);
     const GLint clipFromObject = gl_.GetUniformLocation(program_, "clipFromObject");
     for (size_t i = 0; i < maps_.size(); ++i) {
-        gl_.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depths_, 0,
+        gl_.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depths_, level_,
                                     static_cast<GLint>(i));
         gl_.Clear(GL_DEPTH_BUFFER_BIT);
         for (const scene::Instance& object : objects) {
             const glm::mat4 matrix = maps_[i].clipFromWorld * object.model;
             gl_.UniformMatrix4fv(clipFromObject, 1, GL_FALSE, &matrix[0][0]);
-            gl_.DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+            gl_.DrawElements(GL_TRIANGLES, triangles.indexCount, GL_UNSIGNED_INT, nullptr);
         }
     }
     gl_.BindVertexArray(0);

@@ -17,12 +17,13 @@ public:
     ShadowMaps(const ShadowMaps&) = delete;
     ShadowMaps& operator=(const ShadowMaps&) = delete;
 
-    /// Takes the mesh that all objects are of.
-    void setMesh(const scene::Mesh& mesh);
+    /// Takes the mesh that all objects are of, and what is enough of it for coarse maps.
+    void setMesh(const scene::Mesh& mesh, const scene::Mesh& coarse);
     /// Draws the maps of lights, at most scene::kMostShadowed of them, unless they show these
-    /// objects from there already; and makes programs see from the eye of `view`.
+    /// objects from there already; and makes programs see from the eye of `view`. step: the picture
+    /// has one pixel in step x step, and the maps may have as few.
     void draw(const std::vector<scene::Instance>& objects,
-              const std::vector<scene::ShadowedLight>& lights, const gl::View& view);
+              const std::vector<scene::ShadowedLight>& lights, const gl::View& view, int step);
     gl::Hooks hooks() const;
 
 private:
@@ -34,14 +35,21 @@ private:
             return light == o.light && clipFromWorld == o.clipFromWorld;
         }
     };
+    /// Triangles in buffers.
+    struct Triangles {
+        GLuint vertexArray = 0, positions = 0, indices = 0;
+        GLsizei indexCount = 0;
+    };
+    void upload(const scene::Mesh& mesh, Triangles& triangles) const;
+    void setLevel(int level);
     void drawMaps(const std::vector<scene::Instance>& objects);
     void setUniforms(uint32_t program) const;
 
     GladGLContext gl_;
-    GLuint program_ = 0, vertexArray_ = 0, positions_ = 0, indices_ = 0;
-    GLuint framebuffer_ = 0, depths_ = 0;
-    GLsizei indexCount_ = 0;
+    GLuint program_ = 0, framebuffer_ = 0, depths_ = 0;
+    Triangles whole_, coarse_;
     std::vector<Map> maps_;
+    int level_ = 0;                 ///< of the texture, which has the maps in one of its sizes
     std::vector<glm::mat4> drawn_;  ///< the objects in the maps; empty: none yet
     glm::mat4 worldFromEye_{1.0f};
 };

@@ -36,6 +36,7 @@ constexpr size_t kKeptTimes = 240;    ///< frames whose times a window remembers
 constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
 constexpr double kOrbitRate = 30.0;   ///< of the lights
 constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
+constexpr double kMostRest = 0.025;   ///< seconds between two frames while something is fitted
 
 class WindowLoop {
 public:
@@ -72,7 +73,7 @@ public:
         facts_.renderer = scene_.renderer().glRenderer();
         facts_.passRows = &scene_.passes().rows();
         facts_.stats = &stats_;
-        browser_.follow(state_.document, world, false);
+        browser_.follow(state_.document);
         state_.browser.on = browser_.items().size() > 1;
     }
 
@@ -259,7 +260,8 @@ Shown WindowLoop::wanted(GlfwWindow::Size size) const
 
 void WindowLoop::drawFrame()
 {
-    times_.begin(!facts_.fit.doing.empty());
+    const bool isFitting = !facts_.fit.doing.empty();
+    times_.begin(isFitting, panel_.isHeld());
     followState();
     const GlfwWindow::Size size = window_.framebufferSize();
     const bool moved = state_.compare.on ? drawComparison(size) : drawMaterial(size);
@@ -271,8 +273,12 @@ void WindowLoop::drawFrame()
     panel_.draw(state_, facts_);
     saveScreenshots();
     window_.present();
-    times_.presented();
-    window_.takeInput(!moved);
+    const double seconds = 1e-3 * times_.presented();
+    const bool isBusy = isFitting && moved && progressive_.isSlow();
+    const bool madeThumbnail = state_.browser.on && !options_.frames &&
+                               browser_.makeOne(state_.document, world_, isFitting);
+    // Where the processor draws, some of it is left to the fit.
+    window_.takeInput(!moved, isBusy && !madeThumbnail ? std::min(kMostRest, 0.5 * seconds) : 0.0);
 }
 
 /// Returns whether anything was drawn.
@@ -323,11 +329,11 @@ void WindowLoop::inspect(GlfwWindow::Size size)
                        material.source()});
 }
 
-/// Makes a thumbnail that is missing, and shows or opens what was chosen.
+/// Shows or opens what was chosen.
 void WindowLoop::browse()
 {
     scene::BrowserView& view = state_.browser;
-    if (!options_.frames) browser_.follow(state_.document, world_, view.on);
+    if (!options_.frames) browser_.follow(state_.document);
     facts_.browser = &browser_.items();
     view.count = static_cast<int>(browser_.items().size());
     if (std::exchange(lastShown_, state_.document.shown) != state_.document.shown)

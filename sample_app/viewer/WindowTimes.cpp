@@ -49,28 +49,36 @@ double secondsSinceStart()
     return 1e-3 * milliseconds(std::chrono::steady_clock::now() - first);
 }
 
-void WindowTimes::begin(bool isFitting)
+void WindowTimes::begin(bool isFitting, bool isHeld)
 {
     frame_ = Clock::now();
     isFitting_ = isFitting;
+    isHeld_ = isHeld;
 }
 
-void WindowTimes::presented()
+double WindowTimes::presented()
 {
     const Clock::time_point now = Clock::now();
-    const double taken = milliseconds(now - frame_);
-    // Compilers of shaders and the first upload are in the time until the first picture.
-    if (stats_.frames++ == 0)
-        stats_.firstPictureSeconds = secondsSinceStart();
+    if (shown_)
+        addFrame(milliseconds(now - *shown_));
     else
-        stats_.longestFrame = std::max(stats_.longestFrame, taken);
-    if (isFitting_ && stats_.frames > 1) {
-        ++stats_.framesWhileFitting;
-        stats_.longestWhileFitting = std::max(stats_.longestWhileFitting, taken);
-    }
+        stats_.firstPictureSeconds = secondsSinceStart();
+    shown_ = now;
+    ++stats_.frames;
     for (const size_t i : ready_)
         stats_.opened[i].seconds = 1e-3 * milliseconds(now - droppedAt_[i]);
     ready_.clear();
+    return milliseconds(now - frame_);
+}
+
+/// What people wait for is the next picture, so rests between frames count as well.
+void WindowTimes::addFrame(double taken)
+{
+    stats_.longestFrame = std::max(stats_.longestFrame, taken);
+    if (isHeld_) stats_.secondsWhileHeld += 1e-3 * taken;
+    if (!isFitting_) return;
+    ++stats_.framesWhileFitting;
+    stats_.longestWhileFitting = std::max(stats_.longestWhileFitting, taken);
 }
 
 scene::OpenedStats* WindowTimes::waiting(const std::string& file)
@@ -96,6 +104,7 @@ void WindowTimes::refused(const std::string& file, const std::string& why)
 void WindowTimes::made(const std::string& source)
 {
     ++stats_.materialsMade;
+    stats_.madeWhileHeld += isHeld_;
     if (const scene::OpenedStats* const opened = waiting(source))
         ready_.push_back(static_cast<size_t>(opened - stats_.opened.data()));
 }

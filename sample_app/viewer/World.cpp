@@ -91,6 +91,7 @@ void loadWorld(const Options& options, World& world)
     const bool all = options.headless && options.command == Command::view && document.shown < 0;
     const int count = all ? static_cast<int>(world.materials.size()) : 1;
     world.mesh = scene::meshFromName(document.mesh);
+    world.coarseMesh = scene::coarseMeshFromName(document.mesh);
     world.instances = scene::arranged(world.mesh, count, aspectOf(options));
     const scene::Bounds bounds = scene::boundsOf(world.instances);
     world.lights = options.lights.empty()

@@ -19,6 +19,7 @@ namespace fbrdf::viewer {
 struct World {
     std::deque<MaterialSlot> materials;  ///< a deque, so that truth() may point into it
     scene::Mesh mesh;
+    std::optional<scene::Mesh> coarseMesh;  ///< of it, for coarse pictures; none: there is no other
     std::vector<scene::Instance> instances;  ///< of mesh, one a material
     scene::LightSet lights;
     std::optional<scene::EnvironmentLight> environment;

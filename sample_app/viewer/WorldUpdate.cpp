@@ -34,7 +34,8 @@ void WorldUpdate::followMesh(const scene::Document& document)
     if (document.mesh == shown_.mesh && document.ground == shown_.ground) return;
     if (document.mesh != shown_.mesh) {
         world_.mesh = scene::meshFromName(document.mesh);
-        scene_.replaceMesh(world_.mesh);
+        world_.coarseMesh = scene::coarseMeshFromName(document.mesh);
+        scene_.replaceMesh(world_);
         placed_.reset();
     }
     world_.instances = {{&world_.mesh}};
@@ -99,7 +100,7 @@ void WorldUpdate::followStyle(const scene::Document& document)
         countChange();
     }
     if (document.shadows != shown_.shadows) {
-        scene_.setShadows(document.shadows, world_.mesh);
+        scene_.setShadows(document.shadows, world_);
         countChange();
     }
     if (!(document.limits == shown_.limits)) {

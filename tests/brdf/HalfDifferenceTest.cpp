@@ -105,6 +105,17 @@ TEST(HalfDifference, RotationAboutTheNormalChangesPhiHOnly)
     }
 }
 
+TEST(HalfDifference, VectorsAreThoseOfTheAngles)
+{
+    for (int n = 0; n < test::kPoints; ++n) {
+        const auto pair = test::pair(n, 0.0);
+        const auto a = halfDifferenceFromPair(pair);
+        const auto [half, difference] = halfDifferenceVectors(pair);
+        ASSERT_LT(test::distance(half, directionFromAngles(a.theta_h, 0.0)), kTight) << n;
+        ASSERT_LT(test::distance(difference, directionFromAngles(a.theta_d, a.phi_d)), kTight) << n;
+    }
+}
+
 TEST(HalfDifference, StaysWithinItsRanges)
 {
     for (int n = 0; n < test::kPoints; ++n) {

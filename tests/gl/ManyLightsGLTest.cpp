@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/gl/CompareImages.h"
+#include "support/gl/EnvironmentScenes.h"
 #include "support/gl/GlTest.h"
 #include "support/gl/Hooks.h"
 #include "support/gl/Scenes.h"
@@ -164,6 +165,75 @@ TEST_P(ManyLights, BatchesOfLightsThatAreNearShadeFewPixels)
     const auto [first, added] = samples();
     EXPECT_GT(added, 0u);
     EXPECT_LT(added, 7 * first / 2);  // of seven passes, half is never reached
+}
+
+// Lists that have the same lights in the same order give the same sums.
+TEST_P(ManyLights, ListsOfTheGpuDrawWhatThoseOfTheCpuDo)
+{
+    gl::Renderer renderer = makeRenderer();
+    if (!hasLists() || renderer.capabilities().computeBuffers == 0)
+        GTEST_SKIP() << "needs compute shaders";
+    const auto material =
+        renderer.createMaterial(withLobes(testMaterials()[0], testLobes(LobeAxes::tilted, 2)));
+    const auto mesh = renderer.createMesh(knotMesh(48, 8));
+    gl::DrawOptions options;
+    options.clustered = true;
+    for (int i = 0; i < 12; ++i) {
+        AreaLight light;
+        light.shape = i % 2 == 0 ? AreaLight::Shape::disc : AreaLight::Shape::rectangle;
+        const float angle = static_cast<float>(i);
+        light.position = {1.2f * std::cos(angle), 1.2f * std::sin(angle), 0.3f};
+        light.normal = {std::sin(angle), 0.3f, -std::cos(angle)};
+        light.size = 0.2f;
+        light.radius = 1.5f;
+        options.areaLights.push_back(light);
+    }
+    for (const gl::View& view : {perspectiveView(), orthographicView()})
+        for (const int count : {9, 130}) {
+            auto lights = smallLights(count);
+            for (size_t i = 3; i < lights.size(); i += 4) {
+                if (lights[i].type == Light::Type::directional) continue;
+                lights[i].type = Light::Type::spot;
+                lights[i].axis = -lights[i].position;
+            }
+            for (Light& light : lights) light.radius *= 2.0f;  // fewer clusters
+            const auto drawBy = [&](gl::ListsBy who) {
+                options.listsBy = who;
+                return drawItems(renderer, kSize, view, {{material.get(), mesh.get()}}, lights,
+                                 options);
+            };
+            const Drawn cpu = drawBy(gl::ListsBy::cpu), gpu = drawBy(gl::ListsBy::gpu);
+            EXPECT_EQ(cpu.stats.listsBy, gl::ListsBy::cpu);
+            EXPECT_EQ(cpu.stats.whyListsByCpu, "asked for");
+            EXPECT_EQ(gpu.stats.listsBy, gl::ListsBy::gpu) << gpu.stats.whyListsByCpu;
+            EXPECT_EQ(gpu.stats.whyListsByCpu, "");
+            EXPECT_EQ(gpu.pixels, cpu.pixels) << count;
+            EXPECT_EQ(drawBy(gl::ListsBy::gpu).pixels, gpu.pixels);
+        }
+    for (const std::string& line : log) ADD_FAILURE() << line;
+}
+
+TEST_P(ManyLights, ListsAreMadeByWhomIsSaid)
+{
+    gl::Renderer renderer = makeRenderer();
+    gl::DrawOptions options;
+    options.clustered = true;
+    // Here the renderer is one in software.
+    const Drawn automatic = draw(renderer, smallLights(100), options);
+    EXPECT_EQ(automatic.stats.listsBy, hasLists() ? gl::ListsBy::cpu : gl::ListsBy::automatic);
+    const bool isSoftware = renderer.capabilities().softwareSampling;
+    EXPECT_EQ(automatic.stats.whyListsByCpu.find("software") != std::string::npos,
+              hasLists() && isSoftware);
+    if (!hasLists()) return;
+    options.listsBy = gl::ListsBy::gpu;
+    options.maxLights = 10;
+    const Drawn limited = draw(renderer, smallLights(100), options);
+    EXPECT_EQ(limited.stats.listsBy, gl::ListsBy::cpu);
+    EXPECT_NE(limited.stats.whyListsByCpu.find("limit of 10 lights"), std::string::npos);
+    EXPECT_EQ(log.size(), 1u);
+    const Drawn few = draw(renderer, smallLights(4), options);
+    EXPECT_EQ(few.stats.listsBy, gl::ListsBy::automatic);
+    EXPECT_EQ(few.stats.whyListsByCpu, "");
 }
 
 TEST_P(ManyLights, ListsMayBeCapped)

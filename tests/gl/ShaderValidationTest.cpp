@@ -371,6 +371,12 @@ TEST_F(ShaderValidation, LinksTheStages)
     }
 }
 
+TEST_F(ShaderValidation, TheProgramThatMakesListsIsValid)
+{
+    EXPECT_EQ(validate(write("lists.comp", clusterListsSource())), 0);
+    EXPECT_NE(validate(write("broken.comp", clusterListsSource() + "}")), 0);
+}
+
 TEST_F(ShaderValidation, RejectsABrokenProgram)
 {
     std::map<std::string, std::string> sources;

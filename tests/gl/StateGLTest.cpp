@@ -54,6 +54,36 @@ TEST_P(State, DrawingPutsBackWhatItFindsAndIsNotDisturbedByIt)
         }
 }
 
+TEST_P(State, ListsMadeByTheGpuPutBackWhatTheyFindAndAreNotDisturbedByIt)
+{
+    if (!isCore() || renderer_->capabilities().computeBuffers == 0)
+        GTEST_SKIP() << "needs compute shaders";
+    const auto mesh = renderer_->createMesh(knotMesh(48, 8));
+    const auto material = renderer_->createMaterial(testMaterials()[4]);
+    std::vector<Light> lights = testLights(30);
+    gl::DrawOptions options;
+    options.clustered = true;
+    options.listsBy = gl::ListsBy::gpu;
+    Offscreen offscreen = makeOffscreen(kSize);
+    const auto draw = [&] {
+        lights[1].position.x = -lights[1].position.x;  // lists are made anew
+        const auto stats =
+            renderer_->draw({offscreen.framebuffer(), kSize, kSize}, perspectiveView(),
+                            {{material.get(), mesh.get()}}, lights, options);
+        EXPECT_EQ(stats.listsBy, gl::ListsBy::gpu) << stats.whyListsByCpu;
+    };
+    draw();
+    offscreen.clear();
+    draw();
+    const auto expected = offscreen.readPixels();
+    for (unsigned seed = 0; seed < kSeeds / 2; ++seed) {
+        expectKept(seed, draw);
+        offscreen.clear();
+        expectKept(seed + kSeeds, draw);
+        ASSERT_EQ(offscreen.readPixels(), expected) << "seed " << seed;
+    }
+}
+
 TEST_P(State, IsPutBackWhereQueriesWithoutAnIndexAreCoarse)
 {
     Hooks hooks(context().loader());

@@ -215,6 +215,20 @@ void addIndexed(const GladGLContext& gl, StateSnapshot& state)
     }
 }
 
+void addStorage(const GladGLContext& gl, StateSnapshot& state)
+{
+    if (!gl.VERSION_4_3 || isEs(gl)) return;
+    state["storage"] = numbers(gl, GL_SHADER_STORAGE_BUFFER_BINDING);
+    for (GLuint i = 0; i < kStorageBindings; ++i) {
+        GLint buffer = 0;
+        GLint64 start = 0, size = 0;
+        gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &buffer);
+        gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &start);
+        gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &size);
+        state["storage " + std::to_string(i)] = {double(buffer), double(start), double(size)};
+    }
+}
+
 void addAttributes(const GladGLContext& gl, StateSnapshot& state)
 {
     for (GLuint i = 0; i < kAttributes; ++i) {
@@ -270,6 +284,7 @@ StateSnapshot snapshot(const GladGLContext& gl, bool core)
     }
     addUnits(gl, state);
     addIndexed(gl, state);
+    addStorage(gl, state);
     addAttributes(gl, state);
     return state;
 }

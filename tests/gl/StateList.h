@@ -30,6 +30,6 @@ StateSnapshot snapshot(const GladGLContext& gl, bool core);
 std::string difference(const StateSnapshot& before, const StateSnapshot& after);
 
 /// How many of each indexed state are read.
-constexpr GLuint kUnits = 6, kViewports = 4, kBuffers = 4, kAttributes = 8;
+constexpr GLuint kUnits = 6, kViewports = 4, kBuffers = 4, kAttributes = 8, kStorageBindings = 4;
 
 }  // namespace fbrdf::test

@@ -211,6 +211,20 @@ void StateScrambler::setBindings(Source& source)
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, source.pick({0u, buffers_[2]}));
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, source.pick({0u, buffers_[2]}));
     if (gl_.VERSION_3_1) gl_.BindBuffer(GL_UNIFORM_BUFFER, source.pick({0u, buffers_[3]}));
+    if (gl_.VERSION_4_3 && !es_) setStorage(source);
+}
+
+void StateScrambler::setStorage(Source& source)
+{
+    for (GLuint i = 0; i < kStorageBindings; ++i) {
+        const GLuint buffer = source.pick({0u, buffers_[2]});
+        // A multiple of any alignment that GL may ask for.
+        if (source.flag(false) && buffer != 0)
+            gl_.BindBufferRange(GL_SHADER_STORAGE_BUFFER, i, buffer, 256, source.pick({64, 1024}));
+        else
+            gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffer);
+    }
+    gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, source.pick({0u, buffers_[3]}));
 }
 
 void StateScrambler::setAttributes(Source& source)

@@ -27,6 +27,7 @@ private:
     void setUnindexed(Source& source);
     void setPixels(Source& source);
     void setBindings(Source& source);
+    void setStorage(Source& source);
     void setAttributes(Source& source);
 
     const GladGLContext& gl_;

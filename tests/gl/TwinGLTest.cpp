@@ -10,6 +10,8 @@
 #include <fbrdf/plan/LightVectors.h>
 #include <fbrdf/plan/Transfer.h>
 
+#include "ClusterGeometry.h"
+
 #include <gtest/gtest.h>
 
 #include "support/gl/GlTest.h"
@@ -59,8 +61,9 @@ protected:
 std::string twinFragment(const std::string& statements)
 {
     std::string text = "#version 140\n";
-    for (const char* file : {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl",
-                             "lights.glsl", "lobe_frame.glsl", "area.glsl", "transfer.glsl"})
+    for (const char* file :
+         {"version.glsl", "frame.glsl", "angles.glsl", "projection.glsl", "lights.glsl",
+          "cluster_geometry.glsl", "lobe_frame.glsl", "area.glsl", "transfer.glsl"})
         text += embeddedShader(file);
     // The output of these programs has another name.
     text += "#undef FBRDF_COLOUR_OUTPUT\n#define FBRDF_COLOUR_OUTPUT\n" +
@@ -554,6 +557,49 @@ TEST_P(Twin, Cones)
         "result = vec4(fbrdfConeFactor(b, a.xyz));", inputs,
         [&light](const Inputs& i) {
             return Vec4(static_cast<float>(coneFactor(light, Vec3d(Vec3f(i.a)))));
+        },
+        kRounding);
+}
+
+std::vector<Inputs> boxesAndTiles()
+{
+    std::vector<Inputs> result;
+    for (int i = 0; i < 400; ++i) {
+        const auto at = [i](int k) { return std::sin(1.7f * static_cast<float>(7 * i + k)); };
+        result.push_back({{at(0), at(1), at(2), at(3)}, {at(4), at(5), at(6), at(7)}});
+    }
+    return result;
+}
+
+TEST_P(Twin, IntervalDistanceAndTileExtent)
+{
+    compare(
+        "result = vec4(fbrdfTileExtent(a, floor(9.0 * b.x), 0.01),\n"
+        "    fbrdfIntervalDistance(vec2(a.x, a.x + 0.5 + 0.5 * b.x), b.y), 1.0);",
+        boxesAndTiles(),
+        [](const Inputs& i) {
+            const auto extent = tileExtent(i.a, std::floor(9.0f * i.b.x), 0.01f);
+            const Interval<float> interval{i.a.x, i.a.x + 0.5f + 0.5f * i.b.x};
+            return Vec4(extent.low, extent.high, intervalDistance(interval, i.b.y), 1.0f);
+        },
+        kRounding);
+}
+
+// A box that touches a cone may be on either side by rounding; none of these does.
+TEST_P(Twin, ConeMissesBox)
+{
+    const auto inputs = boxesAndTiles();
+    compare(
+        "float angle = 1.6 + 1.5 * a.w;\n"
+        "result = vec4(fbrdfConeMissesBox(2.0 * a.xyz, abs(b.www) * vec3(0.5, 0.3, 0.1),\n"
+        "    normalize(b.xyz), cos(angle), sin(angle)));",
+        inputs,
+        [](const Inputs& i) {
+            const float angle = 1.6f + 1.5f * i.a.w, half = std::abs(i.b.w);
+            return Vec4(coneMissesBox(2.0f * Vec3f(i.a), half * Vec3f(0.5f, 0.3f, 0.1f),
+                                      glm::normalize(Vec3f(i.b)), std::cos(angle), std::sin(angle))
+                            ? 1.0f
+                            : 0.0f);
         },
         kRounding);
 }

@@ -12,6 +12,8 @@
 #include <fbrdf/plan/Transfer.h>
 #include <fbrdf/shaders/ShaderSource.h>
 
+#include "ClusterGeometry.h"
+
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -55,6 +57,9 @@ Names twins()
             FBRDF_TWIN(&areaContour<float>),
             FBRDF_TWIN(&contourPoint<float>),
             FBRDF_TWIN(&lobeInArea<float>),
+            FBRDF_TWIN(&intervalDistance<float>),
+            FBRDF_TWIN(&tileExtent<float>),
+            FBRDF_TWIN(&coneMissesBox<float>),
             FBRDF_TWIN(&coneFactor),
             FBRDF_TWIN(&lightList),
             FBRDF_TWIN(&lobeFrame),
@@ -108,15 +113,19 @@ const std::map<std::string, std::string> kAlone{
     {"fbrdfLobeInOutline", "a step of lobeInArea"},
     {"fbrdfListed", "reads what fbrdfLightList found"},
     {"fbrdfReaches", "skips lights of a list"},
+    {"fbrdfWaitForAll", "a barrier of a work group"},
+    {"fbrdfVectorsOf", "where ClusterWork.h has a light"},
+    {"fbrdfMayBeInCone", "coneMissesBox of one light"},
 };
 
 Names definedFunctions()
 {
     const std::regex definition("\n[A-Za-z0-9]+ (fbrdf[A-Za-z]+)\\(");
     Names names;
-    for (const char* file : {"angles.glsl", "area.glsl", "clusters.glsl", "frame.glsl",
-                             "lights.glsl", "lobe_frame.glsl", "lobes.glsl", "prefilter.glsl",
-                             "projection.glsl", "samples.glsl", "sampling.glsl", "transfer.glsl"}) {
+    for (const char* file :
+         {"angles.glsl", "area.glsl", "cluster_geometry.glsl", "cluster_lists.comp",
+          "clusters.glsl", "frame.glsl", "lights.glsl", "lobe_frame.glsl", "lobes.glsl",
+          "prefilter.glsl", "projection.glsl", "samples.glsl", "sampling.glsl", "transfer.glsl"}) {
         const std::string text(shaderSnippet(file));
         EXPECT_FALSE(text.empty()) << file;
         for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <locale>
 #include <random>
 #include <sstream>
 
@@ -167,6 +168,7 @@ std::vector<CornellSample> readCornell(const std::string& path)
     std::vector<double> numbers;
     for (std::string line; std::getline(stream, line);) {
         std::istringstream words(line.substr(0, line.find('#')));
+        words.imbue(std::locale::classic());
         for (double value; words >> value;) numbers.push_back(value);
     }
     const auto bands = static_cast<size_t>(numbers[0]);

@@ -53,6 +53,14 @@ protected:
         return {rgb[at], rgb[at + 1], rgb[at + 2]};
     }
 
+    /// A frame.
+    bool makeOne(Browser& browser, bool isBusy = false)
+    {
+        const bool isMade = browser.makeOne(document_, world_, isBusy);
+        browser.follow(document_);
+        return isMade;
+    }
+
     test::TemporaryDir folder_, caches_;
     std::optional<HeadlessContext> context_;
     World world_;
@@ -77,13 +85,14 @@ TEST_F(Thumbnails, OneIsMadeAFrameAndShowsItsMaterial)
         return std::count_if(browser.items().begin(), browser.items().end(),
                              [](const BrowserItem& item) { return item.texture != 0; });
     };
-    browser.follow(document_, world_, false);
+    browser.follow(document_);
     EXPECT_EQ(browser.items().size(), 3u);
-    EXPECT_EQ(made(), 0) << "there was no time";
+    EXPECT_EQ(made(), 0);
     for (const int expected : {1, 2, 2, 2}) {
-        browser.follow(document_, world_, true);
+        makeOne(browser);
         EXPECT_EQ(made(), expected) << "a measurement has none before it is fitted";
     }
+    EXPECT_FALSE(makeOne(browser)) << "none is left";
     const auto blue = middleOf(browser.items()[0].texture),
                red = middleOf(browser.items()[1].texture);
     EXPECT_GT(blue[2], 2 * blue[0]);
@@ -97,7 +106,7 @@ TEST_F(Thumbnails, AreTakenFromTheCacheAndMadeAnewWhereThatIsBroken)
     const ThumbnailCache cache(caches_.file(""));
     const auto firstOf = [&] {
         Browser browser(context_->loader(), folder_.file(""), cache);
-        browser.follow(document_, world_, true);
+        makeOne(browser);
         return middleOf(browser.items()[0].texture);
     };
     const auto drawn = firstOf();
@@ -124,7 +133,7 @@ TEST_F(Thumbnails, MaterialsOfTheDocumentComeFirstAndFollowTheirFits)
     document_.materials[0].slot = 0;
     document_.materials[1].source = folder_.file("red.fbrdf");  // still to be loaded
     Browser browser(context_->loader(), folder_.file(""), ThumbnailCache(""));
-    browser.follow(document_, world_, true);
+    EXPECT_TRUE(makeOne(browser, true)) << "what has no picture gets one, whatever else is done";
     ASSERT_EQ(browser.items().size(), 4u) << "a file that is open is not listed twice";
     EXPECT_EQ(browser.items()[0].place, 0);
     EXPECT_EQ(browser.items()[1].place, 1);
@@ -134,7 +143,10 @@ TEST_F(Thumbnails, MaterialsOfTheDocumentComeFirstAndFollowTheirFits)
     world_.materials[0].replace("lambert:albedo=0.1/0.1/0.8", nullptr,
                                 fitted("lambert:albedo=0.1/0.1/0.8"));
     browser.forget(0);
-    browser.follow(document_, world_, true);
+    while (makeOne(browser, true)) continue;
+    EXPECT_GT(middleOf(browser.items()[0].texture)[0], middleOf(browser.items()[0].texture)[2])
+        << "while fits follow a slider, the picture waits";
+    EXPECT_TRUE(makeOne(browser));
     EXPECT_LT(middleOf(browser.items()[0].texture)[0], middleOf(browser.items()[0].texture)[2]);
 }
 

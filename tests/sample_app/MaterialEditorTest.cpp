@@ -56,6 +56,15 @@ protected:
                    !world_.materials[slot].material().lobes.isEmpty();
         });
     }
+    /// Without the search that follows the quick fit.
+    template <class Condition>
+    void openQuickly(const char* spec, const Condition& isThere)
+    {
+        editor_->open(spec);
+        follow(2, isThere);
+        editor_->cancel();
+        follow(2, [&] { return editor_->facts().doing.empty(); });
+    }
     void setAlpha(size_t slot, double alpha)
     {
         for (const char* name : {"alpha_x", "alpha_y"}) setValue(slot, name, Vec3d(alpha));
@@ -177,6 +186,43 @@ TEST_F(Editor, OpensMaterialsAtOnceAndFitsTheOthersOneByOne)
         << "a search that ends by the clock is not repeated";
     EXPECT_EQ(document_.materials[4].slot, 4);
     EXPECT_EQ(changes_.back(), 4u);
+}
+
+TEST_F(Editor, AFileThatIsDroppedAgainIsReadAgainInItsPlace)
+{
+    const test::TemporaryDir folder;
+    const std::string file = folder.file("grey.fbrdf");
+    for (const int drop : {0, 1}) {
+        writeMaterial(world_.materials[1 - drop].material(), file);
+        editor_->open(file);
+        follow(0);
+        ASSERT_EQ(document_.materials.size(), 3u);
+        EXPECT_EQ(document_.shown, 2);
+        EXPECT_EQ(changes_.back(), 2u);
+        EXPECT_NEAR(reflects(2), reflects(1 - drop), 0.1 * reflects(2)) << "by its fit";
+    }
+    openQuickly("phong:n=20", [&] { return document_.materials.size() == 4; });
+    const auto chooseIo = [&] {
+        changes_.clear();
+        document_.materials[3].form = "io";
+        settle(3);
+        EXPECT_EQ(world_.materials[3].material().form.name, "io");
+    };
+    chooseIo();
+    openQuickly("phong:n=20", [&] { return document_.materials[3].form == "auto"; });
+    EXPECT_EQ(document_.materials.size(), 4u);
+    EXPECT_EQ(world_.materials.size(), 4u);
+    chooseIo();  // as undo would: what it was is made again
+}
+
+TEST_F(Editor, AModelThatASliderChangedIsAnotherThanTheOneThatIsOpened)
+{
+    openQuickly("ggx:alpha=0.2", [&] { return document_.materials.size() == 3; });
+    setAlpha(2, 0.5);
+    settle(2);
+    openQuickly("ggx:alpha=0.2", [&] { return document_.materials.size() == 4; });
+    EXPECT_EQ(document_.materials[3].slot, 3);
+    EXPECT_GT(reflects(3), 2.0 * reflects(2));
 }
 
 TEST_F(Editor, WhatCannotBeOpenedIsNamed)

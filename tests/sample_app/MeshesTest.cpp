@@ -251,5 +251,19 @@ TEST(MeshFromName, KnowsTheGeneratedOnesAndRefusesAFileThatIsNotThere)
     }
 }
 
+TEST(CoarseMeshFromName, LooksTheSameWithFarFewerTriangles)
+{
+    for (const char* name : {"sphere", "knot"}) {
+        const Mesh whole = meshFromName(name);
+        const std::optional<Mesh> coarse = coarseMeshFromName(name);
+        ASSERT_TRUE(coarse);
+        EXPECT_LE(6 * coarse->indices.size(), whole.indices.size());
+        EXPECT_NEAR(boundsOf(*coarse).radius, boundsOf(whole).radius, 1e-3);
+        EXPECT_NEAR(signedVolume(*coarse) / signedVolume(whole), 1.0, 0.02);
+    }
+    EXPECT_FALSE(coarseMeshFromName("plane"));
+    EXPECT_FALSE(coarseMeshFromName("no/such/mesh.obj"));
+}
+
 }  // namespace
 }  // namespace fbrdf::scene

@@ -2,6 +2,7 @@
 #include "ReaderTest.h"
 #include "support/DataDir.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/OpenSource.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 std::string ring(double theta, int phis, double lower, double upper)
 {
-    const auto text = [](double v) { return std::to_string(v); };
+    const auto text = [](double v) { return fixedText(v); };
     return "<AngleBasisBlock><Theta>" + text(theta) + "</Theta><nPhis>" + std::to_string(phis) +
            "</nPhis><ThetaBounds><LowerTheta>" + text(lower) + "</LowerTheta><UpperTheta>" +
            text(upper) + "</UpperTheta></ThetaBounds></AngleBasisBlock>\n";
@@ -36,7 +37,7 @@ std::string matrix(double scale = 1.0)
     std::string text;
     for (int row = 0; row < 5; ++row)
         for (int column = 0; column < 5; ++column)
-            text += std::to_string(scale * (10 * row + column + 1)) + (column == 4 ? ",\n" : ", ");
+            text += fixedText(scale * (10 * row + column + 1)) + (column == 4 ? ",\n" : ", ");
     return text;
 }
 

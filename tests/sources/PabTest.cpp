@@ -1,6 +1,7 @@
 // PabTest.cpp - measurements of pab's gonio-photometer: one file, several in one, and folders.
 #include "ReaderTest.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 using namespace fbrdf;
@@ -24,9 +25,9 @@ const std::string kXyz =
 
 std::string block(double theta, double phi, double value)
 {
-    return "#incident_angle " + std::to_string(theta) + " " + std::to_string(phi) +
-           "\n#format: theta phi BRDF\n20 " + std::to_string(phi + 180.0) + " " +
-           std::to_string(value) + "\n";
+    return "#incident_angle " + numberText(theta) + " " + numberText(phi) +
+           "\n#format: theta phi BRDF\n20 " + numberText(phi + 180.0) + " " + numberText(value) +
+           "\n";
 }
 
 Source read(const std::string& text, const std::string& choice = "")

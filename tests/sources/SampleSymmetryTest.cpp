@@ -4,6 +4,7 @@
 
 #include "ReaderTest.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/sources/OpenSource.h>
 
@@ -143,9 +144,9 @@ TEST(SampleSymmetry, TextAndColumnsAreRecognised)
                         const double degree = kPi / 180.0;
                         const Sample s = sampleAt(f, i * degree, turn * degree, o * degree,
                                                   (turn + phi) * degree);
-                        text += std::to_string(i) + "," + std::to_string(turn) + "," +
-                                std::to_string(o) + "," + std::to_string(turn + phi) + "," +
-                                std::to_string(s.f.x) + "\n";
+                        text += std::to_string(i) + "," + numberText(turn) + "," +
+                                std::to_string(o) + "," + numberText(turn + phi) + "," +
+                                numberText(double(s.f.x)) + "\n";
                         for (const int angle : {i, turn, o, turn + phi}) append(rows, float(angle));
                         append(rows, s.f.x);
                     }

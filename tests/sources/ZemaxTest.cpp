@@ -1,6 +1,8 @@
 #include "ReaderTest.h"
 #include "support/DataDir.h"
 
+#include <fbrdf/base/Number.h>
+
 using namespace fbrdf;
 using namespace fbrdf::test;
 
@@ -56,7 +58,7 @@ TEST(Zemax, TristimulusBlocksBecomeColours)
     // The white point of D65 times 2: grey.
     for (const auto& [name, value] :
          {std::pair<const char*, double>{"X", 2 * 0.950470}, {"Y", 2 * 1.0}, {"Z", 2 * 1.088830}}) {
-        const std::string v = std::to_string(value) + " ";
+        const std::string v = numberText(value, 9) + " ";
         blocks += std::string("Tristimulus") + name + "\nDataBegin\nTIS 1\n" + v + v + v + v +
                   "\nDataEnd\n";
     }
@@ -69,7 +71,7 @@ TEST(Zemax, TristimulusBlocksBecomeColours)
 TEST(Zemax, TheNamesOfBlocksDecideAndCaseDoesNot)
 {
     const auto component = [](const char* name, double value) {
-        const std::string v = std::to_string(value) + " ";
+        const std::string v = numberText(value, 9) + " ";
         return std::string(name) + "\nDATABEGIN\ntis 1\n" + v + v + v + v + "\ndataend\n";
     };
     const Source source =

@@ -3,6 +3,7 @@
 #include "support/TemporaryDir.h"
 #include "Tool.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
 
@@ -191,7 +192,7 @@ TEST_F(FitCommand, CosineIsDividedOut)
 {
     std::string rows = std::string(kSampleHeader) + "\n";
     for (const auto& pair : spreadPairs(50)) {
-        const std::string value = std::to_string(0.25 * pair.wo.z);
+        const std::string value = numberText(0.25 * pair.wo.z, 9);
         rows += pairText(pair) + "," + value + "," + value + "," + value + "\n";
     }
     writeText(csv, rows);

@@ -1,6 +1,8 @@
 #include "Inputs.h"
 
+#include <fbrdf/base/Text.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <sstream>
@@ -119,7 +121,8 @@ std::vector<double> numbersOf(const std::string& line)
 {
     std::vector<double> numbers;
     std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) numbers.push_back(std::stod(field));
+    for (std::string field; std::getline(stream, field, ',');)
+        EXPECT_TRUE(parseNumber(field, numbers.emplace_back())) << line;
     return numbers;
 }
 

@@ -4,6 +4,7 @@
 #include "support/TemporaryDir.h"
 #include "Tool.h"
 
+#include <fbrdf/base/Number.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::string rowsBelow(const std::string& head, const std::string& row, const std
 std::string ascending(size_t count, double step)
 {
     std::string text;
-    for (size_t i = 0; i < count; ++i) text += std::to_string(double(i) * step) + " ";
+    for (size_t i = 0; i < count; ++i) text += numberText(double(i) * step) + " ";
     return text;
 }
 
@@ -63,7 +64,7 @@ std::string speosOfOneTable()
                        std::to_string(kThetas) + " " + std::to_string(kPhis) + "\n" +
                        ascending(kPhis, 360.0 / kPhis);
     for (size_t t = 0; t < kThetas; ++t)
-        text += "\n" + std::to_string(double(t) * 90.0 / kThetas) + " " + repeated("1 ", kPhis);
+        text += "\n" + numberText(double(t) * 90.0 / kThetas) + " " + repeated("1 ", kPhis);
     return text;
 }
 

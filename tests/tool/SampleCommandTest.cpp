@@ -4,6 +4,7 @@
 #include "support/TemporaryDir.h"
 #include "Tool.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/io/MaterialFile.h>
 #include <gtest/gtest.h>
 
@@ -33,15 +34,15 @@ TEST(SampleCommand, PdfSaysTheDensityOfWhatItDraws)
     ASSERT_EQ(rows.size(), 50u);
     std::string pairs = std::string(kPairHeader) + "\n";
     for (const auto& row : rows)
-        pairs += "0.5,0.2,1," + std::to_string(row[0]) + "," + std::to_string(row[1]) + "," +
-                 std::to_string(row[2]) + "\n";
+        pairs += "0.5,0.2,1," + fixedText(row[0]) + "," + fixedText(row[1]) + "," +
+                 fixedText(row[2]) + "\n";
     writeText(folder.file("p.csv"), pairs);
     const ToolRun run = runTool({"pdf", kModel, "--pairs", folder.file("p.csv")});
     const auto lines = linesOf(run.out);
     ASSERT_EQ(lines.size(), 51u);
     EXPECT_EQ(lines[0], "pdf");
     for (size_t i = 0; i < rows.size(); ++i)  // directions have six digits in the file
-        EXPECT_NEAR(std::stod(lines[i + 1]) / rows[i][3], 1.0, 1e-3) << i;
+        EXPECT_NEAR(numbersOf(lines[i + 1]).at(0) / rows[i][3], 1.0, 1e-3) << i;
 }
 
 TEST(SampleCommand, EstimatesTheAlbedo)

@@ -74,6 +74,8 @@ const std::vector<Format>& formats()
         {"fred", "", "text with 'type bsdf_data'", false, isFred, readFred, nullptr},
         {"pab", " bme ", "lines #format: theta phi and #incident_angle", true, isPab, readPab,
          startsWithMark},
+        {"lighttools", " bsdf ", "text with ScatterAzimuth, ScatterRadial and AOI", true,
+         isLightTools, readLightTools, nullptr},
         {"zemax", " bsdf ", "text with SpectralContent and ScatterType", false, isZemax, readZemax,
          nullptr},
         {"alta", " alta dat ", "lines #DIM, #PARAM_IN and #PARAM_OUT", false, isAlta, readAlta,

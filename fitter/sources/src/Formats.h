@@ -64,6 +64,8 @@ bool isLumos(const InputFile& file);
 Source readLumos(const FileRequest& request);
 bool isPab(const InputFile& file);
 Source readPab(const FileRequest& request);
+bool isLightTools(const InputFile& file);
+Source readLightTools(const FileRequest& request);
 bool isZemax(const InputFile& file);
 Source readZemax(const FileRequest& request);
 bool isAlta(const InputFile& file);

@@ -37,7 +37,7 @@ private:
 
 Error systemError(const std::string& path, const std::string& expected)
 {
-    return Error(ErrorKind::input, path, Found(std::strerror(errno)).expected(expected));
+    return Error(ErrorKind::input, path, Found(systemErrorText(errno)).expected(expected));
 }
 
 }  // namespace

@@ -20,18 +20,39 @@ constexpr size_t kFewestPairs = 16;
 constexpr double kSame = 0.02;   // difference over sum that nothing of ours resolves
 constexpr double kAsNear = 1.3;  // times the difference of near samples
 
-/// A sample in angles that a turn about the normal keeps, and what a turn changes.
+/// What a turn about the normal changes of a sample, and what is compared.
 struct Turned {
-    uint64_t cell;
-    uint32_t index;  ///< of the sample
-    float azimuth;   ///< of wi, or of wo where wi is nearer to the normal
-    int side;        ///< of the plane of incidence: -1, 1, or 0 within it
-    Vec3f f;
+    float azimuth;  ///< of wi, or of wo where wi is nearer to the normal
+    int side;       ///< of the plane of incidence: -1, 1, or 0 within it
+    Vec3f f, root;  ///< f, where negative 0, and its cube root
+};
+
+/// Samples by the angles that a turn about the normal keeps.
+class TurnedSamples {
+public:
+    explicit TurnedSamples(const std::vector<Sample>& samples)
+    {
+        order_.reserve(samples.size());
+        turned_.reserve(samples.size());
+        for (const Sample& sample : samples) add(sample);
+        std::sort(order_.begin(), order_.end());
+    }
+
+    size_t size() const { return order_.size(); }
+    /// By cells, and in the order of the file within each.
+    const Turned& operator[](size_t i) const { return turned_[order_[i] & 0xFFFFFFFFu]; }
+    bool areInOneCell(size_t i, size_t j) const { return order_[i] >> 32 == order_[j] >> 32; }
+
+private:
+    void add(const Sample& s);
+
+    std::vector<uint64_t> order_;  ///< cell << 32 | index
+    std::vector<Turned> turned_;
 };
 
 float zenithOf(const Vec3f& w)
 {
-    return std::atan2(std::hypot(w.x, w.y), w.z);
+    return std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z);
 }
 
 /// Wraps an angle into [-pi, pi].
@@ -40,16 +61,18 @@ float wrapped(float angle)
     return std::remainder(angle, float(2.0 * kPi));
 }
 
-Turned turnedOf(const Sample& s, size_t index)
+void TurnedSamples::add(const Sample& s)
 {
     const float i = zenithOf(s.wi), o = zenithOf(s.wo);
     const float phiI = std::atan2(s.wi.y, s.wi.x), phiO = std::atan2(s.wo.y, s.wo.x);
     const float between = std::min(i, o) < kPole ? 0.0f : wrapped(phiO - phiI);
     const float across = std::min(std::abs(between), float(kPi) - std::abs(between));
     const auto step = [](float angle) { return uint64_t((angle + kShift) / kCell); };
-    return {step(i) << 32 | step(o) << 16 | step(std::abs(between)), uint32_t(index),
-            i < o ? phiO : phiI, across < kPlane ? 0 : (between < 0.0f ? -1 : 1),
-            glm::max(s.f, Vec3f(0.0f))};
+    const uint64_t cell = step(i) << 16 | step(o) << 8 | step(std::abs(between));
+    order_.push_back(cell << 32 | turned_.size());
+    const Vec3f f = glm::max(s.f, Vec3f(0.0f));
+    turned_.push_back({i < o ? phiO : phiI, across < kPlane ? 0 : (between < 0.0f ? -1 : 1), f,
+                       Vec3f(std::cbrt(f.x), std::cbrt(f.y), std::cbrt(f.z))});
 }
 
 /// Differences over sums: of f, which sees highlights, and of its cube root, which sees the rest.
@@ -57,15 +80,18 @@ struct Disagreement {
     size_t pairs = 0;
     std::array<double, 2> difference{}, sum{};
 
-    void add(const Vec3f& a, const Vec3f& b)
+    void add(const Turned& a, const Turned& b)
     {
         ++pairs;
+        add(0, a.f, b.f);
+        add(1, a.root, b.root);
+    }
+    void add(size_t k, const Vec3f& a, const Vec3f& b)
+    {
         for (int c = 0; c < 3; ++c) {
             const double x = double(a[c]), y = double(b[c]);
-            difference[0] += std::abs(x - y);
-            sum[0] += x + y;
-            difference[1] += std::abs(std::cbrt(x) - std::cbrt(y));
-            sum[1] += std::cbrt(x) + std::cbrt(y);
+            difference[k] += std::abs(x - y);
+            sum[k] += x + y;
         }
     }
     double share(size_t k) const
@@ -83,18 +109,12 @@ bool isTurned(const Turned& a, const Turned& b)
 
 bool areIsotropic(const std::vector<Sample>& samples)
 {
-    std::vector<Turned> turned;
-    turned.reserve(samples.size());
-    for (const Sample& s : samples) turned.push_back(turnedOf(s, turned.size()));
-    // Sorting by two keys takes no further memory, as a stable sort would.
-    std::sort(turned.begin(), turned.end(), [](const Turned& a, const Turned& b) {
-        return a.cell != b.cell ? a.cell < b.cell : a.index < b.index;
-    });
+    const TurnedSamples turned(samples);
     Disagreement near, far;
     for (size_t i = 0; i < turned.size(); ++i)
         for (size_t j = i + 1; j < std::min(turned.size(), i + 1 + kNeighbours); ++j) {
-            if (turned[j].cell != turned[i].cell) break;
-            (isTurned(turned[i], turned[j]) ? far : near).add(turned[i].f, turned[j].f);
+            if (!turned.areInOneCell(i, j)) break;
+            (isTurned(turned[i], turned[j]) ? far : near).add(turned[i], turned[j]);
         }
     if (far.pairs < kFewestPairs) return false;
     for (size_t k = 0; k < 2; ++k)

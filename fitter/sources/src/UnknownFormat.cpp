@@ -46,7 +46,8 @@ std::string resemblance(const InputFile& file)
     for (const Foreign& foreign : kForeign)
         if (start.substr(0, foreign.start.size()) == foreign.start) return foreign.what;
     if (!looksLikeText(file.bytes())) return "";
-    if (hasLine(file, "AOI") && hasLine(file, "POI")) return "LightTools' BSDF, which is not read";
+    if (hasLine(file, "AOI") && hasLine(file, "POI"))
+        return "LightTools' BSDF, but has no lists ScatterAzimuth and ScatterRadial";
     return "";
 }
 

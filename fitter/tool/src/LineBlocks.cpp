@@ -9,7 +9,6 @@
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 namespace fbrdf::tool {
 namespace {
@@ -25,8 +24,7 @@ LineBlocks::LineBlocks(const std::string& path)
 {
     struct stat status {};
     if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0)
-        throw Error(ErrorKind::input, name_,
-                    std::string("cannot be read: ") + std::strerror(errno));
+        throw Error(ErrorKind::input, name_, "cannot be read: " + systemErrorText(errno));
     if (S_ISREG(status.st_mode)) size_ = static_cast<uint64_t>(status.st_size);
 }
 
@@ -49,8 +47,7 @@ bool LineBlocks::readMore(std::string& text)
         count = ::read(descriptor_, bytes_.data(), kReadBytes);
     } while (count < 0 && errno == EINTR);
     if (count < 0)
-        throw Error(ErrorKind::input, name_,
-                    std::string("cannot be read: ") + std::strerror(errno));
+        throw Error(ErrorKind::input, name_, "cannot be read: " + systemErrorText(errno));
     bytesRead_ += static_cast<uint64_t>(count);
     if (count > 0)
         decoder_.append({bytes_.data(), static_cast<size_t>(count)}, text);

@@ -4,7 +4,6 @@
 
 #include <unistd.h>
 #include <cerrno>
-#include <cstring>
 
 namespace fbrdf::tool {
 namespace {
@@ -26,7 +25,7 @@ void writeOut(std::string_view text)
 {
     if (!writeAll(STDOUT_FILENO, text))
         throw Error(ErrorKind::output, "standard output",
-                    std::string("cannot be written: ") + std::strerror(errno));
+                    "cannot be written: " + systemErrorText(errno));
 }
 
 std::string oneLine(std::string text)

@@ -1,5 +1,7 @@
 #include "SampleFacts.h"
 
+#include <fbrdf/base/Assert.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,77 +29,94 @@ float squaredDistance(const Point& a, const Point& b)
     return sum;
 }
 
-// The points of samples sorted into cells, so that the nearest point within the size of a cell lies
-// in one of the 81 cells around.
-class PointGrid {
+// The points of samples, sorted by cells of three sizes at once: those of one size, kSameDirection,
+// are split into four along each coordinate, and these once more. A point's nearest neighbour
+// within the size of a cell lies in one of the 81 cells around.
+class PointIndex {
 public:
-    PointGrid(const std::vector<Sample>& samples, bool isotropic, float cellSize)
-        : samples_(samples), isotropic_(isotropic), cellSize_(cellSize)
+    static constexpr int kFinest = 2;
+
+    PointIndex(const std::vector<Sample>& samples, bool isotropic)
     {
-        entries_.reserve(samples.size());
-        for (uint32_t i = 0; i < samples.size(); ++i)
-            entries_.push_back({keyOf(cellOf(point(i))), i});
-        std::sort(entries_.begin(), entries_.end());
+        FBRDF_ASSERT(samples.size(), <=, size_t(1) << kIndexBits);
+        keys_.reserve(samples.size());
+        for (size_t i = 0; i < samples.size(); ++i) {
+            const Point point = pointOf(samples[i].wo, samples[i].wi, isotropic);
+            keys_.push_back(firstKey(cellOf(point, kFinest), kFinest) | i);
+        }
+        std::sort(keys_.begin(), keys_.end());
+        points_.reserve(samples.size());
+        for (const uint64_t key : keys_) {
+            const Sample& sample = samples[indexOf(key)];
+            points_.push_back(pointOf(sample.wo, sample.wi, isotropic));
+        }
     }
 
-    /// Index of the nearest sample within the size of a cell, or the number of samples. Of a cell
-    /// with more than kMostCompared samples some are compared, evenly among them.
-    size_t nearest(const Point& at) const
+    /// Index of the nearest sample within the size of a cell of the level, 0 the coarsest, or the
+    /// number of samples. Of a cell with more than kMostCompared samples some are compared, evenly
+    /// among them.
+    size_t nearest(const Point& at, int level) const
     {
-        const Cell centre = cellOf(at);
-        size_t best = samples_.size();
-        float bound = cellSize_ * cellSize_;
+        const Cell centre = cellOf(at, level);
+        const float size = sizeOf(level);
+        size_t best = keys_.size();
+        float bound = size * size;
         for (int k = 0; k < 81; ++k) {
-            const auto [begin, end] =
-                entriesOf({centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1,
-                           centre[2] + k / 9 % 3 - 1, centre[3] + k / 27 - 1});
-            const size_t step = (end - begin) / kMostCompared + 1;
-            for (size_t e = begin; e < end; e += step) {
-                const float distance = squaredDistance(point(entries_[e].second), at);
+            const uint64_t from = firstKey({centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1,
+                                            centre[2] + k / 9 % 3 - 1, centre[3] + k / 27 - 1},
+                                           level);
+            const auto begin = std::lower_bound(keys_.begin(), keys_.end(), from);
+            const auto end = std::lower_bound(begin, keys_.end(), from + keysIn(level));
+            const size_t step = size_t(end - begin) / kMostCompared + 1;
+            for (auto i = size_t(begin - keys_.begin()); i < size_t(end - keys_.begin());
+                 i += step) {
+                const float distance = squaredDistance(points_[i], at);
                 if (distance >= bound) continue;
                 bound = distance;
-                best = entries_[e].second;
+                best = indexOf(keys_[i]);
             }
         }
         return best;
     }
 
 private:
-    using Cell = std::array<int, 4>;
+    using Cell = std::array<uint32_t, 4>;
     static constexpr size_t kMostCompared = 256;
+    // A key has the coordinates of the coarse cell, 7 bits each as they are below 3 / 0.035, then
+    // 2 bits a coordinate for each finer level, then the index of the sample.
+    static constexpr int kCoarseBits = 7, kSplitBits = 2, kIndexBits = 20;
+    static_assert(4 * (kCoarseBits + kFinest * kSplitBits) + kIndexBits == 64);
 
-    Point point(size_t index) const
+    static float sizeOf(int level) { return kSameDirection / float(1 << kSplitBits * level); }
+    static Cell cellOf(const Point& p, int level)
     {
-        return pointOf(samples_[index].wo, samples_[index].wi, isotropic_);
-    }
-    Cell cellOf(const Point& p) const
-    {
-        Cell cell;
+        Cell cell;  // the cells around one with a coordinate of -1 have coordinates above 0
         for (size_t i = 0; i < 4; ++i)
-            cell[i] = static_cast<int>(std::floor((p[i] + 2.0f) / cellSize_));
+            cell[i] = static_cast<uint32_t>((p[i] + 2.0f) / sizeOf(level));
         return cell;
     }
-    static uint64_t keyOf(const Cell& cell)  // coordinates are in (-2, 2): far below 2^16 cells
+    static uint64_t keysIn(int level)
     {
-        uint64_t key = 0;
-        for (const int c : cell) key = key << 16 | static_cast<uint16_t>(c);
-        return key;
+        return uint64_t(1) << (4 * kSplitBits * (kFinest - level) + kIndexBits);
     }
-    std::pair<size_t, size_t> entriesOf(const Cell& cell) const
+    /// The least key in a cell of the level; those of its finer cells follow.
+    static uint64_t firstKey(const Cell& cell, int level)
     {
-        const uint64_t key = keyOf(cell);
-        const auto begin = std::lower_bound(entries_.begin(), entries_.end(),
-                                            std::pair<uint64_t, uint32_t>(key, 0));
-        const auto end =
-            std::upper_bound(begin, entries_.end(), key,
-                             [](uint64_t k, const auto& entry) { return k < entry.first; });
-        return {size_t(begin - entries_.begin()), size_t(end - entries_.begin())};
+        constexpr uint32_t kSplit = (1u << kSplitBits) - 1;
+        uint64_t key = 0;
+        for (const uint32_t c : cell) key = key << kCoarseBits | c >> kSplitBits * level;
+        for (int finer = level - 1; finer >= 0; --finer)
+            for (const uint32_t c : cell)
+                key = key << kSplitBits | (c >> kSplitBits * finer & kSplit);
+        return key * keysIn(level);
+    }
+    static size_t indexOf(uint64_t key)
+    {
+        return static_cast<size_t>(key & ((uint64_t(1) << kIndexBits) - 1));
     }
 
-    const std::vector<Sample>& samples_;
-    bool isotropic_;
-    float cellSize_;
-    std::vector<std::pair<uint64_t, uint32_t>> entries_;  ///< key of the cell, index of the sample
+    std::vector<uint64_t> keys_;  ///< sorted
+    std::vector<Point> points_;   ///< of each key
 };
 
 /// Indices of the samples that are exchanged with others, and of about the nearest of these.
@@ -105,20 +124,19 @@ struct ExchangedPair {
     size_t sample, other;
 };
 
-/// Looks in grids from fine to coarse, of which there is one at a time: the fine ones find near
-/// samples where these are dense, as in a scan of a few degrees, the coarse one those of a sparse
-/// set.
+/// Looks in fine cells first, which find near samples where these are dense, as in a scan of a few
+/// degrees, and in coarse ones last, for those of a sparse set.
 std::vector<ExchangedPair> exchangedPairs(const std::vector<Sample>& samples, bool isotropic)
 {
     std::vector<ExchangedPair> pairs;
+    const PointIndex index(samples, isotropic);
     const size_t step = samples.size() / kMostLookedUp + 1;
-    for (size_t i = 0; i < samples.size(); i += step) pairs.push_back({i, samples.size()});
-    for (const float divisor : {16.0f, 4.0f, 1.0f}) {
-        const PointGrid grid(samples, isotropic, kSameDirection / divisor);
-        for (ExchangedPair& pair : pairs)
-            if (pair.other == samples.size())
-                pair.other = grid.nearest(
-                    pointOf(samples[pair.sample].wi, samples[pair.sample].wo, isotropic));
+    for (size_t i = 0; i < samples.size(); i += step) {
+        const Point exchanged = pointOf(samples[i].wi, samples[i].wo, isotropic);
+        size_t other = samples.size();
+        for (int level = PointIndex::kFinest; level >= 0 && other == samples.size(); --level)
+            other = index.nearest(exchanged, level);
+        pairs.push_back({i, other});
     }
     return pairs;
 }

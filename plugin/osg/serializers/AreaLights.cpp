@@ -127,8 +127,9 @@ bool writeLights(osgDB::OutputStream& stream, const AreaLights& node)
 
 }  // namespace
 
-REGISTER_OBJECT_WRAPPER(osgFbrdf_AreaLights, new osgFbrdf::AreaLights, osgFbrdf::AreaLights,
-                        "osg::Object osg::Node osg::Group osgFbrdf::AreaLights")
+REGISTER_OBJECT_WRAPPER(
+    osgFbrdf_AreaLights, new osgFbrdf::AreaLights, osgFbrdf::AreaLights,
+    "osgFbrdf::ClassicNumbers osg::Object osg::Node osg::Group osgFbrdf::AreaLights")
 {
     ADD_USER_SERIALIZER(Lights);
 }

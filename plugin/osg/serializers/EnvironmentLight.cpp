@@ -115,9 +115,9 @@ bool writePicture(osgDB::OutputStream& stream, const EnvironmentLight& light)
 
 }  // namespace
 
-REGISTER_OBJECT_WRAPPER(osgFbrdf_EnvironmentLight, new osgFbrdf::EnvironmentLight,
-                        osgFbrdf::EnvironmentLight,
-                        "osg::Object osg::Node osg::Group osgFbrdf::EnvironmentLight")
+REGISTER_OBJECT_WRAPPER(
+    osgFbrdf_EnvironmentLight, new osgFbrdf::EnvironmentLight, osgFbrdf::EnvironmentLight,
+    "osgFbrdf::ClassicNumbers osg::Object osg::Node osg::Group osgFbrdf::EnvironmentLight")
 {
     ADD_USER_SERIALIZER(Format);
     ADD_INT_SERIALIZER(FaceSize, 512);

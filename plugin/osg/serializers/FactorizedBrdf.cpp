@@ -342,7 +342,8 @@ bool writeTechnique(osgDB::OutputStream& stream, const FactorizedBrdf& effect)
 
 REGISTER_OBJECT_WRAPPER(osgFbrdf_FactorizedBrdf, new osgFbrdf::FactorizedBrdf,
                         osgFbrdf::FactorizedBrdf,
-                        "osg::Object osg::Node osg::Group osgFX::Effect osgFbrdf::FactorizedBrdf")
+                        "osgFbrdf::ClassicNumbers osg::Object osg::Node osg::Group osgFX::Effect "
+                        "osgFbrdf::FactorizedBrdf")
 {
     ADD_USER_SERIALIZER(Format);
     ADD_USER_SERIALIZER(MaterialFile);

@@ -2,6 +2,7 @@
 #include <osgDB/Registry>
 
 USE_SERIALIZER_WRAPPER(osgFbrdf_AreaLights)
+USE_SERIALIZER_WRAPPER(osgFbrdf_ClassicNumbers)
 USE_SERIALIZER_WRAPPER(osgFbrdf_EnvironmentLight)
 USE_SERIALIZER_WRAPPER(osgFbrdf_FactorizedBrdf)
 USE_SERIALIZER_WRAPPER(osgFbrdf_MaterialObject)

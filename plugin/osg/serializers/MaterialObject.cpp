@@ -97,7 +97,8 @@ bool writeFile(osgDB::OutputStream& stream, const MaterialObject& material)
 }  // namespace
 
 REGISTER_OBJECT_WRAPPER(osgFbrdf_MaterialObject, new osgFbrdf::MaterialObject,
-                        osgFbrdf::MaterialObject, "osg::Object osgFbrdf::MaterialObject")
+                        osgFbrdf::MaterialObject,
+                        "osgFbrdf::ClassicNumbers osg::Object osgFbrdf::MaterialObject")
 {
     ADD_USER_SERIALIZER(File);
 }

@@ -88,8 +88,9 @@ bool writeLights(osgDB::OutputStream& stream, const PointLights& node)
 
 }  // namespace
 
-REGISTER_OBJECT_WRAPPER(osgFbrdf_PointLights, new osgFbrdf::PointLights, osgFbrdf::PointLights,
-                        "osg::Object osg::Node osg::Group osgFbrdf::PointLights")
+REGISTER_OBJECT_WRAPPER(
+    osgFbrdf_PointLights, new osgFbrdf::PointLights, osgFbrdf::PointLights,
+    "osgFbrdf::ClassicNumbers osg::Object osg::Node osg::Group osgFbrdf::PointLights")
 {
     ADD_USER_SERIALIZER(Lights);
 }

@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 namespace fbrdf {
@@ -32,7 +31,7 @@ constexpr size_t kMaxRepeated = 200;
 
 [[noreturn]] void failWith(const std::string& path, int number)
 {
-    refuse(path, std::string("cannot be written: ") + std::strerror(number));
+    refuse(path, "cannot be written: " + systemErrorText(number));
 }
 
 // /proc/self/fd/1, to which /dev/stdout leads, looks like a link to the file that the stream writes

@@ -37,14 +37,27 @@ Vec3d directionFromAngles(double theta, double phi)
     return {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)};
 }
 
-HalfDifference halfDifferenceFromPair(const DirectionPair<double>& pair)
+HalfDifferenceVectors halfDifferenceVectors(const DirectionPair<double>& pair)
 {
     const Vec3d sum = pair.wi + pair.wo;
     const double length = glm::length(sum);
-    const Polar half = polarOf(length > 0.0 ? sum / length : Vec3d(0.0, 0.0, 1.0));
-    const Vec3d difference = rotatedAboutY(rotatedAboutZ(pair.wi, -half.phi), -half.theta);
-    const Polar d = polarOf(difference);
-    return {half.theta, half.phi, std::min(d.theta, 0.5 * kPi), d.phi};
+    const Vec3d half = length > 0.0 ? sum / length : Vec3d(0.0, 0.0, 1.0);
+    const double radius = std::sqrt(half.x * half.x + half.y * half.y);
+    const double c = radius > 0.0 ? half.x / radius : 1.0, s = radius > 0.0 ? half.y / radius : 0.0;
+    const Vec3d& wi = pair.wi;
+    const double along = c * wi.x + s * wi.y;  // of wi, on the side of the half vector
+    return {{radius, 0.0, half.z},
+            {half.z * along - radius * wi.z, c * wi.y - s * wi.x,
+             std::max(radius * along + half.z * wi.z, 0.0)}};
+}
+
+HalfDifference halfDifferenceFromPair(const DirectionPair<double>& pair)
+{
+    const Vec3d sum = pair.wi + pair.wo;
+    const HalfDifferenceVectors vectors = halfDifferenceVectors(pair);
+    const Polar d = polarOf(vectors.difference);
+    const double phi_h = vectors.half.x > 0.0 ? std::atan2(sum.y, sum.x) : 0.0;
+    return {std::atan2(vectors.half.x, vectors.half.z), phi_h, d.theta, d.phi};
 }
 
 DirectionPair<double> pairFromHalfDifference(const HalfDifference& a)

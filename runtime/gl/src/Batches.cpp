@@ -97,8 +97,8 @@ void Renderer::State::drawGroup(Executor& executor, const Batch& batch,
         return;
     }
     // A buffer texture has a largest size; more instances need more calls.
-    const auto most =
-        static_cast<size_t>(device->maxBufferTexels) / std::tuple_size_v<InstanceTexels>;
+    const auto most = static_cast<size_t>(device->capabilities.maxBufferTexels) /
+                      std::tuple_size_v<InstanceTexels>;
     for (size_t first = 0; first < objects.size(); first += most) {
         const size_t count = std::min(most, objects.size() - first);
         attempt(stats, static_cast<int>(count), [&] {

@@ -12,22 +12,31 @@ namespace fbrdf::gl {
 
 void BufferTexture::update(size_t texels, size_t bytes, const void* data)
 {
+    reserve(texels, bytes);
+    if (bytes > 0) write(0, bytes, data);
+}
+
+void BufferTexture::reserve(size_t texels, size_t bytes)
+{
     const Functions& gl = device_->gl;
-    if (texels > static_cast<size_t>(device_->maxBufferTexels))
-        throw Error(ErrorKind::gl, name_,
-                    Found(std::to_string(texels) + " texels")
-                        .expected("at most " + std::to_string(device_->maxBufferTexels)));
+    const auto most = static_cast<size_t>(device_->capabilities.maxBufferTexels);
+    if (texels > most)
+        throw Error(
+            ErrorKind::gl, name_,
+            Found(std::to_string(texels) + " texels").expected("at most " + std::to_string(most)));
     FBRDF_ASSERT(device_->capabilities.bufferTextures, ==, true);
     // Made by the first use: most renderers never draw a batch or a list of lights.
     if (!texture_) create();
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-    if (bytes > bytes_) {
-        // Doubling keeps the number of reallocations small while a scene grows.
-        bytes_ = std::max(bytes, 2 * bytes_);
-        // The texture follows: it refers to the buffer by name, not to its storage.
-        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_DRAW);
-    }
-    if (bytes > 0) gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+    if (bytes <= bytes_) return;
+    // Doubling keeps the number of reallocations small while a scene grows.
+    const size_t wanted = std::max(bytes, 2 * bytes_);
+    bytes_ = 0;  // until GL has given it
+    discardHostErrors(*device_);
+    // The texture follows: it refers to the buffer by name, not to its storage.
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(wanted), nullptr, GL_DYNAMIC_DRAW);
+    checkErrors(*device_, name_);
+    bytes_ = wanted;
 }
 
 void BufferTexture::create()

@@ -84,6 +84,13 @@ bool hasHalfTargets(const Functions& gl)
                             gl.hasExtension("GL_EXT_color_buffer_half_float")));
 }
 
+/// True where compute shaders can be used; their functions are optional (see Functions.cpp).
+bool hasComputeShaders(const Functions& gl)
+{
+    return gl.version >= 43 && gl.DispatchCompute && gl.MemoryBarrier && gl.BindBufferBase &&
+           gl.BindBufferRange && gl.GetInteger64i_v && gl.Uniform3i;
+}
+
 Capabilities detected(const Functions& gl)
 {
     Capabilities c;
@@ -109,6 +116,13 @@ Capabilities detected(const Functions& gl)
     c.vertexArrays = gl.has(30, 30) || gl.ARB_vertex_array_object;
     if (gl.hasArrays()) c.maxArrayLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     c.bufferTextures = gl.version >= 31;
+    // GL sets an error on names that it does not know, so each limit waits for its version.
+    if (c.bufferTextures) c.maxBufferTexels = integer(gl, GL_MAX_TEXTURE_BUFFER_SIZE);
+    if (hasComputeShaders(gl)) {
+        c.computeBuffers = std::min(integer(gl, GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS),
+                                    integer(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS));
+        c.maxStorageBytes = integer(gl, GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
+    }
     c.clipControl = gl.hasClipControl;
     c.debug = (gl.es ? gl.es >= 32 : gl.KHR_debug || gl.version >= 43) && gl.PushDebugGroup &&
               gl.PopDebugGroup && gl.ObjectLabel;
@@ -142,6 +156,7 @@ Capabilities granted(Capabilities wanted, const Capabilities& found)
     wanted.seamlessCubes = wanted.seamlessCubes && found.seamlessCubes;
     wanted.textureLod = wanted.textureLod && found.textureLod;
     wanted.bufferTextures = wanted.bufferTextures && found.bufferTextures && wanted.glsl >= 140;
+    wanted.computeBuffers = std::min(wanted.computeBuffers, found.computeBuffers);
     wanted.maxArrayLayers = std::min(wanted.maxArrayLayers, found.maxArrayLayers);
     wanted.coreProfile = found.coreProfile;
     return wanted;
@@ -181,9 +196,6 @@ DevicePtr createDevice(const RendererOptions& options)
     device->logTo = options.log;
     device->passes = options.passes;
     device->state = options.state;
-    // GL sets an error on names that it does not know, so each limit waits for its version.
-    if (device->gl.version >= 31)
-        device->maxBufferTexels = integer(device->gl, GL_MAX_TEXTURE_BUFFER_SIZE);
     if (device->gl.version >= 30) device->drawBuffers = integer(device->gl, GL_MAX_DRAW_BUFFERS);
     device->wideIndices =
         device->gl.has(21, 30) || device->gl.hasExtension("GL_OES_element_index_uint");

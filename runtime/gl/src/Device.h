@@ -26,7 +26,6 @@ struct Device {
     bool wideIndices = true;  ///< indices may have 32 bits
     /// Switches of extensions that could change or discard a fragment; off in a new context.
     std::vector<GLenum> extensionSwitches;
-    int maxBufferTexels = 0;  ///< texels of the largest buffer texture
     StateMode state = StateMode::restore;
     uint64_t nextMaterial = 1, nextHooks = 1;
     /// Identities of materials and hooks that are gone: the renderer then deletes what only they

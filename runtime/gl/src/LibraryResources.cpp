@@ -64,8 +64,8 @@ size_t LibraryResources::capacity(const Material& material) const
     if (!whyNotPacked(material.form).empty()) return 1;
     const int texels = std::max(parameterLayout(material.form).stride,
                                 packedLobeStride(fbrdf::layoutOf(material.lobes)));
-    return static_cast<size_t>(
-        std::min(device_->capabilities.maxArrayLayers, device_->maxBufferTexels / texels));
+    return static_cast<size_t>(std::min(device_->capabilities.maxArrayLayers,
+                                        device_->capabilities.maxBufferTexels / texels));
 }
 
 LibraryResources::Group LibraryResources::made(const std::vector<const Material*>& members,

@@ -81,6 +81,21 @@ void bindAttributes(const Functions& gl, GLuint program)
         gl.BindAttribLocation(program, kExtra + k, ("fbrdfExtra" + std::to_string(k)).c_str());
 }
 
+void link(const Device& device, const Object& program, const std::string& name)
+{
+    const Functions& gl = device.gl;
+    gl.LinkProgram(program.name());
+    label(device, ObjectKind::program, program, name);
+    GLint ok = GL_FALSE, length = 0;
+    gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
+    if (ok) return;
+    gl.GetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
+    failShader("found one that does not link: " +
+               infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
+                   gl.GetProgramInfoLog(program.name(), size, written, log);
+               }));
+}
+
 /// Texture units of the samplers that a program uses, from the device's first on. Samplers keep
 /// their units for good.
 class Units {
@@ -186,16 +201,17 @@ Object linkedShaders(const DevicePtr& device, const Object& vertexShader,
     gl.AttachShader(program.name(), fragmentShader.name());
     bindAttributes(gl, program.name());
     // Locations are the same in all programs, so that a vertex array fits each of them.
-    gl.LinkProgram(program.name());
-    label(*device, ObjectKind::program, program, name);
-    GLint ok = GL_FALSE, length = 0;
-    gl.GetProgramiv(program.name(), GL_LINK_STATUS, &ok);
-    if (ok) return program;
-    gl.GetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
-    failShader("found one that does not link: " +
-               infoLog(length, [&](GLsizei size, GLsizei* written, GLchar* log) {
-                   gl.GetProgramInfoLog(program.name(), size, written, log);
-               }));
+    link(*device, program, name);
+    return program;
+}
+
+Object linkedCompute(const DevicePtr& device, const std::string& source, const std::string& name)
+{
+    const Object shader = compiledShader(device, GL_COMPUTE_SHADER, source);
+    Object program = createObject(device, ObjectKind::program);
+    device->gl.AttachShader(program.name(), shader.name());
+    link(*device, program, name);
+    return program;
 }
 
 Program linkedProgram(const DevicePtr& device, const MaterialResources& material,

@@ -42,6 +42,9 @@ Object compiledShader(const DevicePtr& device, GLenum stage, const std::string& 
 Object linkedShaders(const DevicePtr& device, const Object& vertexShader,
                      const Object& fragmentShader, const std::string& name);
 
+/// A program of one compute shader. Throws Error(gl) with the compiler's or the linker's log.
+Object linkedCompute(const DevicePtr& device, const std::string& source, const std::string& name);
+
 /// Compiles the fragment shader, links it with `vertexShader`, which may be deleted then, and finds
 /// the uniforms. Leaves the program current. Throws Error(gl) with the compiler's or the linker's
 /// log.

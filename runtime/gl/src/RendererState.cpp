@@ -10,14 +10,6 @@
 namespace fbrdf::gl {
 namespace {
 
-constexpr size_t kFewLights = 8, kFewAreaLights = 2;
-
-std::string noLists()
-{
-    return Found("lists of lights asked for")
-        .expected("OpenGL 3.1, technique single and no limit of look-ups");
-}
-
 /// True where some pass writes a surface of ours, which must then exist.
 bool needsSurfaces(const Plan& plan)
 {
@@ -89,6 +81,7 @@ Renderer::State::State(const DevicePtr& d)
       surfaces(d),
       clusterBuffers(d),
       areaBuffers(d),
+      listKernel(d),
       instances(d, GL_RGBA32F, "instances")
 {
 }
@@ -281,9 +274,10 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
         if (wanted.lobeLight.environment) wanted.environmentSamples = options.environment.samples;
     }
     const ReadyPlan ready = planFor(material, surface.hooks, wanted, nullptr, notes);
-    programsOf(material, surface, ready.plan,
-               isClustered(options, static_cast<size_t>(lights), kFewLights),
-               isClustered(options, options.areaLights.size(), kFewAreaLights));
+    const bool lists = hasLists(options, static_cast<size_t>(lights)),
+               areaLists = hasAreaLists(options, options.areaLights.size());
+    programsOf(material, surface, ready.plan, lists, areaLists);
+    if (lists || areaLists) whyListsByCpu(options);  // builds the program that makes them
 }
 
 void Renderer::State::draw(Executor& executor, const Drawable& item, const Sphere& bounds,
@@ -358,43 +352,6 @@ void Renderer::State::drawObject(Executor& executor, const Drawable& object,
     draw(executor, object,
          worldBounds(reached(object.mesh.bounds(), object.surface.hooks), object.model), request,
          stats);
-}
-
-bool Renderer::State::isClustered(const DrawOptions& options, size_t lights, size_t few)
-{
-    // A fragment finds out for itself which of a few lights reach it, sooner than it finds a list.
-    if (!options.clustered || lights <= few) return false;
-    const bool possible = options.technique == Technique::single && options.maxLookups == 0 &&
-                          device->capabilities.bufferTextures;
-    if (!possible) device->logOnce(Severity::warning, noLists() + ": drawing without");
-    return possible;
-}
-
-void Renderer::State::cluster(DrawRequest& request, DrawStats& stats)
-{
-    if (!isClustered(request.options, request.lights.size(), kFewLights)) {
-        if (request.options.clustered && request.lights.size() > kFewLights)
-            stats.whyReplaced = noLists();
-        return;
-    }
-    const bool isNew = clusterBuilder.update(
-        request.eye.vectors, glm::dmat4(request.view.projection), {}, request.options.maxLights);
-    request.clusters = &clusterBuilder.clusters();
-    stats.lightsDropped += request.clusters->dropped;
-    // Where nothing has moved, nothing has to be uploaded.
-    clusterBuffers.update(*request.clusters, request.eye.numbers, isNew);
-}
-
-void Renderer::State::clusterAreas(DrawRequest& request, DrawStats& stats)
-{
-    if (!isClustered(request.options, request.eye.areas.size(), kFewAreaLights)) return;
-    std::vector<LightVectors> reaches;
-    for (const AreaVectors& area : request.eye.areas) reaches.push_back(reachOf(area));
-    const bool isNew = areaBuilder.update(reaches, glm::dmat4(request.view.projection), {},
-                                          request.options.maxLights);
-    request.areaClusters = &areaBuilder.clusters();
-    stats.lightsDropped += request.areaClusters->dropped;
-    areaBuffers.update(*request.areaClusters, request.eye.areas, isNew);
 }
 
 DrawStats Renderer::State::draw(const Target& target, const View& view,

@@ -7,6 +7,7 @@
 #pragma once
 #include "Executor.h"
 #include "LibraryResources.h"
+#include "ListKernel.h"
 
 #include <fbrdf/base/Error.h>
 
@@ -23,6 +24,7 @@ struct Renderer::State {
     SurfacePool surfaces;
     ClusterBuilder clusterBuilder, areaBuilder;
     ClusterBuffers clusterBuffers, areaBuffers;
+    ListKernel listKernel;
     BufferTexture instances;
 
     explicit State(const DevicePtr& device);
@@ -47,7 +49,8 @@ struct Renderer::State {
     void prepare(const MaterialResources& material, const SurfaceOptions& surface,
                  const DrawOptions& options, int lights);
     /// True where lists of lights were asked for and are possible, and there are more than a few.
-    bool isClustered(const DrawOptions& options, size_t lights, size_t few);
+    bool hasLists(const DrawOptions& options, size_t lights);
+    bool hasAreaLists(const DrawOptions& options, size_t lights);  ///< the same of area lights
 
     /// Sets everything up for a draw, then calls drawAll(executor, request, stats).
     using DrawAll = std::function<void(Executor&, const DrawRequest&, DrawStats&)>;
@@ -62,6 +65,7 @@ struct Renderer::State {
                    DrawStats& stats);
 
 private:
+    bool isClustered(const DrawOptions& options, size_t lights, size_t few);
     /// The plan with directions of an environment, where such a plan is wanted and possible; else
     /// none, with the reason.
     ReadyPlan sampledPlan(const MaterialResources& material, PlanRequest& wanted,
@@ -74,6 +78,13 @@ private:
               const DrawRequest& draw, DrawStats& stats);
     void cluster(DrawRequest& request, DrawStats& stats);
     void clusterAreas(DrawRequest& request, DrawStats& stats);
+    /// Why the CPU makes the lists of a draw; "" where the GPU does.
+    std::string whyListsByCpu(const DrawOptions& options);
+    /// Makes lists by the one or the other, and says by which. upload(isNew) uploads what they are
+    /// of, and returns whether lists are needed.
+    void makeLists(const DrawRequest& request, const std::vector<LightVectors>& lights,
+                   ClusterBuilder& builder, ClusterBuffers& buffers,
+                   const std::function<bool(bool isNew)>& upload, DrawStats& stats);
     void leaveEnvironmentOut(const MaterialResources& material, const std::string& why, int objects,
                              DrawStats& stats);
     std::vector<std::vector<const Instance*>> sorted(const Batch& batch, DrawStats& stats);

@@ -3,6 +3,9 @@
 #include <fbrdf/plan/AreaVectors.h>
 #include <fbrdf/plan/Triangulate.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace fbrdf {
 namespace {
 
@@ -86,10 +89,27 @@ void appendAreaVectors(const AreaLight& light, int number, const glm::dmat4& toE
     }
 }
 
+// A flat light that shines from one side reaches what is in front of its plane, as
+// fbrdfAreaContour has it: a cone of 90 degrees. Its apex is in the plane, to which the centre of a
+// polygon need not be close, and the radius grows by what it is away from the centre.
 LightVectors reachOf(const AreaVectors& light)
 {
-    const Vec3f radiance(light[1].w, light[2].w, light[3].w);
-    return {light[0], glm::vec4(radiance, 1.0f), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)};
+    const glm::vec4 intensity(light[1].w, light[2].w, light[3].w, 1.0f);
+    const LightVectors ball{light[0], intensity, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)};
+    const auto kind = static_cast<AreaKind>(static_cast<int>(light[4].w) % kAreaKinds);
+    if ((kind != AreaKind::facet && kind != AreaKind::disc) || light[0].w == 0.0f) return ball;
+    const Vec3d centre(light[0]), a(light[1]), b(light[2]), c(light[3]), d(light[4]);
+    const Vec3d across = kind == AreaKind::disc ? glm::cross(b, c) : glm::cross(c - a, d - b);
+    if (!(glm::length(across) > 0.0)) return ball;
+    const Vec3d normal = glm::normalize(across);
+    // Of the distance from the eye: above what floats leave of a plane.
+    constexpr double kPlaneMargin = 1e-5;
+    const double radius = 1.0 / std::sqrt(static_cast<double>(light[0].w)),
+                 away = std::min(glm::dot(a - centre, normal), 0.0) -
+                        kPlaneMargin * (glm::length(centre) + radius),
+                 wider = radius - away;
+    return {glm::vec4(glm::dvec4(centre + away * normal, 1.0 / (wider * wider))), intensity,
+            glm::vec4(glm::dvec4(normal, 0.0))};
 }
 
 }  // namespace fbrdf

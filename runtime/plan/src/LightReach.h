@@ -8,10 +8,14 @@ namespace fbrdf {
 // below any near plane.
 constexpr double kNearest = 1e-6;
 
-/// A sphere around every point that a light with a radius reaches.
+/// Every point that a light with a radius reaches is in the sphere and in the cone.
 struct Reach {
     Vec3d centre{0.0};
     double radius = 0.0;
+    /// A unit axis, and cosine and sine of the angle between it and the side.
+    Vec3d apex{0.0}, axis{0.0};
+    double cosine = -1.0, sine = 0.0;
+    bool hasCone() const { return cosine > -1.0; }
 };
 bool isUnlimited(const LightVectors& light);
 /// Expects a light with a radius.

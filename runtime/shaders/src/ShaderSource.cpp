@@ -227,6 +227,11 @@ std::string samplingFunctions(const LobeLayout& table, int glsl)
     return lobeFunctions(table);
 }
 
+std::string clusterListsSource()
+{
+    return "#version 430\n" + joined({"cluster_geometry.glsl", "cluster_lists.comp"});
+}
+
 std::string filterProbeVertexSource(int glsl)
 {
     return assembled(glsl, {}, {"version.glsl", "filter_probe.vert"});

@@ -1,6 +1,7 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/fit/Clock.h>
 #include <fbrdf/fitting/FitWorker.h>
+#include <fbrdf/fitting/GiveWay.h>
 
 #include <filesystem>
 #include <new>
@@ -21,7 +22,13 @@ std::string keyOf(const FitOrder& order)
 
 }  // namespace
 
-FitWorker::FitWorker() : thread_([this] { run(); }) {}
+FitWorker::FitWorker()
+    : thread_([this] {
+          giveWay();
+          run();
+      })
+{
+}
 
 FitWorker::~FitWorker()
 {

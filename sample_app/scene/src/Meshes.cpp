@@ -145,6 +145,13 @@ Mesh meshFromName(const std::string& name)
     return readObj(name);
 }
 
+std::optional<Mesh> coarseMeshFromName(const std::string& name)
+{
+    if (name == "sphere") return makeSphere(96, 48);
+    if (name == "knot") return makeKnot(160, 32);
+    return std::nullopt;
+}
+
 Bounds boundsOf(const Mesh& mesh)
 {
     if (mesh.positions.empty()) return {};

@@ -93,6 +93,8 @@ OrderedJson windowJson(const Stats& stats)
             {"frames_while_fitting", window.framesWhileFitting},
             {"longest_while_fitting", window.longestWhileFitting},
             {"materials_made", window.materialsMade},
+            {"made_while_held", window.madeWhileHeld},
+            {"seconds_while_held", window.secondsWhileHeld},
             {"opened", opened}};
 }
 

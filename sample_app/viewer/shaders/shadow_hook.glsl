@@ -15,7 +15,8 @@ float seenOf(int map, vec3 position)
 
 float fbrdfShadow(int light, vec3 position, vec3 toLight)
 {
+    int found = -1;
     for (int map = 0; map < 4; ++map)
-        if (int(shadowLights[map]) == light) return seenOf(map, position);
-    return 1.0;
+        if (int(shadowLights[map]) == light) found = map;
+    return found < 0 ? 1.0 : seenOf(found, position);  // one look-up: a driver may not jump over others
 }

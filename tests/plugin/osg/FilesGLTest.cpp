@@ -1,6 +1,7 @@
 // What osgDB does with materials and scenes: plugin, options, pseudo-loader, serializers.
 #include "FilesTest.h"
 
+#include "support/CommaLocale.h"
 #include "support/gl/Scenes.h"
 #include "support/NewerFile.h"
 
@@ -364,6 +365,24 @@ TEST_P(RoundTrip, KeepsWhatAddsToTheFormat)
             EXPECT_EQ(dynamic_cast<PointLights*>(node->asGroup()->getChild(1))->getLights().size(),
                       testLights(64).size());
         }
+}
+
+// OSG's own writers follow the locale that a host has set.
+TEST_P(RoundTrip, IsTheSameFileInAHostWithDecimalCommas)
+{
+    const auto written = [&](const std::string& name) {
+        const std::string file = path(name + "." + GetParam());
+        EXPECT_TRUE(osgDB::writeNodeFile(*scene(), file));
+        std::ostringstream text;
+        text << std::ifstream(file, std::ios::binary).rdbuf();
+        return text.str();
+    };
+    const std::string classic = written("classic");
+    const CommaLocale host;
+    std::ostringstream number;
+    number << 1000.5;
+    ASSERT_EQ(number.str(), "1.000,5");
+    EXPECT_EQ(written("commas"), classic);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, ::testing::Values("osgt", "osgb", "osgx"));

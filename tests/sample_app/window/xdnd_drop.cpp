@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(30);
+constexpr auto kPatience = std::chrono::minutes(2);  // a frame of 4,096 lights
 constexpr auto kPause = std::chrono::milliseconds(5);
 constexpr long kVersion = 5;
 

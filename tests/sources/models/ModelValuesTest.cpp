@@ -2,6 +2,7 @@
 #include "Furnace.h"
 #include "Pairs.h"
 
+#include <fbrdf/base/Number.h>
 #include <gtest/gtest.h>
 
 namespace fbrdf::test {
@@ -71,9 +72,9 @@ TEST(Lafortune, OfTheMirrorMatrixIsPhong)
 {
     // C = (-1, -1, 1) s with s^n = ks (n + 2) / (2 pi).
     const double scale = std::pow(0.5 * 12.0 / (2.0 * kPi), 0.1);
-    char spec[200];
-    std::snprintf(spec, sizeof spec, "lafortune:kd=0.2,cx=%.17g,cy=%.17g,cz=%.17g,n=10", -scale,
-                  -scale, scale);
+    const std::string across = numberText(-scale, 17),
+                      spec = "lafortune:kd=0.2,cx=" + across + ",cy=" + across +
+                             ",cz=" + numberText(scale, 17) + ",n=10";
     const Source lafortune = makeModelSource(spec);
     const Source phong = makeModelSource("phong:kd=0.2,ks=0.5,n=10");
     for (const auto& pair : spreadPairs(300))

@@ -1,5 +1,6 @@
 // Parameters.h - parameter sets of a model to test it with: defaults, corners, and random ones.
 #pragma once
+#include <fbrdf/base/Number.h>
 #include <fbrdf/sources/Model.h>
 
 #include <cmath>
@@ -60,14 +61,11 @@ inline std::vector<ModelValues> valueSets(const Model& model, int count)
 inline std::string specOf(const Model& model, const ModelValues& values)
 {
     std::string text = model.name;
-    char separator = ':', number[40];
+    char separator = ':';
     for (const auto& [name, value] : values) {
         text += separator + name + "=";
         const bool grey = value.x == value.y && value.y == value.z;
-        for (int c = 0; c < (grey ? 1 : 3); ++c) {
-            std::snprintf(number, sizeof number, "%s%.17g", c ? "/" : "", value[c]);
-            text += number;
-        }
+        for (int c = 0; c < (grey ? 1 : 3); ++c) text += (c ? "/" : "") + numberText(value[c], 17);
         separator = ',';
     }
     return text;

@@ -4,6 +4,7 @@
 #include "Furnace.h"
 #include "Pairs.h"
 
+#include <fbrdf/base/Number.h>
 #include <gtest/gtest.h>
 
 namespace fbrdf::test {
@@ -54,9 +55,8 @@ TEST(PoulinFournier, AgreesWithSummingFacets)
                           {-0.7, 1.5, "kd=0.1,ks=0.6,n=200", "blinn-phong:kd=0.1,ks=0.6,n=200"},
                           {-1.0, 1.0, "kd=0.5,ks=0.5,n=0", "blinn-phong:kd=0.5,ks=0.5,n=0"}};
     for (const Case& c : cases) {
-        char spec[200];
-        std::snprintf(spec, sizeof spec, "poulin-fournier:height=%g,spacing=%g,%s", c.height,
-                      c.spacing, c.parameters);
+        const std::string spec = "poulin-fournier:height=" + numberText(c.height) +
+                                 ",spacing=" + numberText(c.spacing) + "," + c.parameters;
         const Source source = makeModelSource(spec);
         const BrdfFunction local = makeModelSource(c.local).evaluate;
         for (const auto& pair : spreadPairs(40)) {

@@ -4,6 +4,8 @@
 #include "ExpectedValues.h"
 #include "Pairs.h"
 
+#include <fbrdf/base/Number.h>
+#include <fbrdf/base/Text.h>
 #include <fbrdf/sources/Model.h>
 #include <gtest/gtest.h>
 
@@ -82,7 +84,8 @@ std::vector<Row> readTable(const std::string& path)
         std::istringstream fields(line);
         Row row;
         std::getline(fields, row.name, ',');
-        while (std::getline(fields, field, ',')) row.values.push_back(std::stod(field));
+        while (std::getline(fields, field, ','))
+            EXPECT_TRUE(parseNumber(trimmed(field), row.values.emplace_back())) << line;
         rows.push_back(row);
     }
     return rows;
@@ -92,13 +95,10 @@ std::vector<Row> readTable(const std::string& path)
 std::string colours(const Row& row, const std::vector<std::string>& names)
 {
     std::string text;
-    char number[40];
     for (size_t k = 0; k < names.size(); ++k) {
         text += (k ? "," : "") + names[k] + "=";
-        for (size_t c = 0; c < 3; ++c) {
-            std::snprintf(number, sizeof number, "%s%.17g", c ? "/" : "", row.values[3 * k + c]);
-            text += number;
-        }
+        for (size_t c = 0; c < 3; ++c)
+            text += (c ? "/" : "") + numberText(row.values[3 * k + c], 17);
     }
     return text;
 }
@@ -132,9 +132,8 @@ TEST(PublishedFits, EveryAbcMaterialIsInRangeAndSound)
     const std::vector<Row> rows = readTable(dataPath("merl_fits/csv/low_lowmicrofacet_E2.csv"));
     EXPECT_GE(rows.size(), 50u);
     for (const Row& row : rows) {
-        char rest[120];
-        std::snprintf(rest, sizeof rest, ",B=%.17g,C=%.17g,eta=%.17g", row.values[6], row.values[7],
-                      row.values[8]);
+        const auto value = [&](size_t k) { return numberText(row.values[k], 17); };
+        const std::string rest = ",B=" + value(6) + ",C=" + value(7) + ",eta=" + value(8);
         expectSound(row.name, "abc:" + colours(row, {"kd", "A"}) + rest);
     }
 }

@@ -1,5 +1,6 @@
 #include "Hooks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -15,16 +16,17 @@ void count(const char* kind, int change)
     (change > 0 ? active->made : active->deleted) += std::abs(change);
 }
 
-#define FBRDF_HOOK_OBJECTS(Kind)                                   \
-    void GLAD_API_PTR gen##Kind(GLsizei n, GLuint* names)          \
-    {                                                              \
-        active->real.Gen##Kind(n, names);                          \
-        count(#Kind, n);                                           \
-    }                                                              \
-    void GLAD_API_PTR delete##Kind(GLsizei n, const GLuint* names) \
-    {                                                              \
-        active->real.Delete##Kind(n, names);                       \
-        count(#Kind, -n);                                          \
+#define FBRDF_HOOK_OBJECTS(Kind)                                                            \
+    void GLAD_API_PTR gen##Kind(GLsizei n, GLuint* names)                                   \
+    {                                                                                       \
+        if (active->loseContext) return static_cast<void>(std::fill(names, names + n, 0u)); \
+        active->real.Gen##Kind(n, names);                                                   \
+        count(#Kind, n);                                                                    \
+    }                                                                                       \
+    void GLAD_API_PTR delete##Kind(GLsizei n, const GLuint* names)                          \
+    {                                                                                       \
+        active->real.Delete##Kind(n, names);                                                \
+        count(#Kind, -n);                                                                   \
     }
 FBRDF_HOOK_OBJECTS(Textures)
 FBRDF_HOOK_OBJECTS(Buffers)
@@ -35,6 +37,7 @@ FBRDF_HOOK_OBJECTS(Renderbuffers)
 
 GLuint GLAD_API_PTR createShader(GLenum stage)
 {
+    if (active->loseContext) return 0;
     count("Shader", 1);
     return active->real.CreateShader(stage);
 }
@@ -47,6 +50,7 @@ void GLAD_API_PTR deleteShader(GLuint shader)
 
 GLuint GLAD_API_PTR createProgram()
 {
+    if (active->loseContext) return 0;
     count("Program", 1);
     return active->real.CreateProgram();
 }

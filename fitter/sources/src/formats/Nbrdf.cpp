@@ -50,9 +50,8 @@ void rectify(std::array<double, N>& values)
 
 std::array<double, kLayerInputs> inputsOf(const DirectionPair<double>& pair)
 {
-    const HalfDifference a = halfDifferenceFromPair(pair);
-    const Vec3d d = directionFromAngles(a.theta_d, a.phi_d);
-    return {std::sin(a.theta_h), 0.0, std::cos(a.theta_h), d.x, d.y, d.z};
+    const auto [h, d] = halfDifferenceVectors(pair);
+    return {h.x, h.y, h.z, d.x, d.y, d.z};
 }
 
 Vec3d runNetwork(const Weights& weights, const DirectionPair<double>& pair)

@@ -16,6 +16,7 @@
 #include <fbrdf/base/Text.h>
 #include <fbrdf/sources/Fields.h>
 #include "Formats.h"
+#include "formats/KeywordText.h"
 #include "SampleRow.h"
 
 #include <fbrdf/brdf/HalfDifference.h>
@@ -30,9 +31,6 @@
 namespace fbrdf {
 namespace {
 
-/// Measurements have at most some hundred angles an axis.
-constexpr long long kMostAngles = 100000;
-
 struct ZemaxTable {
     std::vector<double> rotation, incidence, azimuth, radial;
     bool tristimulus = false, symmetrical = false;
@@ -46,53 +44,37 @@ struct ZemaxTable {
 
 class ZemaxReader {
 public:
-    explicit ZemaxReader(const InputFile& file) : file_(file), words_(file.bytes()) {}
+    explicit ZemaxReader(const InputFile& file) : file_(file), text_(file) {}
 
     ZemaxTable read()
     {
         std::string_view word;
-        while (words_.next(word)) readKeyword(lowerCase(word));
+        while (text_.next(word)) readKeyword(lowerCase(word));
         const size_t expected = table_.tristimulus ? 3 : 1;
         const auto found = static_cast<size_t>(
             std::count_if(table_.blocks.begin(), table_.blocks.end(),
                           [](const std::vector<float>& block) { return !block.empty(); }));
         if (found != expected)
-            throw fail(Found(std::to_string(found) + " blocks of data")
-                           .expected(std::to_string(expected)));
+            throw text_.fail(Found(std::to_string(found) + " blocks of data")
+                                 .expected(std::to_string(expected)));
         table_.blocks.resize(expected);
         return std::move(table_);
     }
 
 private:
-    Error fail(const std::string& what) const { return lineError(file_, words_.line(), what); }
-
-    std::string_view word(const char* expected)
-    {
-        std::string_view next;
-        if (!words_.next(next)) throw fail(Found("the end of the file").expected(expected));
-        return next;
-    }
-    double number()
-    {
-        double value = 0.0;
-        const std::string_view text = word("a number");
-        if (!parseNumber(text, value)) throw fail(Found(inQuotes(text)).expected("a number"));
-        return value;
-    }
-
     /// `key` is lower case, as keywords are compared without case.
     void readKeyword(const std::string& key)
     {
         if (key == "source")
-            word("a source");
+            text_.word("a source");
         else if (key == "symmetry")
-            table_.symmetrical = lowerCase(word("a symmetry")) == "planesymmetrical";
+            table_.symmetrical = lowerCase(text_.word("a symmetry")) == "planesymmetrical";
         else if (key == "spectralcontent")
-            table_.tristimulus = oneOf("Monochrome", "XYZ") == 1;
+            table_.tristimulus = text_.oneOf("Monochrome", "XYZ") == 1;
         else if (key == "scattertype")
             requireReflection();
         else if (std::vector<double>* angles = anglesNamed(key))
-            readAngles(*angles);
+            *angles = text_.angles();
         else if (key == "databegin")
             readBlock();
         else if (key == "monochrome")
@@ -100,27 +82,20 @@ private:
         else if (key.substr(0, 11) == "tristimulus")
             readComponent(key.substr(11));
         else
-            throw fail(Found(inQuotes(key)).expected("a keyword"));
+            throw text_.fail(Found(inQuotes(key)).expected("a keyword"));
     }
     /// The name of a block decides what it has, wherever it stands.
     void readComponent(std::string name)
     {
-        if (name.empty()) name = lowerCase(word("X, Y or Z"));
+        if (name.empty()) name = lowerCase(text_.word("X, Y or Z"));
         const size_t component = std::string_view("xyz").find(name);
         if (name.size() != 1 || component == std::string_view::npos)
-            throw fail(Found("Tristimulus " + inQuotes(name)).expected("X, Y or Z"));
+            throw text_.fail(Found("Tristimulus " + inQuotes(name)).expected("X, Y or Z"));
         block_ = component;
-    }
-    int oneOf(const char* first, const char* second)
-    {
-        const std::string value(word(first));
-        if (!sameWord(value, first) && !sameWord(value, second))
-            throw fail(Found(inQuotes(value)).expected(std::string(first) + " or " + second));
-        return sameWord(value, second);
     }
     void requireReflection()
     {
-        if (oneOf("BRDF", "BTDF") == 1) throw fail(Found("a BTDF").expected("a BRDF"));
+        if (text_.oneOf("BRDF", "BTDF") == 1) throw text_.fail(Found("a BTDF").expected("a BRDF"));
     }
     std::vector<double>* anglesNamed(const std::string& key)
     {
@@ -130,46 +105,38 @@ private:
         if (key == "scatterradial") return &table_.radial;
         return nullptr;
     }
-    void readAngles(std::vector<double>& angles)
-    {
-        long long count = 0;
-        const std::string_view text = word("a count");
-        if (!parseInteger(text, count) || count < 1 || count > kMostAngles)
-            throw fail(Found(inQuotes(text)).expected("a count from 1 to 100000"));
-        angles.clear();
-        for (long long i = 0; i < count; ++i) angles.push_back(number());
-    }
     void readBlock()
     {
         if (table_.valueCount() == 0)
-            throw fail(Found("data").expected("all four lists of angles"));
+            throw text_.fail(Found("data").expected("all four lists of angles"));
         if (!block_)
-            throw fail(Found("data without a name").expected("Monochrome or TristimulusX, Y, Z"));
+            throw text_.fail(
+                Found("data without a name").expected("Monochrome or TristimulusX, Y, Z"));
         // A value takes two characters at least, so a hostile count takes no memory.
         std::vector<float> values;
         values.reserve(std::min(table_.valueCount(), file_.size() / 2));
         for (;;) {
-            const std::string_view text = word("DataEnd");
+            const std::string_view text = text_.word("DataEnd");
             double value = 0.0;
             if (sameWord(text, "DataEnd")) break;
             if (sameWord(text, "TIS"))
-                number();
+                text_.number();
             else if (parseField(text, value))
                 values.push_back(static_cast<float>(value));
             else
-                throw fail(Found(inQuotes(text)).expected("a number, TIS or DataEnd"));
+                throw text_.fail(Found(inQuotes(text)).expected("a number, TIS or DataEnd"));
         }
         if (values.size() != table_.valueCount())
-            throw fail(Found(std::to_string(values.size()) + " values")
-                           .expected(std::to_string(table_.valueCount())));
+            throw text_.fail(Found(std::to_string(values.size()) + " values")
+                                 .expected(std::to_string(table_.valueCount())));
         std::vector<float>& block = table_.blocks[*block_];
-        if (!block.empty()) throw fail(Found("a block of data twice").expected("each once"));
+        if (!block.empty()) throw text_.fail(Found("a block of data twice").expected("each once"));
         block = std::move(values);
         block_.reset();
     }
 
     const InputFile& file_;
-    WordReader words_;
+    KeywordText text_;
     ZemaxTable table_;
     std::optional<size_t> block_;  ///< the one whose name was read last
 };

@@ -164,7 +164,9 @@ std::string prepare(const BatchCommand& command)
     parseList(text, command.list);
     std::error_code error;
     fs::create_directories(command.folder, error);
-    if (error) throw Error(ErrorKind::output, command.folder, "cannot be made: " + error.message());
+    if (error)
+        throw Error(ErrorKind::output, command.folder,
+                    "cannot be made: " + systemErrorText(error.value()));
     requireWritable(resultsPath(command));
     return text;
 }

@@ -28,4 +28,8 @@ private:
     ErrorKind kind_;
 };
 
+/// What the system says of a value of errno, "No such file or directory", in English whatever
+/// language the host has set, where the C library can (glibc does).
+std::string systemErrorText(int number);
+
 }  // namespace fbrdf

@@ -11,6 +11,14 @@ struct HalfDifference {
     double theta_h, phi_h, theta_d, phi_d;
 };
 
+/// The half vector turned about the normal to azimuth 0, and the direction of the light as seen
+/// from it: `half` is (sin theta_h, 0, cos theta_h), `difference` the unit vector at theta_d and
+/// phi_d. No angle is computed on the way.
+struct HalfDifferenceVectors {
+    Vec3d half, difference;
+};
+HalfDifferenceVectors halfDifferenceVectors(const DirectionPair<double>& pair);
+
 /// Angles of a pair. Azimuths whose direction coincides with its pole are 0.
 HalfDifference halfDifferenceFromPair(const DirectionPair<double>& pair);
 

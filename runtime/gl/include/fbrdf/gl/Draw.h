@@ -66,6 +66,11 @@ struct Target {
     float exposure = 1.0f;
 };
 
+/// Who makes lists of lights (DrawOptions::clustered). automatic: the GPU where it has compute
+/// shaders (OpenGL 4.3) and is one; a renderer in software makes them more slowly than the CPU does
+/// otherwise.
+enum class ListsBy { automatic, cpu, gpu };
+
 struct DrawOptions {
     Technique technique = Technique::single;
     int lightsPerPass = 8;  ///< Technique::batched only, >= 1
@@ -74,11 +79,11 @@ struct DrawOptions {
     /// each part of the view; the weakest are dropped. 0: unlimited.
     int maxLights = 0;
     /// Technique::single only: builds lists of the lights that reach each part of the view, so that
-    /// the cost follows the lights that reach a pixel, and uniforms set no limit. The CPU builds
-    /// them, with up to four threads, for each draw in which a light or a matrix has changed. They
-    /// need OpenGL 3.1; without it lights are drawn as if this were false, with a warning. Up to 8
-    /// lights are drawn without lists, which is faster. Area lights have lists of their own, from 3
-    /// on.
+    /// the cost follows the lights that reach a pixel, and uniforms set no limit. They are made for
+    /// each draw in which a light or a matrix has changed: by the GPU, or by up to four threads of
+    /// the CPU (listsBy). They need OpenGL 3.1; without it lights are drawn as if this were false,
+    /// with a warning. Up to 8 lights are drawn without lists, which is faster. Area lights have
+    /// lists of their own, from 3 on.
     bool clustered = false;
     /// Light from everywhere, beside the lights. An item that cannot have it is drawn without, see
     /// DrawStats::whyNoEnvironment.
@@ -90,6 +95,10 @@ struct DrawOptions {
     /// The format of the surfaces in which lights add up; empty: the smallest one whose error is
     /// within sumTolerance of the target (Plan.h). One that cannot be had is replaced likewise.
     std::optional<ColourFormat> accumulation = {};
+    /// Who makes the lists. What the GPU cannot make (a limit of lights, more than its buffers can
+    /// have, a shader that does not compile) the CPU does, see DrawStats::whyListsByCpu; the
+    /// picture is the same.
+    ListsBy listsBy = ListsBy::automatic;
 };
 
 struct DrawStats {
@@ -102,7 +111,8 @@ struct DrawStats {
     int lightsDropped = 0;
     int lightsCulled = 0;  ///< lights that do not reach an item, summed over items
     /// Texture look-ups that a fragment executes in any one pass, counted from the linked programs:
-    /// fetches, those in the light loop times its lights.
+    /// fetches, those in the light loop times its lights: those of the longest list or, where the
+    /// GPU makes the lists, all that are seen.
     int maxLookups = 0;
     Technique technique = Technique::single;  ///< of the item that needed most passes
     Filter filter = Filter::hardware;         ///< of the maps of that item
@@ -121,6 +131,8 @@ struct DrawStats {
     /// Why an item was drawn by its lobes although EnvironmentLight::samples asks for directions;
     /// of the last item where that happened.
     std::string whyNotSampled;
+    ListsBy listsBy = ListsBy::automatic;  ///< who made lists of lights; automatic: there are none
+    std::string whyListsByCpu;             ///< where the CPU made them
 };
 
 }  // namespace fbrdf::gl

@@ -19,7 +19,8 @@
 //   and of extensions depth bounds, conservative rasterization, shading rates, exclusive scissor
 //   and raster multisampling; the active unit and, on the units in use, 2D, 3D, array, cube and
 //   buffer texture and sampler; seamless cube maps, where maps are cube maps or there is an
-//   environment.
+//   environment; where the GPU makes lists of lights, storage buffers 0 to 2 and the one without an
+//   index.
 // createX also touches unpacking, pixel transfer, the unpack buffer and the renderbuffer; the first
 // materials, for which filters are measured (FilterPrecision), also packing, the pack buffer and
 // the read framebuffer. createEnvironment draws, and so touches both lists. In every mode no vertex

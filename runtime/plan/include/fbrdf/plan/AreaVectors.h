@@ -30,7 +30,8 @@ constexpr int kAreaKinds = 8;  ///< what a number is multiplied by
 void appendAreaVectors(const AreaLight& light, int number, const glm::dmat4& toEye,
                        std::vector<AreaVectors>& vectors);
 
-/// What lists of lights need of it (LightClusters.h): a point light of the same reach.
+/// What lists of lights need of it (LightClusters.h): a point light of the same reach, or a spot in
+/// front of a flat light that shines from one side.
 LightVectors reachOf(const AreaVectors& light);
 
 }  // namespace fbrdf

@@ -47,8 +47,12 @@ struct Capabilities {
     bool vertexArrays = false;
     int maxArrayLayers = 0;       ///< of a texture array; 0: there are none
     bool bufferTextures = false;  ///< and GLSL 1.40 that reads them: lists of lights
-    bool debug = false;           ///< KHR_debug: labels and groups
-    bool clipControl = false;     ///< a projection may leave depths in [0, 1] (glClipControl)
+    int maxBufferTexels = 65536;  ///< of a buffer texture
+    /// Storage buffers that a compute shader of GLSL 4.30 may have; 0: there are none of these.
+    int computeBuffers = 0;
+    long long maxStorageBytes = 1 << 24;  ///< of a storage buffer
+    bool debug = false;                   ///< KHR_debug: labels and groups
+    bool clipControl = false;  ///< a projection may leave depths in [0, 1] (glClipControl)
     /// Of all textures; empty: the renderer measures it for each kind that it uses.
     std::optional<FilterPrecision> filter = {};
     /// Of all formats; empty: the renderer measures it for each that it uses.

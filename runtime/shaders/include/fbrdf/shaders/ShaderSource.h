@@ -174,6 +174,17 @@ std::string filterProbeFragmentSource(int glsl, ProbedTexture texture);
 /// 64 x 64. All of it is exact in floats for ramps (vec2) of (0, 1), (0, 1/2) and (1/4, 1/4).
 std::string roundingProbeFragmentSource(int glsl);
 
+/// The compute shader that makes the lists of LightClusters.h from ClusterWork, in GLSL 4.30: a
+/// group for each kClustersPerGroup clusters of a row, and for each row and slice. Its storage
+/// buffers are bound to 0: ClusterWork::vectors; 1: the lists, and behind the last the number of
+/// indices in use (ivec2: it, 0), which begins at the number of lights in lists; 2: the indices, of
+/// which the first list all lights. Uniforms: fbrdfClusterGrid (ivec3), fbrdfListed (ivec3: the
+/// first light that stands in lists, the number of lights, indices there is room for),
+/// fbrdfTileMargin (float: ClusterWork::tileMargin).
+std::string clusterListsSource();
+constexpr int kClustersPerGroup = 64;
+constexpr int kListBuffers = 3;  ///< storage buffers that it needs
+
 /// A file of glsl/ by its name, "lights.glsl"; empty where there is none.
 std::string_view shaderSnippet(std::string_view name);
 

@@ -6,6 +6,7 @@
 #pragma once
 #include <fbrdf/gl/Renderer.h>
 
+#include <optional>
 #include <string>
 
 namespace fbrdf::scene {
@@ -27,6 +28,10 @@ Mesh makePlane(int cells = 32);
 
 /// Makes "sphere", "knot" or "plane", or reads an OBJ file (and throws what readObj throws).
 Mesh meshFromName(const std::string& name);
+
+/// A generated one with a sixth of the triangles or less, for pictures of few pixels; nothing where
+/// the mesh is as coarse already, or a file.
+std::optional<Mesh> coarseMeshFromName(const std::string& name);
 
 /// The ball around all positions: its centre is that of their box, its radius reaches the farthest.
 /// The radius of an empty mesh is 0.

@@ -49,14 +49,17 @@ struct OpenedStats {
     std::string why;                ///< it could not be opened; empty: it could, or is not done yet
 };
 
-/// How a window went: milliseconds are from the beginning of a frame to its presentation.
+/// How a window went: milliseconds are from the presentation of a frame to that of the next.
 struct WindowStats {
     double firstPictureSeconds = 0.0;  ///< since the start of the program
     int frames = 0;
-    double longestFrame = 0.0;  ///< but for the first
+    double longestFrame = 0.0;
     int framesWhileFitting = 0;
     double longestWhileFitting = 0.0;
     int materialsMade = 0;  ///< by fits and from files, since the window was there
+    /// Of those, while something of the panel was held, as a slider is; and how long that was.
+    int madeWhileHeld = 0;
+    double secondsWhileHeld = 0.0;
     std::vector<OpenedStats> opened;
 };
 
@@ -97,10 +100,11 @@ struct Stats {
 /// {samples, bounces, noise} (null for pictures without noise), compare {a, b {name, technique,
 /// note, bytes, samples, fit_seconds}, mode, pixels, psnr_linear, psnr_srgb (null where infinite),
 /// ssim, delta_e_itp, flip, largest} (null for a single picture), window {first_picture_seconds,
-/// frames, longest_frame, frames_while_fitting, longest_while_fitting, materials_made, opened
-/// [{file, seconds, why}]} (null without one), evaluated, size, samples, ground,
-/// shadows, covered_pixels, passes, draw_calls, lights {given, used, dropped}, max_lookups,
-/// accumulation, frames, clock ("cpu"), milliseconds {median, min, max}.
+/// frames, longest_frame, frames_while_fitting, longest_while_fitting, materials_made,
+/// made_while_held, seconds_while_held, opened [{file, seconds, why}]} (null without one),
+/// evaluated, size, samples, ground, shadows, covered_pixels, passes, draw_calls, lights {given,
+/// used, dropped}, max_lookups, accumulation, frames, clock ("cpu"), milliseconds {median, min,
+/// max}.
 std::string statsToJson(const Stats& stats);
 /// An array of such objects as `compare` above.
 std::string compareToJson(const std::vector<CompareStats>& stats);
