@@ -21,11 +21,16 @@ const char* severityName(gl::Severity severity)
     return severity == gl::Severity::warning ? "warning" : "note";
 }
 
+// Who tries every technique makes hundreds, and a software rasterizer needs half a megabyte for
+// each.
+constexpr size_t kIdlePrograms = 24;
+
 gl::RendererOptions rendererOptions(gl::LoadFunction load, PassList& passes)
 {
     gl::RendererOptions options;
     options.load = load;
     options.passes = passes.watch();
+    options.idlePrograms = kIdlePrograms;
     options.log = [seen = std::set<std::string>()](gl::Severity severity,
                                                    const std::string& text) mutable {
         if (severity != gl::Severity::note && seen.insert(text).second)

@@ -109,6 +109,28 @@ TEST_P(Eviction, ProgramsOfLivingMaterialsStay)
     EXPECT_EQ(hooks_->made, made + textures);
 }
 
+TEST_P(Eviction, ProgramsThatNoDrawUsesAreDeletedBeyondTheLimit)
+{
+    constexpr int kIdleDraws = 256;  // ProgramCache::kIdleDraws
+    const Offscreen target = makeOffscreen(kSize);
+    for (const size_t limit : {2u, 256u}) {
+        gl::RendererOptions options = hooked(*hooks_);
+        options.idlePrograms = limit;
+        mesh_.reset();
+        renderer_ = std::make_unique<gl::Renderer>(options);
+        mesh_ = renderer_->createMesh(sphereMesh(4));
+        const auto material = renderer_->createMaterial(ownProgram(1));
+        std::vector<std::shared_ptr<gl::GpuHooks>> hooks;
+        for (int i = 0; i < 6; ++i) hooks.push_back(renderer_->createHooks(ownHooks(i)));
+        for (const auto& hook : hooks) draw(target, *material, hook.get());
+        const int made = alive("Program");
+        for (int i = 0; i < 2 * kIdleDraws; ++i) draw(target, *material, hooks[5].get());
+        EXPECT_EQ(alive("Program"), limit == 2 ? 3 : made) << "the one that is used, and two";
+        EXPECT_EQ(draw(target, *material, hooks[0].get()).itemsFailed, 0) << "it is built again";
+        EXPECT_EQ(alive("Program"), limit == 2 ? 4 : made);
+    }
+}
+
 TEST_P(Eviction, AMaterialReleasedBeforeTheNextOfItsFormNeedsNoCompiler)
 {
     const Offscreen target = makeOffscreen(kSize);

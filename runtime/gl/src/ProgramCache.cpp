@@ -44,7 +44,7 @@ uint64_t idOf(const CompiledHooks* hooks)
 }
 
 template <class Map>
-void eraseExpired(Map& map)
+void eraseExpiredOf(Map& map)
 {
     for (auto i = map.begin(); i != map.end();)
         i = i->second.expired() ? map.erase(i) : std::next(i);
@@ -61,15 +61,15 @@ bool ProgramCache::Known::isFor(const ProgramSpec& wanted, const SurfaceOptions&
 const Program& ProgramCache::find(const MaterialResources& material, const ProgramSpec& spec,
                                   const SurfaceOptions& surface)
 {
-    const Entry& entry = entryOf(material, spec, surface);
+    Entry& entry = entryOf(material, spec, surface);
+    entry.lastUse = draws_;
     if (!entry.program)
         throw Error(ErrorKind::gl, "material '" + material.name() + "'", entry.failure);
     return *entry.program;
 }
 
-const ProgramCache::Entry& ProgramCache::entryOf(const MaterialResources& material,
-                                                 const ProgramSpec& spec,
-                                                 const SurfaceOptions& surface)
+ProgramCache::Entry& ProgramCache::entryOf(const MaterialResources& material,
+                                           const ProgramSpec& spec, const SurfaceOptions& surface)
 {
     // Texts are long, and making one costs more than a draw: a material remembers its programs.
     auto& known = known_[material.id()];
@@ -137,9 +137,10 @@ void ProgramCache::check(const Hooks& hooks)
     }
 }
 
-// Called whenever a draw begins, so it must cost nothing where nothing has gone.
+// This must cost nothing where nothing has gone.
 void ProgramCache::evict()
 {
+    if (++draws_ % kIdleDraws == 0) evictIdle();
     if (device_->retiredMaterials.empty() && device_->retiredHooks.empty()) return;
     for (const uint64_t id : device_->retiredMaterials) {
         const auto gone = known_.find(id);
@@ -150,9 +151,39 @@ void ProgramCache::evict()
     evictHooks();
     device_->retiredMaterials.clear();
     device_->retiredHooks.clear();
-    // The maps do not own, so what is left in them now are places of programs that are gone.
-    eraseExpired(entries_);
-    eraseExpired(vertexShaders_);
+    eraseExpired();
+}
+
+// The maps do not own, so what is left in them now are places of programs that are gone.
+void ProgramCache::eraseExpired()
+{
+    eraseExpiredOf(entries_);
+    eraseExpiredOf(vertexShaders_);
+}
+
+template <class IsGone, class Take>
+void ProgramCache::forget(const IsGone& isGone, const Take& take)
+{
+    for (auto& [id, known] : known_) {
+        const auto gone = std::stable_partition(known.begin(), known.end(), std::not_fn(isGone));
+        std::for_each(gone, known.end(), [&](Known& one) { take(std::move(one.entry)); });
+        known.erase(gone, known.end());
+    }
+}
+
+// Who tries every technique on every material would keep a program of each.
+void ProgramCache::evictIdle()
+{
+    std::vector<uint64_t> uses;
+    for (const auto& [text, place] : entries_)
+        if (const auto entry = place.lock(); entry && entry->lastUse + kIdleDraws <= draws_)
+            uses.push_back(entry->lastUse);
+    if (uses.size() <= mostIdle_) return;
+    const auto last = uses.end() - static_cast<std::ptrdiff_t>(mostIdle_) - 1;
+    std::nth_element(uses.begin(), last, uses.end());
+    forget([&](const Known& known) { return known.entry->lastUse <= *last; },
+           [](const std::shared_ptr<Entry>&) {});
+    eraseExpired();
 }
 
 void ProgramCache::evictHooks()
@@ -162,11 +193,7 @@ void ProgramCache::evictHooks()
     const auto isGone = [&](const Known& known) {
         return std::find(retired.begin(), retired.end(), known.hooks) != retired.end();
     };
-    for (auto& [id, known] : known_) {
-        const auto gone = std::stable_partition(known.begin(), known.end(), std::not_fn(isGone));
-        std::for_each(gone, known.end(), [this](Known& one) { release(std::move(one.entry)); });
-        known.erase(gone, known.end());
-    }
+    forget(isGone, [this](std::shared_ptr<Entry> entry) { release(std::move(entry)); });
 }
 
 void ProgramCache::release(std::shared_ptr<Entry> entry)

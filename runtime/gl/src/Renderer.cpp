@@ -7,7 +7,7 @@
 namespace fbrdf::gl {
 
 Renderer::Renderer(const RendererOptions& options)
-    : state_(std::make_unique<State>(createDevice(options)))
+    : state_(std::make_unique<State>(createDevice(options), options))
 {
 }
 

@@ -75,9 +75,9 @@ double irradianceOf(const EyeLights& lights, const Sphere& bounds, const DrawReq
 
 }  // namespace
 
-Renderer::State::State(const DevicePtr& d)
+Renderer::State::State(const DevicePtr& d, const RendererOptions& options)
     : device(d),
-      programs(d),
+      programs(d, options.idlePrograms),
       surfaces(d),
       clusterBuffers(d),
       areaBuffers(d),

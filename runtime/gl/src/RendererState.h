@@ -27,7 +27,7 @@ struct Renderer::State {
     ListKernel listKernel;
     BufferTexture instances;
 
-    explicit State(const DevicePtr& device);
+    State(const DevicePtr& device, const RendererOptions& options);
 
     void checkAlive() const;
     /// Throws Error(usage) for an object of another renderer.

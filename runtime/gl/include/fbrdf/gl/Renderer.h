@@ -71,6 +71,9 @@ struct RendererOptions {
     /// Texture units from this one on are used: one for each map, and one for a surface that is
     /// read.
     int firstTextureUnit = 0;
+    /// Programs that living materials have needed and the last 256 draws did not: beyond so many
+    /// those that have not been used longest are deleted, and built again where they are needed.
+    size_t idlePrograms = 256;
     /// Taken instead of what the context reports: for tests and for drivers that promise too much.
     std::optional<Capabilities> capabilities;
 };
