@@ -400,6 +400,37 @@ TEST_P(FilterFault, AnErrorWhileMeasuringLeavesAnAssumptionAndTheNextCallWorks)
     EXPECT_TRUE(seen);
 }
 
+// glGetError of a lost context never ends, and what is read back is nothing. The context is back
+// afterwards, as after a reset.
+TEST_P(FilterFault, AContextThatIsLostWhileMeasuringEndsTheCall)
+{
+    constexpr GLenum kContextLost = 0x0507;  // GL_CONTEXT_LOST, OpenGL 4.5
+    const Material material = ramp(Storage::float32);
+    int refused = 0;
+    for (int after = 0; after < 4; ++after) {
+        Hooks hooks(context().loader());
+        gl::Renderer renderer(hooked(hooks));
+        hooks.nextError = kContextLost;
+        hooks.errorAfter = after;
+        hooks.errorStays = true;
+        hooks.errorsAsked = 0;
+        try {
+            renderer.createMaterial(material);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::gl);
+            EXPECT_NE(std::string(error.what()).find("0x0507"), std::string::npos) << error.what();
+            ++refused;
+        }
+        EXPECT_LT(hooks.errorsAsked, 400) << after;
+        hooks.errorStays = false;
+        hooks.nextError = GL_NO_ERROR;
+        const auto gpu = renderer.createMaterial(material);
+        EXPECT_GT(gpu->filterError(), 0.0);
+        EXPECT_LT(gpu->filterError(), 0x1p-10 * contrastOf(material)) << "measured, not assumed";
+    }
+    EXPECT_EQ(refused, 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Backends, Ramps, ::testing::ValuesIn(modernVariants()), variantName);
 INSTANTIATE_TEST_SUITE_P(Backends, Filtering, ::testing::ValuesIn(allVariants()), variantName);
 INSTANTIATE_TEST_SUITE_P(Backends, Bounds, ::testing::ValuesIn(allVariants()), variantName);

@@ -97,8 +97,11 @@ GLenum GLAD_API_PTR checkFramebufferStatus(GLenum target)
 
 GLenum GLAD_API_PTR getError()
 {
+    ++active->errorsAsked;
     if (active->nextError != GL_NO_ERROR && active->errorAfter-- <= 0)
-        return std::exchange(active->nextError, static_cast<GLenum>(GL_NO_ERROR));
+        return active->errorStays
+                   ? active->nextError
+                   : std::exchange(active->nextError, static_cast<GLenum>(GL_NO_ERROR));
     return active->real.GetError();
 }
 

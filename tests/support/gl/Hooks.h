@@ -30,6 +30,8 @@ public:
     GLint refusedFormat = 0;           ///< nor are those with one of this internal format
     GLenum nextError = GL_NO_ERROR;    ///< what glGetError returns once
     int errorAfter = 0;                ///< calls of glGetError that are still answered by GL
+    bool errorStays = false;           ///< nextError is returned for ever, as of a lost context
+    int errorsAsked = 0;               ///< calls of glGetError
     bool loseContext = false;          ///< no name is given to a new object
     GLint unfilteredFormat = 0;        ///< textures of this internal format are not filtered
     bool countSamples = false;         ///< measure every draw call
