@@ -6,6 +6,8 @@
 
 #include <fbrdf/base/Error.h>
 #include <fbrdf/fit/SamplePlan.h>
+#include <fbrdf/metrics/Metrics.h>
+#include <fbrdf/metrics/SampleSets.h>
 #include <fbrdf/metrics/StandardSphere.h>
 #include <gtest/gtest.h>
 
@@ -182,6 +184,65 @@ TEST(PriorFit, SixteenSamplesMakeAPictureOfWhatThePriorHasNotSeen)
     for (const test::Ggx& ggx : {test::Ggx{0.3, 0.3, 0.04, 0.3}, test::Ggx{0.15, 0.15, 0.8, 0.0}}) {
         const Source truth = test::sourceOf(ggx);
         EXPECT_GT(psnrOf(truth, {}, samplesAtPlan(truth, 16)), 32.0) << ggx.alphaX;
+    }
+}
+
+// What is seen of one sample is nearly all of the prior's making: grey, bounded, and right where
+// the sample is.
+TEST(PriorFit, AnyNumberOfSamplesMakesASensiblePicture)
+{
+    constexpr double kHue = 0.02;  // of the rounding to 8 bits of three channels
+    const Source truth = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
+    FitOptions options;
+    for (const size_t count : {1u, 2u, 4u, 8u, 12u, 24u}) {
+        const Source samples = samplesAtPlan(truth, count);
+        const FitResult result = fitMaterial(samples, options);
+        ASSERT_TRUE(result.summary.prior) << count;
+        EXPECT_EQ(result.summary.used, count);
+        const Sample& first = samples.samples.front();
+        const Vec3f there = evaluate<float>(result.material, first.wo, first.wi);
+        EXPECT_NEAR(std::log(there.x / first.f.x), 0.0, 0.1) << count;
+        for (const auto& pair : uniformPairs(500)) {
+            const Vec3d f = evaluate(result.material, pair.wo, pair.wi);
+            ASSERT_TRUE(std::isfinite(f.x) && f.x > 0.0) << count;
+            ASSERT_NEAR(std::log(f.y / f.x), 0.0, kHue) << count;
+            ASSERT_NEAR(std::log(f.z / f.x), 0.0, kHue) << count;
+        }
+        EXPECT_LT(physicsErrors([&](const Vec3d& wo,
+                                    const Vec3d& wi) { return evaluate(result.material, wo, wi); },
+                                0)
+                      .albedoMax,
+                  1.1)
+            << count;
+    }
+}
+
+TEST(PriorFit, FitsThatLeanOnNothingNeedFiveSamples)
+{
+    const Source truth = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
+    FitOptions options;
+    options.usePrior = false;
+    EXPECT_THROW(fitMaterial(samplesAtPlan(truth, 4), options), Error);
+    options.usePrior = true;
+    options.maxBytes = 3000;  // the tables of the prior have 3,840
+    EXPECT_THROW(fitMaterial(samplesAtPlan(truth, 4), options), Error);
+    options.maxBytes = 0;
+    Source black = samplesAtPlan(truth, 1);
+    black.samples.front().f = Vec3f(0.0f);
+    EXPECT_THROW(fitMaterial(black, options), Error) << "no value above the noise floor";
+}
+
+// A rough plastic, as the prior knows many. A metal of one analytic lobe, which it does not know,
+// is drawn worse with it than without: so few samples do not show which is which.
+TEST(PriorFit, SmoothnessAloneIsNoBetterOfWhatThePriorKnows)
+{
+    FitOptions alone;
+    alone.usePrior = false;
+    alone.form = "hdio";
+    const Source truth = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
+    for (const size_t count : {8u, 16u}) {
+        const Source samples = samplesAtPlan(truth, count);
+        EXPECT_GT(psnrOf(truth, {}, samples), psnrOf(truth, alone, samples) - 1.0) << count;
     }
 }
 

@@ -205,6 +205,102 @@ TEST_P(MinimalFileTest, TakesSixteenTimesItsSizeAtMost)
     }
 }
 
+struct HostilePicture {
+    const char* title;
+    const char* name;
+    std::string content;
+    const char* words;  ///< of the error
+};
+
+std::string number(uint32_t value, int bytes)
+{
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 255u);
+    return text;
+}
+
+/// A TIFF of black floats, R, G, B, whose strips or tiles (side x height) are all one run of
+/// PackBits, 128 zeros in two bytes.
+std::string blackTiff(uint32_t width, uint32_t height, uint32_t tileWidth, uint32_t tileHeight)
+{
+    const bool tiled = tileWidth > 0;
+    const uint32_t across = tiled ? (width + tileWidth - 1) / tileWidth : 1;
+    const uint32_t parts = across * ((height + tileHeight - 1) / tileHeight);
+    const size_t bytes = size_t(tiled ? tileWidth : width) * tileHeight * 12;
+    const std::string run = repeated(std::string("\x81\0", 2), (bytes + 127) / 128);
+    const auto runAt = uint32_t(8), threeAt = uint32_t(runAt + run.size()), formatAt = threeAt + 6,
+               offsetsAt = formatAt + 6, countsAt = offsetsAt + 4 * parts;
+    std::string text = "II" + number(42, 2) + number(countsAt + 4 * parts, 4) + run;
+    for (int i = 0; i < 3; ++i) text += number(32, 2);
+    for (int i = 0; i < 3; ++i) text += number(3, 2);
+    for (uint32_t i = 0; i < parts; ++i) text += number(runAt, 4);
+    for (uint32_t i = 0; i < parts; ++i) text += number(uint32_t(run.size()), 4);
+    std::string entries;
+    uint32_t count = 0;
+    const auto add = [&](uint32_t tag, int type, uint32_t values, uint32_t value) {
+        entries +=
+            number(tag, 2) + number(uint32_t(type), 2) + number(values, 4) + number(value, 4);
+        ++count;
+    };
+    add(256, 4, 1, width);
+    add(257, 4, 1, height);
+    add(258, 3, 3, threeAt);
+    add(259, 3, 1, 32773);
+    add(262, 3, 1, 2);
+    if (!tiled) add(273, 4, parts, parts == 1 ? runAt : offsetsAt);
+    add(277, 3, 1, 3);
+    if (!tiled) add(278, 4, 1, tileHeight);
+    if (!tiled) add(279, 4, parts, parts == 1 ? uint32_t(run.size()) : countsAt);
+    if (tiled) {
+        add(322, 4, 1, tileWidth);
+        add(323, 4, 1, tileHeight);
+        add(324, 4, parts, parts == 1 ? runAt : offsetsAt);
+        add(325, 4, parts, parts == 1 ? uint32_t(run.size()) : countsAt);
+    }
+    add(339, 3, 3, formatAt);
+    return text + number(count, 2) + entries + number(0, 4);
+}
+
+std::string hdr(const std::string& sides)
+{
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + sides + "\n";
+}
+
+std::vector<HostilePicture> hostilePictures()
+{
+    return {
+        {"OneStrip", "a.tif", blackTiff(1600, 1600, 0, 1600), "far fewer in a small file"},
+        {"EqualStrips", "a.tif", blackTiff(4000, 4000, 0, 1), "far fewer in a small file"},
+        {"LargeTile", "a.tif", blackTiff(64, 64, 4096, 4096), "tiles are larger than the picture"},
+        {"HugeTiff", "a.tif", blackTiff(200000, 200000, 0, 1), "a picture that cannot be read"},
+        {"WideHdr", "a.hdr", hdr("-Y 1 +X 2000000000"), "far fewer in a small file"},
+        {"HugeHdr", "a.hdr", hdr("-Y 30000 +X 30000"), "far fewer in a small file"},
+    };
+}
+
+class HostilePictureTest : public testing::TestWithParam<HostilePicture> {};
+
+TEST_P(HostilePictureTest, IsRefusedInOneLineWithoutItsMemory)
+{
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer takes memory of its own";
+#endif
+    const TemporaryDir folder;
+    // OpenImageIO and the libraries behind it are in memory by then.
+    const std::string small = folder.file("small.tif"), path = folder.file(GetParam().name);
+    writeText(small, blackTiff(16, 16, 0, 16));
+    const ToolRun usual = runTool({"info", small});
+    EXPECT_EQ(usual.code, 0) << usual.err;
+    writeText(path, GetParam().content);
+    const ToolRun run = runTool({"info", path});
+    expectError(run, 3, GetParam().words);
+    const long most = usual.maxResidentKb + long((16 * GetParam().content.size() + kAnyFile) >> 10);
+    EXPECT_LT(run.maxResidentKb, most);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, HostilePictureTest, testing::ValuesIn(hostilePictures()),
+                         [](const auto& picture) { return std::string(picture.param.title); });
+
 std::string titleOf(const testing::TestParamInfo<MinimalFile>& file)
 {
     return file.param.title;

@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
@@ -18,6 +19,8 @@ constexpr const char* kJpegCompression = "jpeg:95";
 constexpr const char* kJpegSubsampling = "4:4:4";
 /// Far above any picture that the program takes, far below what a hostile header could ask for.
 constexpr int kMostMegabytes = 4096, kMostChannels = 64;
+/// A tile is decoded as a whole, however few of its pixels are of the picture.
+constexpr int64_t kTileBytesOfAnyPicture = 1 << 22;
 /// Rows that are decoded at once, and fewer where they are long: blocks of OpenEXR have 1 to 256,
 /// and it keeps the last one.
 constexpr int kRowsAtOnce = 64, kSamplesAtOnce = 1 << 22;
@@ -131,6 +134,15 @@ float* memoryFor(const OIIO::ImageSpec& spec, fbrdf_give_memory give, void* cont
     return memory;
 }
 
+void requireTiles(const OIIO::ImageSpec& spec)
+{
+    const auto bytes = static_cast<int64_t>(spec.pixel_bytes(true));
+    const int64_t whole = int64_t(spec.width) * spec.height * bytes,
+                  tile = int64_t(spec.tile_width) * spec.tile_height * bytes;
+    if (tile > std::max(whole, kTileBytesOfAnyPicture))
+        throw std::runtime_error("its tiles are larger than the picture");
+}
+
 std::unique_ptr<OIIO::ImageInput> opened(const char* format, OIIO::Filesystem::IOProxy& proxy)
 {
     auto input = OIIO::ImageInput::create(format);
@@ -149,6 +161,7 @@ void decode(const char* format, const void* bytes, size_t size, fbrdf_give_memor
     const auto input = opened(format, proxy);
     const OIIO::ImageSpec spec = input->spec();
     if (spec.deep || spec.depth > 1) throw std::runtime_error("it is no flat image");
+    requireTiles(spec);
     float* pixels = memoryFor(spec, give, context);
     require(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels), input);
 }

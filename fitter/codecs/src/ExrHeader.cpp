@@ -9,7 +9,7 @@
 namespace fbrdf {
 namespace {
 
-/// Far above any panorama; pixels of one value take 1/2048 of a byte and more.
+/// Far above any panorama.
 constexpr int64_t kLongestExrSide = 1 << 17, kPixelsOfByte = 2048, kPixelsOfAnyFile = 1 << 20;
 /// A row of 16 384 pixels and 256 high; published tiles have sides of 16 to 512.
 constexpr int64_t kMostTilePixels = 1 << 22;
@@ -76,7 +76,7 @@ void requireWindow(const ExrAttributes& attributes, size_t bytes, const std::str
     const int64_t width = attributes.number(2) - attributes.number(0) + 1,
                   height = attributes.number(3) - attributes.number(1) + 1;
     if (width < 1 || height < 1 || width > kLongestExrSide || height > kLongestExrSide ||
-        width * height > kPixelsOfByte * static_cast<int64_t>(bytes) + kPixelsOfAnyFile)
+        !mayHavePixels(width * height, bytes))
         throw Error(ErrorKind::input, where,
                     Found("a " + attributes.name() + " of " + std::to_string(width) + " x " +
                           std::to_string(height) + " pixels in " + std::to_string(bytes) + " bytes")
@@ -95,6 +95,11 @@ void requireTile(const ExrAttributes& attributes, const std::string& where)
 }
 
 }  // namespace
+
+bool mayHavePixels(int64_t pixels, size_t bytes)
+{
+    return pixels <= kPixelsOfByte * static_cast<int64_t>(bytes) + kPixelsOfAnyFile;
+}
 
 void requireSensibleExr(const std::string& bytes, const std::string& where)
 {

@@ -87,6 +87,7 @@ std::optional<Colours> coloursOfPart(const std::vector<std::string>& channels)
 /// What the functions that the module calls need to know and find out.
 struct RowDecoding {
     const std::string& where;
+    size_t bytes;  ///< of the file
     std::optional<LightRows> rows;
     Colours colours{};
     int channels = 0;  ///< that are decoded
@@ -112,6 +113,12 @@ void requireCoverage(const RowDecoding& decoding, const fbrdf_picture_part& part
 {
     const int64_t stored = int64_t(part.found.width) * part.found.height,
                   whole = int64_t(part.pictureWidth) * part.pictureHeight;
+    if (!mayHavePixels(std::max(stored, whole), decoding.bytes))
+        throw Error(
+            ErrorKind::input, decoding.where,
+            Found(std::to_string(part.pictureWidth) + " x " + std::to_string(part.pictureHeight) +
+                  " pixels in " + std::to_string(decoding.bytes) + " bytes")
+                .expected("not far more pixels than bytes"));
     if (kLeastCoverage * stored < whole || stored > kMostCoverage * whole)
         throw Error(
             ErrorKind::input, decoding.where,
@@ -222,7 +229,7 @@ LightPicture decodeLightPicture(const std::string& bytes, const char* format,
     if (std::string(format) == "png") return decodePngLight(bytes, where);
     if (std::string(format) == "openexr") requireSensibleExr(bytes, where);
     const fbrdf_picture_module& module = pictureModule(ErrorKind::input, where);
-    RowDecoding decoding{where, {}, {}, 0, {}, false, 1.0f, "", "", nullptr};
+    RowDecoding decoding{where, bytes.size(), {}, {}, 0, {}, false, 1.0f, "", "", nullptr};
     char why[kReasonLength] = "";
     if (module.decodeRows(format, bytes.data(), bytes.size(), chooseOfModule, takeOfModule,
                           &decoding, why, sizeof why) != 0) {

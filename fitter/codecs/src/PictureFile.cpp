@@ -21,8 +21,10 @@ constexpr PictureFormat kFormats[] = {
 
 /// 4096 x 4096, as for OpenEXR tables.
 constexpr int64_t kMostPixels = int64_t(1) << 24;
-/// Samples may take this much more memory than the bytes of their file, or 32 MiB.
-constexpr size_t kMostRatio = 8, kAlwaysAllowed = size_t(32) << 20;
+/// Samples may take this much more memory than the bytes of their file, beside 12 MiB: 2^20 pixels
+/// of R, G, B. While grey ones become colours four times as much is in use, and readers take no
+/// more than 16 times a file beside 64 MiB.
+constexpr size_t kMostRatio = 4, kAlwaysAllowed = size_t(12) << 20;
 constexpr size_t kReasonSize = 512;
 
 int bitsOf(PictureEncoding encoding)

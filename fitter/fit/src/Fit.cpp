@@ -78,8 +78,8 @@ void straighten(const Source& source, const FitOptions& options, Dataset& datase
 {
     constexpr size_t kMostRows = 1000000, kEnough = 16384;
     const bool isScattered = dataset.inMemory && !dataset.exact && !source.evaluate;
-    if (!options.straightens || !isScattered || dataset.rows > kMostRows ||
-        options.ranks.count > 1 || !isIsotropicSource(source))
+    if (!options.straightens || !isScattered || dataset.rows < kFewestSamples ||
+        dataset.rows > kMostRows || options.ranks.count > 1 || !isIsotropicSource(source))
         return;
     const auto some =
         someSamples(dataset, FoldChoice::all(), kEnough, options.seed, options.threads);

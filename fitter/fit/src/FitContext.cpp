@@ -4,6 +4,7 @@
 
 #include "data/Symmetry.h"
 #include "forms/NamedForms.h"
+#include "prior/PriorUse.h"
 #include "Quantize.h"
 #include "TexelWeights.h"
 #include "Unsampled.h"
@@ -89,8 +90,9 @@ Dataset readDataset(const Source& source, const FitOptions& options)
 FitContext makeFitContext(Dataset dataset, const FitOptions& options, const std::string& source)
 {
     FitContext context{options, std::move(dataset), {}, false, 1, false, nullptr};
-    context.statistics =
-        statisticsOf(context.dataset, {options.seed, options.threads, options.ranks}, source);
+    const size_t fewest = mayUsePrior(context.dataset, options) ? 1 : kFewestSamples;
+    context.statistics = statisticsOf(
+        context.dataset, {options.seed, options.threads, options.ranks, fewest}, source);
     context.robust = options.robust && !context.dataset.exact;
     context.folds = context.dataset.rows < kSmallSet ? kFolds : 1;
     return context;

@@ -119,11 +119,16 @@ std::string priorText(const FitSummary& summary)
 {
     if (!summary.prior) return "none";
     const PriorSummary& prior = *summary.prior;
-    return fmt::format(
+    const std::string text = fmt::format(
         "known materials fill in what samples leave open; tables differ from them "
         "by {:.1f} %, samples by {:.1f} %; {} (distance {:.2g})",
         100.0 * prior.tables, 100.0 * prior.samples,
         prior.isUnlike() ? "unlike all that the prior knows" : "like them", prior.distance);
+    if (summary.used >= kFewestCompared) return text;
+    return text + fmt::format(
+                      "; {} {}: most of what is seen is theirs, and no fit without them "
+                      "was compared",
+                      summary.used, summary.used == 1 ? "sample" : "samples");
 }
 
 // Colours in a model contain '/', so a path is only what exists. FILE@choice and FILE#choice count

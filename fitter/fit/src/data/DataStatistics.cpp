@@ -16,7 +16,6 @@ namespace {
 
 // With fewer than one for each held-out fold there would be no errors to state, and a single sample
 // fits every form.
-constexpr size_t kFewestSamples = 5;
 
 // A function that reaches 0 is cut off there, and values just above 0 carry no more information
 // than the zeros: those below this share of the median count as equal. Without zeros every value
@@ -100,7 +99,7 @@ Observed observe(float f, float cosine, const DataStatistics& statistics, int ch
 }
 
 DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
-                            const std::string& source)
+                            const std::string& source, size_t fewest)
 {
     DataStatistics statistics;
     statistics.exact = exact;
@@ -133,12 +132,12 @@ DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
         statistics.level[c] = quantile(logs[static_cast<size_t>(c)], 0.5);
         statistics.low[c] = quantile(logs[static_cast<size_t>(c)], 0.1);
     }
-    if (statistics.usable < kFewestSamples)
-        throw Error(
-            ErrorKind::fit, source,
-            Found(std::to_string(samples.size()) + ", of which " +
-                  std::to_string(statistics.usable) + " have a value above the noise floor")
-                .expected("at least " + std::to_string(kFewestSamples) + " samples that have"));
+    if (statistics.usable < fewest)
+        throw Error(ErrorKind::fit, source,
+                    Found(std::to_string(samples.size()) + ", of which " +
+                          std::to_string(statistics.usable) + " have a value above the noise floor")
+                        .expected("at least " + std::to_string(fewest) +
+                                  (fewest == 1 ? " sample that has" : " samples that have")));
     return statistics;
 }
 
@@ -148,7 +147,7 @@ DataStatistics statisticsOf(const Dataset& dataset, const StatisticsOptions& opt
     constexpr size_t kSamples = 65536;
     DataStatistics statistics = statisticsOf(
         someSamples(dataset, FoldChoice::all(), kSamples, options.seed, options.threads),
-        dataset.exact, source);
+        dataset.exact, source, options.fewest);
     if (!statistics.sameWeights && !statistics.grey) return statistics;
     std::vector<double> found = contradictions(dataset, statistics, options);
     options.ranks.sum(found);

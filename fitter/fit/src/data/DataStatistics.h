@@ -33,15 +33,20 @@ inline float floorAt(const DataStatistics& statistics, int channel, float cosine
                                       : statistics.floor[channel];
 }
 
+/// Samples that a fit needs which leans on nothing else.
+constexpr size_t kFewestSamples = 5;
+
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
-/// Throws Error(fit) naming `source` when fewer than 5 samples have a value above the noise floor.
+/// Throws Error(fit) naming `source` when fewer than `fewest` samples have a value above the noise
+/// floor.
 DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
-                            const std::string& source);
+                            const std::string& source, size_t fewest = kFewestSamples);
 
 struct StatisticsOptions {
     uint64_t seed = 1;  ///< of the part that is looked at
     int threads = 0;    ///< 0: one a core
     RankSum ranks;      ///< each process checks its share of the rows
+    size_t fewest = kFewestSamples;
 };
 /// The statistics of a whole dataset: the floor and the levels from 65,536 samples spread over it,
 /// while what must be true of every sample (sameWeights, grey) is checked on all of them. Throws as

@@ -1,17 +1,37 @@
 #include "prior/PriorUse.h"
 
-namespace fbrdf {
+#include "forms/NamedForms.h"
 
-std::shared_ptr<const PriorCovariance> priorFor(const FitContext& context)
+namespace fbrdf {
+namespace {
+
+TablePrior priorOf(const FitOptions& options)
 {
-    const FitOptions& options = context.options;
+    return options.prior ? *options.prior : shippedTablePrior();
+}
+
+bool isWithinLimits(const Form& form, const FitOptions& options)
+{
+    return lookupsPerPass(form) <= options.lookups &&
+           (options.maxBytes == 0 || formBytes(form, options.storage) <= options.maxBytes);
+}
+
+}  // namespace
+
+bool mayUsePrior(const Dataset& dataset, const FitOptions& options)
+{
     const bool isItsForm = !options.formData && (isSearched(options) || options.form == "hdio");
     const bool isFree = options.usePrior && !options.sharedShape && !options.smoothness &&
                         options.resolution == 0 && options.metric == Metric::log &&
                         options.ranks.count == 1;
-    const bool isFew = !context.dataset.exact && context.dataset.rows < kSmallSet;
-    if (!isItsForm || !isFree || !isFew) return nullptr;
-    return std::make_shared<PriorCovariance>(options.prior ? *options.prior : shippedTablePrior());
+    const bool isFew = !dataset.exact && dataset.rows < kSmallSet;
+    return isItsForm && isFree && isFew && isWithinLimits(priorOf(options).form, options);
+}
+
+std::shared_ptr<const PriorCovariance> priorFor(const FitContext& context)
+{
+    if (!mayUsePrior(context.dataset, context.options)) return nullptr;
+    return std::make_shared<PriorCovariance>(priorOf(context.options));
 }
 
 }  // namespace fbrdf

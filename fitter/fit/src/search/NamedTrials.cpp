@@ -6,9 +6,6 @@
 namespace fbrdf {
 namespace {
 
-// Fewer samples do not show which of two forms is better: a prior knows more than they.
-constexpr size_t kLeastToCompare = 32;
-
 // The form at its size, or nothing where it is not within the options.
 std::optional<Form> sized(const TrialRuns& runs, const std::string& name)
 {
@@ -59,7 +56,7 @@ std::vector<Candidate> tryNamed(TrialRuns& runs, const std::vector<std::string>&
     const auto& prior = runs.prior();
     if (prior && runs.isWithin(prior->form)) {
         candidates.push_back(runs.added(prior->form, "prior"));
-        if (runs.all().dataset.rows < kLeastToCompare) return runs.tryAll(std::move(candidates));
+        if (runs.all().dataset.rows < kFewestCompared) return runs.tryAll(std::move(candidates));
     }
     for (const std::string& name : names)
         if (const auto form = sized(runs, name)) candidates.push_back(runs.added(*form, "form"));

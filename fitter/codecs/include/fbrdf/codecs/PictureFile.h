@@ -61,8 +61,8 @@ using PictureCheck = std::function<void(const DecodedPicture&)>;
 /// The first image of a file of OpenImageIO's format `format` ("tiff", "hdr", ...). `check` is
 /// called before a sample is decoded, so that files of kinds that nobody asked for meet no decoder;
 /// what it throws leaves this function. Throws Error(input) naming `where` if the module cannot be
-/// loaded, the file is damaged, has more than 2^24 pixels, or would take far more memory than its
-/// bytes.
+/// loaded, the file is damaged, has more than 2^24 pixels, samples of more than 4 times its bytes
+/// and 12 MiB, or tiles larger than itself.
 DecodedPicture decodePicture(std::string_view bytes, const char* format, const std::string& where,
                              const PictureCheck& check = {});
 

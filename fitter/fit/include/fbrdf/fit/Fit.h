@@ -131,6 +131,9 @@ struct Trial {
     bool chosen = false;  ///< the one that was fitted in the end
 };
 
+/// Fewer samples do not show which of two forms is better: a fit that may lean on a prior does.
+constexpr size_t kFewestCompared = 32;
+
 /// What a fit made of its prior.
 struct PriorSummary {
     /// Standard deviations, relative: of tables about the modes of the prior, and of one sample.
