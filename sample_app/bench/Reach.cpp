@@ -9,6 +9,7 @@
 #include <fbrdf/scene/Stats.h>
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -87,6 +88,32 @@ private:
     bool forward_ = true;
 };
 
+gl::DrawOptions listsBy(gl::ListsBy who)
+{
+    gl::DrawOptions options;
+    options.clustered = true;
+    options.listsBy = who;
+    return options;
+}
+
+/// Small steps, to and fro, of some lights spread over all.
+class MovingLights {
+public:
+    explicit MovingLights(std::vector<LightVectors> lights) : lights_(std::move(lights)) {}
+    const std::vector<LightVectors>& next()
+    {
+        const float step = forward_ ? 0.003f : -0.003f;
+        for (size_t i = 0; i < lights_.size(); i += lights_.size() / kMovingLights)
+            lights_[i][0].x += step;
+        forward_ = !forward_;
+        return lights_;
+    }
+
+private:
+    std::vector<LightVectors> lights_;
+    bool forward_ = true;
+};
+
 Draw drawing(const Scene& scene, const gl::DrawOptions& options)
 {
     const std::shared_ptr<gl::GpuMaterial> material =
@@ -102,24 +129,69 @@ Draw drawing(const Scene& scene, const gl::DrawOptions& options)
     };
 }
 
-ReachRow measuredRow(Rig& rig, int reaching, double aspect)
+/// Why the GPU makes no lists in the rig's context; "" where it does.
+std::string whyNotByGpu(Rig& rig)
+{
+    const Scene scene = rig.scene(makeStage("triangle", 1.0), spreadLights(4, 1.0));
+    const auto material = scene.renderer.createMaterial(ggxMaterial("hdio"));
+    const auto mesh = scene.renderer.createMesh(scene.stage.mesh);
+    return scene.renderer
+        .draw(scene.target, scene.stage.view, {{material.get(), mesh.get()}}, scene.lights,
+              listsBy(gl::ListsBy::gpu))
+        .whyListsByCpu;
+}
+
+ReachRow measuredRow(Rig& rig, int reaching, double aspect, bool hasGpuLists)
 {
     const Scene many = rig.scene(makeStage("triangle", aspect), spreadLights(reaching, aspect)),
                 few = rig.scene(makeStage("triangle", aspect), stageLights(reaching));
     const auto vectors = inEyeSpace(many);
-    ClusterBuilder builder;
+    ClusterBuilder builder, editor;
     MovingView view(many.stage.view);
-    gl::DrawOptions listed;
-    listed.clustered = true;
+    MovingLights moving(vectors);
+    const glm::dmat4 projection(many.stage.view.projection);
     std::vector<Run> runs;
-    runs.push_back({"clustered", drawing(many, listed)});
+    runs.push_back({"clustered", drawing(many, listsBy(gl::ListsBy::cpu))});
     runs.push_back({"one list", drawing(few, {})});
     runs.push_back(
         {"building", [&] { builder.update(vectors, glm::dmat4(view.next().projection)); }, false});
+    runs.push_back({"editing", [&] { editor.update(moving.next(), projection); }, false});
+    if (hasGpuLists) runs.push_back({"by the GPU", drawing(many, listsBy(gl::ListsBy::gpu))});
     time(rig, runs);
     const Averages averages = averagesOf(many, builder.clusters(), aspect);
     const auto median = [&](size_t run) { return scene::spreadOf(runs[run].frames).median; };
-    return {reaching, averages.reaching, averages.listed, median(0), median(2), median(1)};
+    return {reaching,
+            averages.reaching,
+            averages.listed,
+            median(0),
+            median(2),
+            median(3),
+            hasGpuLists ? median(4) : 0.0,
+            median(1)};
+}
+
+/// Lights all around a camera that sees a twelfth of them.
+CulledRow measuredCulling(Rig& rig)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-1.0f, 1.0f);
+    std::vector<LightVectors> lights;
+    for (int i = 0; i < kCulledLights; ++i) {
+        Light light;
+        light.position = {50.0f * place(random), 2.0f * place(random), 50.0f * place(random)};
+        light.radius = 0.7f;
+        lights.push_back(lightVectors(light, glm::dmat4(1.0)));
+    }
+    gl::View camera;
+    camera.projection = glm::perspective(glm::radians(18.5f), 16.0f / 9.0f, 0.1f, 50.0f);
+    MovingView view(camera);
+    ClusterBuilder builder;
+    std::vector<Run> runs;
+    runs.push_back(
+        {"culling", [&] { builder.update(lights, glm::dmat4(view.next().projection)); }, false});
+    time(rig, runs);
+    return {lights.size(), builder.clusters().lights.size(),
+            scene::spreadOf(runs[0].frames).median};
 }
 
 }  // namespace
@@ -132,9 +204,13 @@ ReachMeasurement measureReach(const Options& options)
                             options.width,
                             options.height,
                             options.clock,
-                            {}};
+                            {},
+                            {},
+                            whyNotByGpu(rig)};
+    const double aspect = double(options.width) / options.height;
     for (const int reaching : options.lights)
-        result.rows.push_back(measuredRow(rig, reaching, double(options.width) / options.height));
+        result.rows.push_back(measuredRow(rig, reaching, aspect, result.whyNotByGpu.empty()));
+    result.culled = measuredCulling(rig);
     return result;
 }
 
@@ -142,32 +218,51 @@ std::string asText(const ReachMeasurement& m)
 {
     std::string text = fmt::format(
         "{}, OpenGL {}, {}x{} pixels, {} time\n\n{} lights with a radius: ms a frame\n"
-        "{:>8} {:>9} {:>9} {:>10} {:>10} {:>10} {:>6}\n",
+        "{:>8} {:>9} {:>9} {:>10} {:>10} {:>8} {:>10} {:>10} {:>6}\n",
         m.glRenderer, m.glVersion, m.width, m.height, clockName(m.clock), kReachLights, "wanted",
-        "reaching", "listed", "clustered", "of these", "one list", "ratio");
+        "reaching", "listed", "clustered", "of these", "edited", "by GPU", "one list", "ratio");
     for (const ReachRow& row : m.rows)
-        text += fmt::format("{:>8} {:>9.1f} {:>9.1f} {:>10.2f} {:>10.2f} {:>10.2f} {:>6.2f}\n",
-                            row.wanted, row.reaching, row.listed, row.clustered, row.building,
-                            row.oneList, row.clustered / row.oneList);
+        text += fmt::format(
+            "{:>8} {:>9.1f} {:>9.1f} {:>10.2f} {:>10.2f} {:>8.2f} {:>10} {:>10.2f} {:>6.2f}\n",
+            row.wanted, row.reaching, row.listed, row.clustered, row.building, row.editing,
+            row.byGpu > 0.0 ? fmt::format("{:.2f}", row.byGpu) : "none", row.oneList,
+            row.clustered / row.oneList);
+    text += fmt::format("\n{} lights of {} are seen: their lists take {:.2f} ms\n", m.culled.seen,
+                        m.culled.given, m.culled.building);
+    if (!m.whyNotByGpu.empty()) text += "no lists by the GPU: " + m.whyNotByGpu + "\n";
     return text +
-           "reaching, listed: lights, of an average pixel; of these: to build the lists; one "
-           "list: of as many lights as wanted\n";
+           "reaching, listed: lights, of an average pixel; clustered: with lists of the CPU; of "
+           "these: to make them anew; edited: where " +
+           std::to_string(kMovingLights) +
+           " lights have moved; by GPU: with lists of the GPU; one list: of as many lights as "
+           "wanted\n";
 }
 
 std::string asJson(const ReachMeasurement& m)
 {
     auto rows = nlohmann::ordered_json::array();
-    for (const ReachRow& row : m.rows)
+    for (const ReachRow& row : m.rows) {
         rows.push_back({{"wanted", row.wanted},
                         {"reaching", row.reaching},
                         {"listed", row.listed},
                         {"clustered", row.clustered},
                         {"building", row.building},
+                        {"editing", row.editing},
                         {"one_list", row.oneList},
                         {"ratio", row.clustered / row.oneList}});
-    return nlohmann::ordered_json{{"renderer", m.glRenderer},    {"version", m.glVersion},
-                                  {"size", {m.width, m.height}}, {"clock", clockName(m.clock)},
-                                  {"lights", kReachLights},      {"rows", rows}}
+        if (row.byGpu > 0.0) rows.back()["by_gpu"] = row.byGpu;
+    }
+    return nlohmann::ordered_json{{"renderer", m.glRenderer},
+                                  {"version", m.glVersion},
+                                  {"size", {m.width, m.height}},
+                                  {"clock", clockName(m.clock)},
+                                  {"lights", kReachLights},
+                                  {"rows", rows},
+                                  {"culled",
+                                   {{"given", m.culled.given},
+                                    {"seen", m.culled.seen},
+                                    {"building", m.culled.building}}},
+                                  {"why_not_by_gpu", m.whyNotByGpu}}
                .dump(2) +
            "\n";
 }

@@ -97,8 +97,13 @@ TEST(BenchProgram, CountsTheLightsThatReachAPixel)
         const double wanted = row["wanted"], reaching = row["reaching"], listed = row["listed"];
         EXPECT_NEAR(reaching, wanted, 0.2 * wanted);  // less at the border
         EXPECT_GE(listed, reaching);
-        for (const char* time : {"clustered", "building", "one_list"}) EXPECT_GT(row[time], 0.0);
+        for (const char* time : {"clustered", "building", "editing", "one_list"})
+            EXPECT_GT(row[time], 0.0);
+        EXPECT_EQ(row.contains("by_gpu"), json["why_not_by_gpu"] == "");
     }
+    EXPECT_EQ(json["culled"]["given"], 100000);
+    EXPECT_GT(json["culled"]["seen"], 4000);
+    EXPECT_LT(json["culled"]["seen"], 12000);
 }
 
 TEST(BenchProgram, StaysWithinItsBounds)

@@ -247,6 +247,47 @@ TEST_P(CApiGL, FaultsOfADrawAreResults)
     EXPECT_EQ(fbrdf_draw(renderer.get(), &draw, nullptr), FBRDF_RESULT_ERROR_GL);
 }
 
+TEST_P(CApiGL, ListsOfLightsAreMadeByWhomIsSaid)
+{
+    Lines lines;
+    const auto desc = rendererDesc(lines);
+    abi::Renderer renderer;
+    ASSERT_EQ(renderer.create(fbrdf_renderer_create, &desc), FBRDF_RESULT_OK);
+    Offscreen offscreen = makeOffscreen(kSize);
+    std::vector<fbrdf_light> lights(20);
+    for (size_t i = 0; i < lights.size(); ++i) {
+        lights[i].position[0] = 0.1f * static_cast<float>(i) - 1.0f;
+        lights[i].intensity[0] = lights[i].radius = 1.0f;
+    }
+    auto draw = abi::describe<fbrdf_draw_desc>();
+    draw.framebuffer = offscreen.framebuffer();
+    draw.width = draw.height = kSize;
+    for (const int diagonal : {0, 5, 10, 15})
+        draw.view[diagonal] = draw.projection[diagonal] = 1.0f;
+    draw.lights = lights.data();
+    draw.light_count = static_cast<uint32_t>(lights.size());
+    draw.light_size = sizeof lights[0];
+    auto stats = abi::describe<fbrdf_draw_stats>();
+    const auto made = [&](uint32_t by) {
+        draw.lists_by = by;
+        return fbrdf_draw(renderer.get(), &draw, &stats);
+    };
+    EXPECT_EQ(made(FBRDF_LISTS_BY_GPU), FBRDF_RESULT_OK);
+    EXPECT_EQ(stats.lists_by, uint32_t(FBRDF_LISTS_BY_AUTOMATIC));  // there are none
+    draw.clustered = 1;
+    EXPECT_EQ(made(FBRDF_LISTS_BY_CPU), FBRDF_RESULT_OK);
+    EXPECT_EQ(stats.lists_by, uint32_t(FBRDF_LISTS_BY_CPU));
+    EXPECT_STREQ(stats.why_lists_by_cpu, "asked for");
+    EXPECT_EQ(made(FBRDF_LISTS_BY_GPU), FBRDF_RESULT_OK);
+    EXPECT_EQ(stats.lists_by == uint32_t(FBRDF_LISTS_BY_GPU),
+              std::string(stats.why_lists_by_cpu).empty());
+    draw.max_lights = 3;
+    EXPECT_EQ(made(FBRDF_LISTS_BY_GPU), FBRDF_RESULT_OK);
+    EXPECT_EQ(stats.lists_by, uint32_t(FBRDF_LISTS_BY_CPU));
+    EXPECT_NE(std::string(stats.why_lists_by_cpu), "");
+    EXPECT_EQ(made(3), FBRDF_RESULT_ERROR_ARGUMENT);
+}
+
 TEST_P(CApiGL, FunctionsThatSampleComeOnRequest)
 {
     Plain plain;

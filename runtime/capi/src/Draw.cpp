@@ -81,6 +81,7 @@ fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
     options.maxLookups = countOf(desc.max_lookups, 0, "max_lookups");
     options.maxLights = countOf(desc.max_lights, 0, "max_lights");
     options.clustered = desc.clustered != 0;
+    options.listsBy = enumerator(desc.lists_by, fbrdf::gl::ListsBy::gpu, "lists_by");
     if (desc.environment) options.environment = environmentOf(*desc.environment);
     for (const fbrdf_area_light& light :
          elements(desc.area_lights, desc.area_light_count, desc.area_light_size, "area_lights"))
@@ -131,6 +132,8 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.environment_error = static_cast<float>(from.environmentError);
     from.whyNoEnvironment.copy(stats.why_no_environment, sizeof stats.why_no_environment - 1);
     from.whyNotSampled.copy(stats.why_not_sampled, sizeof stats.why_not_sampled - 1);
+    stats.lists_by = static_cast<uint32_t>(from.listsBy);
+    from.whyListsByCpu.copy(stats.why_lists_by_cpu, sizeof stats.why_lists_by_cpu - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
     // A newer caller has fields that this library does not know; they become 0.
     std::memset(to, 0, to->struct_size);

@@ -35,7 +35,7 @@ FBRDF_FIRST_SIZE(fbrdf_item, model, reserved);
 FBRDF_FIRST_SIZE(fbrdf_depth_desc, clear, clear);
 FBRDF_FIRST_SIZE(fbrdf_area_light, vertices, vertices);
 FBRDF_FIRST_SIZE(fbrdf_draw_desc, max_lookups, area_light_size);
-FBRDF_FIRST_SIZE(fbrdf_draw_stats, passes, why_not_sampled);
+FBRDF_FIRST_SIZE(fbrdf_draw_stats, passes, why_lists_by_cpu);
 FBRDF_FIRST_SIZE(fbrdf_environment_desc, unfiltered, unfiltered);
 FBRDF_FIRST_SIZE(fbrdf_environment_light, intensity, reserved);
 FBRDF_FIRST_SIZE(fbrdf_instance, material, material);

@@ -70,6 +70,14 @@ typedef enum fbrdf_transfer {
     FBRDF_TRANSFER_TONE_MAP = 3
 } fbrdf_transfer;
 
+/* Who makes lists of lights; in statistics AUTOMATIC: there were none. The CPU takes over where the
+ * GPU cannot, and the picture is the same. */
+typedef enum fbrdf_lists_by {
+    FBRDF_LISTS_BY_AUTOMATIC = 0, /* a GPU with OpenGL 4.3, else the CPU */
+    FBRDF_LISTS_BY_CPU = 1,
+    FBRDF_LISTS_BY_GPU = 2
+} fbrdf_lists_by;
+
 /* A fragment passes where its depth compares so with the depth that is stored. */
 typedef enum fbrdf_depth_test {
     FBRDF_DEPTH_TEST_LESS = 0,
@@ -111,7 +119,7 @@ typedef struct fbrdf_draw_desc {
     uint32_t max_lookups;     /* texture look-ups in any pass; 0: what the technique says */
     uint32_t max_lights;      /* the strongest lights of an item, or part of the view; 0: all */
     uint32_t clustered;       /* 1: lists of the lights that reach each part of the view */
-    uint32_t reserved;        /* 0 */
+    uint32_t lists_by;        /* fbrdf_lists_by */
     const fbrdf_depth_desc* depth;              /* NULL: as in a new context */
     const fbrdf_environment_light* environment; /* NULL: none */
     const fbrdf_area_light* area_lights;
@@ -139,6 +147,8 @@ typedef struct fbrdf_draw_stats {
                                 largest */
     char why_no_environment[160]; /* why the last of those items was drawn without; "" */
     char why_not_sampled[160];    /* why lobes were drawn instead of the environment's `samples` */
+    uint32_t lists_by;            /* fbrdf_lists_by */
+    char why_lists_by_cpu[160];   /* why the CPU made lists of lights; "": it did not */
 } fbrdf_draw_stats;
 
 /* Draws the items into the framebuffer, in front of what its depth buffer contains. stats may be
