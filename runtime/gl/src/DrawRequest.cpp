@@ -6,7 +6,6 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/base/Number.h>
-#include <fbrdf/base/Parallel.h>
 #include <fbrdf/environment/SampledLight.h>
 
 #include <glm/geometric.hpp>
@@ -18,9 +17,8 @@
 namespace fbrdf::gl {
 namespace {
 
-// Below so many lights, moving them to eye space takes no longer than starting a thread.
-constexpr size_t kManyLights = 2048;
-constexpr int kMostThreads = 4;
+// Moving so many lights to eye space takes as long as waking a thread.
+constexpr size_t kLightsPerTask = 512;
 
 bool isFinite(const glm::mat4& m)
 {
@@ -116,7 +114,7 @@ bool isInvertible(const glm::mat4& model)
     return isFinite(model) && glm::determinant(glm::dmat3(model)) != 0.0;
 }
 
-void setLights(DrawRequest& request, const std::vector<Light>& lights)
+void setLights(DrawRequest& request, const std::vector<Light>& lights, Workers& workers)
 {
     // In double: far from the origin of the world floats lose the distance between light and
     // surface.
@@ -129,12 +127,15 @@ void setLights(DrawRequest& request, const std::vector<Light>& lights)
         if (isValid(lights[i])) request.eye.numbers.push_back(static_cast<int32_t>(i));
     request.lights.resize(request.eye.numbers.size());
     request.eye.vectors.resize(request.eye.numbers.size());
-    const int threads = lights.size() < kManyLights ? 1 : std::min(threadCount(0), kMostThreads);
-    parallelFor(request.lights.size(), threads, [&](size_t i) {
-        Light& light = request.lights[i];
-        light = lights[static_cast<size_t>(request.eye.numbers[i])];
-        if (exposed) light.intensity *= request.target.exposure;
-        request.eye.vectors[i] = lightVectors(light, toEye);
+    const size_t count = request.lights.size();
+    workers.run((count + kLightsPerTask - 1) / kLightsPerTask, [&](size_t task) {
+        const size_t end = std::min(count, (task + 1) * kLightsPerTask);
+        for (size_t i = task * kLightsPerTask; i < end; ++i) {
+            Light& light = request.lights[i];
+            light = lights[static_cast<size_t>(request.eye.numbers[i])];
+            if (exposed) light.intensity *= request.target.exposure;
+            request.eye.vectors[i] = lightVectors(light, toEye);
+        }
     });
 }
 

@@ -3,6 +3,7 @@
 #include "EnvironmentResources.h"
 #include "TargetInfo.h"
 
+#include <fbrdf/base/Workers.h>
 #include <fbrdf/plan/AreaVectors.h>
 #include <fbrdf/plan/LightClusters.h>
 #include <fbrdf/plan/LightSelection.h>
@@ -55,7 +56,7 @@ struct DrawRequest {
 void checkRequest(const Device& device, const Target& target, const View& view);
 bool isInvertible(const glm::mat4& model);
 /// Fills in lights and eye from those that are valid.
-void setLights(DrawRequest& request, const std::vector<Light>& lights);
+void setLights(DrawRequest& request, const std::vector<Light>& lights, Workers& workers);
 /// The same for the area lights of the options. lights: the number of those that the draw was given
 /// beside them. What is wrong with one is logged.
 void setAreaLights(DrawRequest& request, Device& device, int lights);

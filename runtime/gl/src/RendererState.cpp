@@ -3,12 +3,15 @@
 #include "RoundingProbe.h"
 
 #include <fbrdf/base/Found.h>
+#include <fbrdf/base/Parallel.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace fbrdf::gl {
 namespace {
+
+constexpr int kMostThreads = 4;  // that move lights to eye space
 
 /// True where some pass writes a surface of ours, which must then exist.
 bool needsSurfaces(const Plan& plan)
@@ -82,7 +85,8 @@ Renderer::State::State(const DevicePtr& d, const RendererOptions& options)
       clusterBuffers(d),
       areaBuffers(d),
       listKernel(d),
-      instances(d, GL_RGBA32F, "instances")
+      instances(d, GL_RGBA32F, "instances"),
+      workers(std::min(threadCount(0), kMostThreads))
 {
 }
 
@@ -365,7 +369,7 @@ DrawStats Renderer::State::draw(const Target& target, const View& view,
     surfaces.evict(target);
     DrawRequest request{target, view, options, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     request.eyePoint = glm::vec4(eyeFromProjection(glm::dmat4(view.projection)));
-    setLights(request, lights);
+    setLights(request, lights, workers);
     setAreaLights(request, *device, static_cast<int>(lights.size()));
     setEnvironment(request, *device);
     DrawStats stats;

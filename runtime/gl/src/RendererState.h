@@ -26,6 +26,7 @@ struct Renderer::State {
     ClusterBuffers clusterBuffers, areaBuffers;
     ListKernel listKernel;
     BufferTexture instances;
+    Workers workers;
 
     State(const DevicePtr& device, const RendererOptions& options);
 

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fbrdf {
 
@@ -53,15 +54,19 @@ template <class T>
 bool coneMissesBox(const Vec3<T>& toCentre, const Vec3<T>& half, const Vec3<T>& axis, T cosine,
                    T sine)
 {
-    const T along = glm::dot(toCentre, axis);
+    const T along = glm::dot(toCentre, axis), sineAlong = sine * along;
     const Vec3<T> across = toCentre - along * axis;
-    const T distance = glm::length(across);
-    if (cosine * distance <= sine * along) return false;
+    const T distanceSquared = glm::dot(across, across);
+    // The centre is inside: most often, and without a root.
+    if (cosine >= T(0) && sineAlong >= T(0) &&
+        square(cosine) * distanceSquared <= square(sineAlong))
+        return false;
+    const T distance = std::sqrt(distanceSquared);
     const Vec3<T> outwards =
         std::max(cosine, T(0)) / std::max(distance, T(1e-30)) * across - sine * axis;
     T extent = glm::dot(glm::abs(outwards), half);
     if (cosine < T(0)) extent -= cosine * glm::length(half);
-    return cosine * distance - sine * along > extent;
+    return cosine * distance - sineAlong > extent;
 }
 
 }  // namespace fbrdf

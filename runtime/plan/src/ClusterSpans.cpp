@@ -66,16 +66,44 @@ void setEndsTileByTile(const Tiles& tiles, const SliceDisc& disc, int row, int c
     }
 }
 
-/// Drops tiles at either end of [first, last) that the cone misses.
-void trimToCone(const Tiles& tiles, const Reach& cone, int row, int& first, int& last)
-{
-    if (first >= last) return;
-    // Most often all of them are missed, or none at the ends.
-    if (!tiles.mayBeIn(cone, first, last, row)) last = first;
-    if (last - first <= 1) return;
-    while (first < last && !tiles.mayBeIn(cone, first, first + 1, row)) ++first;
-    while (first < last && !tiles.mayBeIn(cone, last - 1, last, row)) --last;
-}
+/// A cone in a row of tiles.
+class ConeInRow {
+public:
+    ConeInRow(const Tiles& tiles, const Reach& cone, int row) : columns_(tiles.columns), cone_(cone)
+    {
+        const Interval<double> y = tiles.rows.extent(row);
+        centre_ = {0.0, 0.5 * (y.low + y.high), -0.5 * (tiles.distance.low + tiles.distance.high)};
+        half_ = {0.0, 0.5 * (y.high - y.low), 0.5 * (tiles.distance.high - tiles.distance.low)};
+    }
+
+    /// Drops tiles at either end of [first, last) that the cone misses.
+    void trim(int& first, int& last)
+    {
+        if (first >= last) return;
+        // Most often all of them are missed, or none at the ends.
+        if (!mayBeIn(first, last - 1)) last = first;
+        if (last - first <= 1) return;
+        while (first < last && !mayBeIn(first, first)) ++first;
+        while (first < last && !mayBeIn(last - 1, last - 1)) --last;
+    }
+
+private:
+    /// True where some of the cone may be in the tiles from one to another.
+    bool mayBeIn(int from, int to)
+    {
+        // The columns of a mirrored projection descend.
+        const Interval<double> a = columns_.extent(from), b = columns_.extent(to);
+        const double low = std::min(a.low, b.low), high = std::max(a.high, b.high);
+        centre_.x = 0.5 * (low + high);
+        half_.x = 0.5 * (high - low);
+        return !coneMissesBox(centre_ - cone_.apex, half_ * kDistanceMargin, cone_.axis,
+                              cone_.cosine, cone_.sine);
+    }
+
+    const TileAxis& columns_;
+    const Reach& cone_;
+    Vec3d centre_{0.0}, half_{0.0};
+};
 
 }  // namespace
 
@@ -97,7 +125,7 @@ void addSpans(const ClusterTiles& all, int slice, int firstRow, int lastRow, int
         setAll(tiles, disc, row, count, ends);
         if (reach.hasCone())
             for (int i = 0; i < count; ++i)
-                trimToCone(tiles, reach, row + i, ends.first[i], ends.last[i]);
+                ConeInRow(tiles, reach, row + i).trim(ends.first[i], ends.last[i]);
         LightSpan found[kRows];
         int spansFound = 0;
         for (int i = 0; i < count; ++i) {

@@ -45,19 +45,6 @@ Interval<double> distanceOf(const Reach& reach)
     return {-reach.centre.z - reach.radius, -reach.centre.z + reach.radius};
 }
 
-bool Tiles::mayBeIn(const Reach& cone, int first, int last, int row) const
-{
-    // The columns of a mirrored projection descend.
-    const Interval<double> a = columns.extent(first), b = columns.extent(last - 1),
-                           x{std::min(a.low, b.low), std::max(a.high, b.high)},
-                           y = rows.extent(row);
-    const Vec3d centre(0.5 * (x.low + x.high), 0.5 * (y.low + y.high),
-                       -0.5 * (distance.low + distance.high)),
-        half(0.5 * (x.high - x.low), 0.5 * (y.high - y.low), 0.5 * (distance.high - distance.low));
-    return !coneMissesBox(centre - cone.apex, half * kDistanceMargin, cone.axis, cone.cosine,
-                          cone.sine);
-}
-
 ClusterTiles::ClusterTiles(const LightClusters& clusters, const glm::dmat4& projection,
                            const Interval<double>& reach)
 {

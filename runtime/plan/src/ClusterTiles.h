@@ -51,9 +51,6 @@ struct Tiles {
     /// The slice, and what lights with a radius reach of it; low is above high where there is none.
     Interval<double> distance;
     TileAxis columns, rows;
-
-    /// True where some of the cone may be in the tiles of columns [first, last) of a row.
-    bool mayBeIn(const Reach& cone, int first, int last, int row) const;
 };
 
 /// Tiles and slices of a view.
