@@ -159,7 +159,7 @@ TEST_P(ClusterLists, AreThoseOfTheCpu)
                 same += isSubset(list, expected[k]) ? 1 : 0;
             }
             EXPECT_GE(double(same), 0.99 * double(expected.size()));
-            EXPECT_LE(double(entriesOf(gpu.lists)), 1.001 * double(entriesOf(expected)));
+            EXPECT_LE(double(entriesOf(gpu.lists)), 1.001 * double(entriesOf(expected)) + 8.0);
             EXPECT_LE(static_cast<size_t>(gpu.entries), work.mostEntries);
             EXPECT_EQ(static_cast<size_t>(gpu.entries),
                       entriesOf(gpu.lists) + clusters.lights.size() -

@@ -7,8 +7,8 @@
 namespace fbrdf {
 namespace {
 
-constexpr double kStepsAnOctave = 4.0;  // of radii: tiles are up to 9 % larger or smaller
-constexpr double kStepOfRadius = 0.25;  // of distances: less than a slice
+constexpr double kStepsAnOctave = 16.0;       // of radii: tiles are up to 2 % larger or smaller
+constexpr double kStepOfRadius = 1.0 / 64.0;  // of distances: less than a slice
 
 /// Expects x > 0.
 double nearestStep(double x)

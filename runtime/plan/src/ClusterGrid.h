@@ -21,8 +21,8 @@ struct ReachSums {
     bool operator==(const ReachSums& other) const;
 };
 
-/// The means, rounded so that a grid outlasts small movements of lights: radii to quarters of an
-/// octave, distances outwards to quarters of the radius. {} where there are no lights.
+/// The means, rounded so that a grid outlasts small movements of lights: radii to 16ths of an
+/// octave, distances outwards to 64ths of the mean radius. {} where there are no lights.
 ReachSums rounded(const ReachSums& sums);
 
 /// Sets slices, and the numbers of tiles and slices that the caller left at 0. Returns the
