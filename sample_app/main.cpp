@@ -5,6 +5,7 @@
 #include "viewer/CpuDrawing.h"
 #include "viewer/Figures.h"
 #include "viewer/Headless.h"
+#include "viewer/LeanHeap.h"
 #include "viewer/Sheet.h"
 #include "viewer/Turntable.h"
 #include "viewer/WindowLoop.h"
@@ -36,6 +37,8 @@ int run(int argc, char** argv)
     if (!options.out.empty() && options.command != viewer::Command::turntable)
         requireWritable(options.out);
     if (!options.stats.empty()) requireWritable(options.stats);
+
+    if (!options.headless) viewer::keepHeapLean();
 
     // 2. Materials, mesh, lights and camera.
     viewer::World world;
