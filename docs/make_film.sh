@@ -17,7 +17,7 @@ xvfb-run -a -s "-noreset -screen 0 920x520x24" env -u WAYLAND_DISPLAY bash -c '
   sleep 5
   frame=0
   shot() { import -window root "$work/frame-$(printf %03d $frame).png"; frame=$((frame + 1)); }
-  row=183 left=37  # the slider of alpha_y, at 0.12
+  row=206 left=37  # the slider of alpha_y, at 0.12
   shot
   xdotool mousemove $left $row; sleep 1; xdotool mousedown 1; sleep 1
   for ((x = 0; x <= 48; x += 2)); do xdotool mousemove $((left + x)) $row; sleep 0.35; shot; done

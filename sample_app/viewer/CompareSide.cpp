@@ -98,6 +98,12 @@ CompareSide compareSideFromName(const std::string& name)
     throw Error(ErrorKind::usage, "--compare", Found("'" + name + "'").expected(compareSideHelp()));
 }
 
+bool namesFile(const std::string& side)
+{
+    return side != kDrawn && side != kNetwork && !isTechnique(side) && !peerOf(side) &&
+           !isForm(side) && !namesModel(side);
+}
+
 std::string compareSideHelp()
 {
     std::string known;

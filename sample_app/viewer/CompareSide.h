@@ -31,6 +31,8 @@ struct CompareSide {
 /// Throws Error(usage) for what is none of compareSideHelp().
 CompareSide compareSideFromName(const std::string& name);
 std::string compareSideHelp();
+/// True for a name that can only be that of a file, whether that is there or not.
+bool namesFile(const std::string& side);
 /// Sides without a file of their own, for a list to choose from. Singular values are among them as
 /// "svd4".
 std::vector<CompareSide> offeredSides();

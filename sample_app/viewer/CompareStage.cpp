@@ -4,16 +4,26 @@
 #include <fbrdf/base/Found.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 namespace fbrdf::viewer {
 namespace {
 
-bool isSvd(const CompareSide& side)
+constexpr const char* kSvd = "svd";
+
+/// Of a side that is singular values with a number of terms; nothing for others.
+std::optional<int> svdTerms(const CompareSide& side)
 {
-    return side.kind == CompareSide::Kind::form && side.name.rfind("svd", 0) == 0;
+    const std::string_view name = side.name, svd = kSvd;
+    if (side.kind != CompareSide::Kind::form || name.substr(0, svd.size()) != svd) return {};
+    int terms = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + svd.size(), end, terms);
+    return read.ec == std::errc() && read.ptr == end ? std::optional(terms) : std::nullopt;
 }
 
 /// The number of a side in a list, to which it is added where it is new.
@@ -44,29 +54,60 @@ CompareStage::CompareStage(gl::LoadFunction load, const Options& options, World&
       lookUp_(options.document.lookUp),
       precise_(options.document.precise)
 {
-    for (const std::string& name : options.compare) placeOf(compareSideFromName(name), sides_);
     for (Seat& seat : seats_) seat.options = options;
 }
 
-scene::CompareView CompareStage::initialView() const
+/// Singular values are one side, whose terms are counted.
+scene::Comparison CompareStage::comparisonOf(const scene::CompareView& view) const
 {
-    scene::CompareView view;
+    const auto nameOf = [&](int number) {
+        const CompareSide& side = sides_[static_cast<size_t>(number)];
+        return svdTerms(side) ? kSvd + std::to_string(view.terms) : side.name;
+    };
+    return {view.on, view.mode, nameOf(view.a), nameOf(view.b), view.at, view.gain, view.holds};
+}
+
+void CompareStage::take(const scene::Comparison& comparison, scene::CompareView& view)
+{
+    const std::array<CompareSide, 2> wanted{compareSideFromName(comparison.a),
+                                            compareSideFromName(comparison.b)};
+    for (const CompareSide& side : wanted)
+        if (const std::optional<int> terms = svdTerms(side)) {
+            view.terms = std::min(*terms, scene::kMostCompareTerms);
+            nameSvd(view.terms);
+        }
+    view.a = placeOf(wanted[0], sides_);
+    view.b = placeOf(wanted[1], sides_);
     view.sideCount = static_cast<int>(sides_.size());
-    view.mode = options_.compareMode;
-    view.at = static_cast<float>(options_.compareAt);
-    view.gain = static_cast<float>(options_.compareGain);
-    view.on = !options_.compare.empty();
-    if (!view.on) return view;
-    std::vector<CompareSide> known = sides_;
-    view.a = placeOf(compareSideFromName(options_.compare[0]), known);
-    view.b = placeOf(compareSideFromName(options_.compare[1]), known);
-    return view;
+    view.on = comparison.on;
+    view.mode = comparison.mode;
+    view.at = comparison.at;
+    view.gain = comparison.gain;
+    view.holds = comparison.holds;
+}
+
+void CompareStage::sync(scene::CompareView& view, scene::Comparison& document)
+{
+    if (!synced_ || !(document == *synced_)) try {
+            take(document, view);
+        } catch (const Error&) {
+            if (!synced_) throw;
+            document = *synced_;
+            throw;
+        }
+    document = comparisonOf(view);
+    synced_ = document;
+}
+
+void CompareStage::nameSvd(int terms)
+{
+    for (CompareSide& side : sides_)
+        if (svdTerms(side)) side.name = kSvd + std::to_string(terms);
 }
 
 void CompareStage::follow(scene::CompareView& view, MaterialSlot& shown)
 {
-    for (CompareSide& side : sides_)
-        if (isSvd(side) && side.name != "svd") side.name = "svd" + std::to_string(view.terms);
+    nameSvd(view.terms);
     if (offeredFor_ != &shown || offeredSource_ != shown.source().get()) {
         offeredFor_ = &shown;
         offeredSource_ = shown.source().get();

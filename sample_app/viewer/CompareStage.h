@@ -11,6 +11,7 @@
 #include <array>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,10 @@ public:
     /// Belongs to the context that is current. What is given must outlive this.
     CompareStage(gl::LoadFunction load, const Options& options, World& world, GlScene& scene);
 
-    /// Begins as the options ask for.
-    scene::CompareView initialView() const;
+    /// Brings a view in line with a document where that has changed since the last call, as by
+    /// undo, and else the document in line with the view. Throws Error(usage) for a side that is
+    /// none; the document then has what is shown again.
+    void sync(scene::CompareView& view, scene::Comparison& document);
     /// Orders and takes what the sides of a view need of the material that is shown. Once a frame.
     void follow(scene::CompareView& view, MaterialSlot& shown);
     /// Gives up what is being fitted.
@@ -76,6 +79,9 @@ public:
                              double seconds, scene::Stats& stats);
 
 private:
+    scene::Comparison comparisonOf(const scene::CompareView& view) const;
+    void nameSvd(int terms);
+    void take(const scene::Comparison& comparison, scene::CompareView& view);
     ComparePair finishedPair(const scene::CompareView& view, const Exposing& exposing,
                              scene::CompareStats& stats);
     struct Seat {
@@ -111,6 +117,7 @@ private:
     GlScene& scene_;
     CompareMapper mapper_;
     std::vector<CompareSide> sides_;  ///< by the numbers of CompareView
+    std::optional<scene::Comparison> synced_;
     std::array<Seat, 2> seats_;
     const MaterialSlot* offeredFor_ = nullptr;
     const Source* offeredSource_ = nullptr;

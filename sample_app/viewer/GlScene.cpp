@@ -146,7 +146,7 @@ void GlScene::turnEnvironment(const scene::EnvironmentLight& light, int lobes)
 
 bool GlScene::refineEnvironment(double milliseconds)
 {
-    if (!environment_ || environment_->isFinished()) return false;
+    if (!isRefining()) return false;
     constexpr double kFirstTexels = 2048.0, kFastest = 0.1;
     refinedTexels_ = std::max(refinedTexels_, kFirstTexels);
     refineTimer_.begin();
@@ -160,7 +160,7 @@ bool GlScene::refineEnvironment(double milliseconds)
 bool GlScene::finishEnvironment()
 {
     constexpr long long kAll = std::numeric_limits<long long>::max() / 2;
-    if (!environment_ || environment_->isFinished()) return false;
+    if (!isRefining()) return false;
     const bool isFinished = renderer_.refine(*environment_, kAll);
     sharpness_ += isFinished;
     return isFinished;

@@ -54,6 +54,8 @@ public:
     /// Goes on with an environment of a window, which comes gradually, for about so long. True
     /// where it has become sharper.
     bool refineEnvironment(double milliseconds);
+    /// True while there is more to come.
+    bool isRefining() const { return environment_ && !environment_->isFinished(); }
     /// All of it at once; true where something was left.
     bool finishEnvironment();
     /// Counts how often it has become sharper.

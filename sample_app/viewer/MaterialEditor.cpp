@@ -136,6 +136,17 @@ void MaterialEditor::followShown(SceneMaterial& material)
     orderEdit(slot, edit, material, false);
 }
 
+void MaterialEditor::warm(const scene::Document& document)
+{
+    const SceneMaterial* const shown = shownMaterial(document);
+    if (!shown || shown->slot < 0) return;
+    const auto slot = static_cast<size_t>(shown->slot);
+    MaterialSlot& loaded = world_.materials[slot];
+    if (!loaded.source() || !loaded.material().lobes.isEmpty()) return;
+    Edit& edit = editOf(*shown);
+    if (edit.number == 0) orderEdit(slot, edit, *shown, true);
+}
+
 /// False, with the reason among the facts, where there is no material.
 bool MaterialEditor::take(const fitting::FitReply& reply, const std::string& source)
 {

@@ -36,6 +36,9 @@ public:
     /// where the one that is shown is fitted in another way than it was. Where its form was
     /// searched, it becomes the one that was found: searching again takes seconds. Once a frame.
     void follow(scene::Document& document);
+    /// Fits what is shown once more where it was fitted without lobes, as a program begins: the
+    /// next fits follow a slider at once, with its lobes and the smoothness that was chosen.
+    void warm(const scene::Document& document);
     const FitFacts& facts() const { return facts_; }
 
 private:

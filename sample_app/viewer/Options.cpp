@@ -80,6 +80,31 @@ void checkComparison(const CLI::App& app, const Options& options)
                         .expected("one"));
 }
 
+/// What a scene compares is compared, in the ways that nothing else was asked for.
+void takeComparison(const CLI::App& app, Options& options)
+{
+    const scene::Comparison& compare = options.document.compare;
+    if (options.command != Command::view) return;
+    if (options.compare.empty() && compare.on) options.compare = {compare.a, compare.b};
+    if (app.count("--compare-mode") == 0) options.compareMode = compare.mode;
+    if (app.count("--compare-at") == 0) options.compareAt = static_cast<double>(compare.at);
+    if (app.count("--compare-gain") == 0) options.compareGain = static_cast<double>(compare.gain);
+}
+
+/// Writes into the document what is compared.
+void giveComparison(Options& options)
+{
+    scene::Comparison& compare = options.document.compare;
+    if (options.compare.size() != 2) return;
+    compare = {true,
+               options.compareMode,
+               options.compare[0],
+               options.compare[1],
+               static_cast<float>(options.compareAt),
+               static_cast<float>(options.compareGain),
+               compare.holds};
+}
+
 /// Fills in what the full scene has and nobody asked for otherwise.
 void completeScene(const Texts& texts, Options& options)
 {
@@ -274,9 +299,11 @@ Options optionsFromArguments(int argc, const char* const* argv)
     }
     if (figures->parsed()) options.command = Command::figures;
     if (options.command != Command::view) options.headless = true;
+    takeComparison(app, options);
     understand(texts, options);
     checkEnvironment(app, options);
     checkComparison(app, options);
+    giveComparison(options);
     options.drawsEnvironment = options.command == Command::compare || !options.compare.empty() ||
                                (!options.headless && !options.frames);
     return options;

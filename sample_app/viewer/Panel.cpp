@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <filesystem>
+#include <utility>
 
 namespace fbrdf::viewer {
 
@@ -14,11 +15,12 @@ std::string shortName(const std::string& spec)
     return std::filesystem::exists(path) ? path.filename().string() : spec;
 }
 
-void Panel::setTitle(const std::string& title)
+void Panel::setTitle(std::string title, const PanelFacts& facts)
 {
+    if (facts.isDrawing) title += " ...";
     if (title == title_) return;
-    title_ = title;
-    glfwSetWindowTitle(window_, title.c_str());
+    title_ = std::move(title);
+    glfwSetWindowTitle(window_, title_.c_str());
 }
 
 }  // namespace fbrdf::viewer

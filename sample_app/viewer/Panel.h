@@ -28,6 +28,7 @@ struct PanelFacts {
     bool isFitted = false;  ///< the material that is shown is no file of one
     bool canUndo = false, canRedo = false;
     int samples = 0, samplesWanted = 0;  ///< of each pixel, so far and in the end
+    bool isDrawing = false;              ///< the picture changes, or becomes better
     double milliseconds = 0.0;
     const std::vector<PassRow>* passRows = nullptr;  ///< of the last draw
     int passesLeft = 0;                              ///< without a row
@@ -60,7 +61,8 @@ public:
     void draw(scene::ViewState& state, const PanelFacts& facts);
 
 private:
-    void setTitle(const std::string& title);
+    /// Ends with dots while the picture is being drawn.
+    void setTitle(std::string title, const PanelFacts& facts);
 
     GLFWwindow* window_;
     std::string title_;   ///< of the window

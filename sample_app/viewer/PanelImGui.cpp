@@ -146,7 +146,7 @@ bool Panel::isHeld() const
 void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
 {
     const scene::SceneMaterial* const shown = shownMaterial(state.document);
-    setTitle("fbrdf - " + shortName(shown ? shown->source : ""));
+    setTitle("fbrdf - " + shortName(shown ? shown->source : ""), facts);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();

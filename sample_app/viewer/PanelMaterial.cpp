@@ -31,18 +31,28 @@ void drawColour(const ModelParameter& parameter, Vec3d& value)
             value[c] = std::clamp(shortNumber(colour[c]), parameter.lower, parameter.upper);
 }
 
+/// Shows the first of the parameters that it sets; when it is moved, they are one number.
+void drawShorthand(const ModelParameter& parameter, ModelValues& values)
+{
+    const Vec3d before = values.at(parameter.sets.front());
+    Vec3d value = before;
+    drawScalar(parameter, value);
+    if (value == before) return;
+    for (const std::string& set : parameter.sets) values.at(set) = value;
+}
+
 /// Changes the source of a material to the model that its sliders say.
 void drawModel(std::string& source)
 {
     ModelSpec spec = parseModelSpec(source);
     const ModelValues before = spec.values;
     for (const ModelParameter& parameter : spec.model->parameters) {
-        const auto value = spec.values.find(parameter.name);
-        if (value == spec.values.end()) continue;
-        if (parameter.kind == ModelParameter::Kind::colour)
-            drawColour(parameter, value->second);
+        if (parameter.kind == ModelParameter::Kind::shorthand)
+            drawShorthand(parameter, spec.values);
+        else if (parameter.kind == ModelParameter::Kind::colour)
+            drawColour(parameter, spec.values.at(parameter.name));
         else
-            drawScalar(parameter, value->second);
+            drawScalar(parameter, spec.values.at(parameter.name));
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
             ImGui::SetTooltip("%s", parameter.meaning.c_str());
     }

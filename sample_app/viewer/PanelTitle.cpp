@@ -56,7 +56,7 @@ bool Panel::isHeld() const
 
 void Panel::draw(scene::ViewState& state, const PanelFacts& facts)
 {
-    setTitle(titleOf(state, facts));
+    setTitle(titleOf(state, facts), facts);
 }
 
 }  // namespace fbrdf::viewer

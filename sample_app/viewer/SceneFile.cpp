@@ -1,5 +1,7 @@
 #include "SceneFile.h"
 
+#include "CompareSide.h"
+
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/OutputFile.h>
 #include <fbrdf/environment/Sky.h>
@@ -26,6 +28,8 @@ void changePaths(scene::Document& document, const Change& change)
     for (scene::SceneMaterial& material : document.materials)
         if (!namesModel(material.source)) change(material.source);
     if (!isMeshName(document.mesh)) change(document.mesh);
+    for (std::string* side : {&document.compare.a, &document.compare.b})
+        if (namesFile(*side)) change(*side);
     std::string& environment = document.environment.name;
     if (!environment.empty() && !isProceduralEnvironment(environment)) change(environment);
 }

@@ -7,14 +7,27 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <tuple>
+#include <vector>
 
 namespace fbrdf::viewer {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr uint64_t kVersion = 1;  // of how thumbnails are drawn
+constexpr size_t kKeyDigits = 32;
+
+bool isThumbnailName(const fs::path& path)
+{
+    const std::string key = path.stem().string();
+    return path.extension() == ".png" && key.size() == kKeyDigits &&
+           key.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
 
 uint64_t hashOf(std::string_view bytes, uint64_t seed)
 {
@@ -71,6 +84,37 @@ void ThumbnailCache::store(const std::string& key, const PngImage& image) const
         writeFile(pathOf(key), encodePng(image, pathOf(key)));
     } catch (const Error&) {
         return;
+    }
+    prune();
+}
+
+/// What others have put into the folder stays.
+void ThumbnailCache::prune() const
+{
+    struct Kept {
+        fs::file_time_type time;
+        uintmax_t bytes = 0;
+        fs::path path;
+    };
+    std::vector<Kept> kept;
+    uintmax_t bytes = 0;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (!isThumbnailName(entry->path())) continue;
+        std::error_code gone;  // another window prunes as well
+        const Kept one{entry->last_write_time(gone), entry->file_size(gone), entry->path()};
+        if (gone) continue;
+        kept.push_back(one);
+        bytes += one.bytes;
+    }
+    std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {
+        return std::tie(a.time, a.path) < std::tie(b.time, b.path);
+    });
+    for (const Kept& oldest : kept) {
+        if (bytes <= mostBytes_) return;
+        fs::remove(oldest.path, error);
+        bytes -= oldest.bytes;
     }
 }
 

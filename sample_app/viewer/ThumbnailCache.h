@@ -3,6 +3,7 @@
 #pragma once
 #include <fbrdf/pictures/Png.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +22,14 @@ std::string thumbnailFolder();
 
 class ThumbnailCache {
 public:
-    /// folder: empty for none; made when the first thumbnail is stored.
-    explicit ThumbnailCache(std::string folder) : folder_(std::move(folder)) {}
+    static constexpr uintmax_t kMostBytes = 32 << 20;  ///< some 2,000 thumbnails
+
+    /// folder: empty for none; made when the first thumbnail is stored. mostBytes: that it keeps;
+    /// where it grows above that, those that were stored first are deleted.
+    explicit ThumbnailCache(std::string folder, uintmax_t mostBytes = kMostBytes)
+        : folder_(std::move(folder)), mostBytes_(mostBytes)
+    {
+    }
 
     /// None where there is no such file, or one that is no thumbnail.
     std::optional<PngImage> load(const std::string& key) const;
@@ -32,7 +39,10 @@ public:
 private:
     std::string pathOf(const std::string& key) const { return folder_ + "/" + key + ".png"; }
 
+    void prune() const;
+
     std::string folder_;
+    uintmax_t mostBytes_;
 };
 
 }  // namespace fbrdf::viewer

@@ -5,13 +5,14 @@
 #include "CursorInspector.h"
 #include "DocumentFiles.h"
 #include "FrameTimer.h"
-#include "FreeName.h"
 #include "GlfwWindow.h"
 #include "Headless.h"
 #include "LightEditor.h"
 #include "MaterialEditor.h"
+#include "Motion.h"
 #include "Panel.h"
 #include "Progressive.h"
+#include "WindowSaver.h"
 #include "WindowState.h"
 #include "WindowTimes.h"
 #include "WorldUpdate.h"
@@ -25,18 +26,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <utility>
 
 namespace fbrdf::viewer {
 namespace {
 
-constexpr size_t kKeptTimes = 240;    ///< frames whose times a window remembers
-constexpr double kTurnRate = 20.0;    ///< of the turntable, degrees a second
-constexpr double kOrbitRate = 30.0;   ///< of the lights
-constexpr double kLongestStep = 0.1;  ///< seconds that one frame turns it by, at most
-constexpr double kMostRest = 0.025;   ///< seconds between two frames while something is fitted
+constexpr size_t kKeptTimes = 240;   ///< frames whose times a window remembers
+constexpr double kMostRest = 0.025;  ///< seconds between two frames while something is fitted
 
 class WindowLoop {
 public:
@@ -67,7 +64,7 @@ public:
                                followWishes();
                                followHistory();
                            }});
-        state_.compare = compare_.initialView();
+        compare_.sync(state_.compare, state_.document.compare);
         facts_.compare = &compare_.facts();
         facts_.cursor = &inspector_.facts();
         facts_.renderer = scene_.renderer().glRenderer();
@@ -82,10 +79,11 @@ public:
         const int frames = options_.frames.value_or(0);
         for (int frame = 0; !window_.shouldClose() && (frames == 0 || frame < frames); ++frame)
             drawFrame();
-        saveScreenshots();  // asked for in the frame that closed the window
+        saver_.savePictures(motion_.seconds(), stats_,
+                            facts_.message);  // asked for in the frame that closed the window
         finishStats();
         if (state_.compare.on) {
-            scene::Image image = composedNow();
+            scene::Image image = saver_.compared(motion_.seconds(), stats_);
             return {std::move(image), stats_, {}, true};
         }
         return {progressive_.finishedImage(), stats_, progressive_.shown().view};
@@ -94,8 +92,8 @@ public:
 private:
     void followDrops();
     void followWishes();
+    void syncComparison();
     void followFits();
-    void turn();
     void followState();
     void followHistory();
     void drawFrame();
@@ -105,16 +103,8 @@ private:
     void inspect(GlfwWindow::Size size);
     void browse();
     Look lookOf(const gl::View& view) const;
-    double secondsNow() const
-    {
-        return std::chrono::duration<double>(lastFrame_.time_since_epoch()).count();
-    }
-    scene::Image composedNow();
     void show(GlfwWindow::Size size);
     void showMaterial(size_t slot);
-    void saveScreenshot(const char* ending);
-    void saveScreenshots();
-    void saveScene();
     void finishStats();
 
     Options options_;  ///< its document is that of the state
@@ -138,7 +128,8 @@ private:
     PanelFacts facts_;
     int lastShown_ = 0;  ///< of the document, in the frame before
     int drawnSlot_ = 0;  ///< of the world's materials
-    std::chrono::steady_clock::time_point lastFrame_ = std::chrono::steady_clock::now();
+    Motion motion_;
+    WindowSaver saver_{options_, world_, state_, progressive_, compare_, files_};
 };
 
 /// A material of the world that is new, or another than before.
@@ -162,8 +153,19 @@ void WindowLoop::followDrops()
         }
 }
 
+/// What keys and panel chose becomes a part of the document; what undo or a scene did is shown.
+void WindowLoop::syncComparison()
+{
+    try {
+        compare_.sync(state_.compare, state_.document.compare);
+    } catch (const Error& error) {
+        facts_.message = error.what();
+    }
+}
+
 void WindowLoop::followWishes()
 {
+    syncComparison();
     if (std::exchange(state_.cancel, false)) {
         editor_.cancel();
         compare_.cancel();
@@ -172,10 +174,10 @@ void WindowLoop::followWishes()
         facts_.message = history_.undo(state_.document) ? "undone" : "nothing to undo";
     if (std::exchange(state_.redo, false))
         facts_.message = history_.redo(state_.document) ? "redone" : "nothing to redo";
-    if (std::exchange(state_.save, false)) saveScene();
+    const GlfwWindow::Size size = window_.framebufferSize();
+    saver_.saveScene(size.width, size.height, facts_.message);
     lightEditor_.follow();
     if (std::exchange(state_.frame, false)) {
-        const GlfwWindow::Size size = window_.framebufferSize();
         state_.document.camera = framed(*state_.document.camera, scene::boundsOf(world_.mesh),
                                         static_cast<double>(size.width) / size.height);
     }
@@ -192,31 +194,15 @@ void WindowLoop::followFits()
         shown && shown->slot >= 0 && world_.materials[static_cast<size_t>(shown->slot)].source();
 }
 
-/// Turns objects, ground and lights on, as long as the runtime draws: the CPU needs pictures that
-/// stand.
-void WindowLoop::turn()
-{
-    const auto now = std::chrono::steady_clock::now();
-    const double step = std::min(
-        kLongestStep, std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count());
-    scene::Document& document = state_.document;
-    const bool isStanding =
-        state_.compare.on ? compare_.isOnCpu(document.technique) : isOnCpu(document.technique);
-    if (isStanding) return;
-    const auto turnOn = [step](bool turns, double rate, double& degrees) {
-        if (turns) degrees = std::fmod(degrees + rate * step, 360.0);
-    };
-    turnOn(document.turning, kTurnRate, document.moment.tableDegrees);
-    turnOn(document.orbiting, kOrbitRate, document.moment.lightsDegrees);
-}
-
 /// Brings the world in line with what keys and panel chose.
 void WindowLoop::followState()
 {
     followDrops();
     followWishes();
     followFits();
-    turn();
+    // The CPU needs pictures that stand.
+    motion_.follow(state_.document, state_.compare.on ? compare_.isOnCpu(state_.document.technique)
+                                                      : isOnCpu(state_.document.technique));
     scene::Document& document = state_.document;
     try {
         update_.follow(document);
@@ -240,6 +226,7 @@ void WindowLoop::followState()
 /// A drag is one change: what it does is followed when it ends.
 void WindowLoop::followHistory()
 {
+    syncComparison();
     if (!window_.isHeld() && !panel_.isHeld()) history_.follow(state_.document);
     facts_.canUndo = history_.canUndo();
     facts_.canRedo = history_.canRedo();
@@ -270,10 +257,12 @@ void WindowLoop::drawFrame()
     facts_.handles = lightEditor_.handles();
     facts_.drawnLights = &world_.lights;
     browse();
+    facts_.isDrawing = moved || (scene_.isRefining() && !isOnCpu(state_.document.technique));
     panel_.draw(state_, facts_);
-    saveScreenshots();
+    saver_.savePictures(motion_.seconds(), stats_, facts_.message);
     window_.present();
     const double seconds = 1e-3 * times_.presented();
+    if (times_.stats().frames == 1 && !options_.frames) editor_.warm(state_.document);
     const bool isBusy = isFitting && moved && progressive_.isSlow();
     const bool madeThumbnail = state_.browser.on && !options_.frames &&
                                browser_.makeOne(state_.document, world_, isFitting);
@@ -313,7 +302,7 @@ bool WindowLoop::drawComparison(GlfwWindow::Size size)
                           {0, size.width, size.height},
                           !facts_.fit.doing.empty(),
                           window_.isHeld(),
-                          secondsNow()},
+                          motion_.seconds()},
                          toneMapper_);
 }
 
@@ -347,14 +336,6 @@ void WindowLoop::browse()
         state_.dropped.push_back(item.source);
 }
 
-/// Both sides with all their samples, laid over each other.
-scene::Image WindowLoop::composedNow()
-{
-    const scene::Document& document = options_.document;
-    return compare_.composedNow(state_.compare, {document.exposure, transferOf(document)},
-                                secondsNow(), stats_);
-}
-
 Look WindowLoop::lookOf(const gl::View& view) const
 {
     const scene::Document& document = options_.document;
@@ -372,40 +353,6 @@ void WindowLoop::show(GlfwWindow::Size size)
         toneMapper_.showUploaded(target, look);
     } else {
         toneMapper_.show(target, progressive_.sum(), look);
-    }
-}
-
-/// The picture with all its samples, sRGB as it is shown (.png) or linear radiance (.exr).
-void WindowLoop::saveScreenshot(const char* ending)
-{
-    const std::string path = freeName("fbrdf-viewer", ending);
-    try {
-        if (state_.compare.on) {
-            writeImage(composedNow(), path, 1.0f);
-        } else {
-            scene::Image image = progressive_.finishedImage();
-            addBackground(options_, world_, progressive_.shown().view, image);
-            writeImage(image, path, options_.document.exposure, transferOf(options_.document));
-        }
-        facts_.message = "wrote " + path;
-    } catch (const Error& error) {
-        facts_.message = error.what();
-    }
-}
-
-void WindowLoop::saveScreenshots()
-{
-    if (std::exchange(state_.screenshot, false)) saveScreenshot(".png");
-    if (std::exchange(state_.screenshotExr, false)) saveScreenshot(".exr");
-}
-
-void WindowLoop::saveScene()
-{
-    const GlfwWindow::Size size = window_.framebufferSize();
-    try {
-        facts_.message = "wrote " + files_.save(size.width, size.height);
-    } catch (const Error& error) {
-        facts_.message = error.what();
     }
 }
 

@@ -133,6 +133,10 @@ TEST(DocumentJson, AWrongValueIsNamedWithItsPlace)
         {"/size", {640, 480.5}, "size: found [640,480.5]"},
         {"/target", "RGBA16", "target: found \"RGBA16\", expected \"RGBA32F\""},
         {"/table_degrees", 1e300, "table_degrees: found 1e+300"},
+        {"/compare", "on", "compare: found \"on\", expected an object"},
+        {"/compare/mode", "blend", "s.json: compare.mode: found 'blend', expected one of split"},
+        {"/compare/at", 1.5, "compare.at: found 1.5, expected a number from 0 to 1"},
+        {"/compare/gain", 0.5, "compare.gain: found 0.5"},
     };
     for (const auto& c : cases) {
         const std::string said = refusal(changed(c.field, c.value));

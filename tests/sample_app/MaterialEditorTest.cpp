@@ -336,5 +336,16 @@ TEST_F(Editor, ASearchTakesThePlaceOfTheQuickFit)
     EXPECT_EQ(world_.materials.size(), 3u);
 }
 
+TEST_F(Editor, WhatAProgramBeginsWithGetsLobesOnceSoThatTheFirstFitNeedNotWaitForThem)
+{
+    ASSERT_TRUE(world_.materials[0].material().lobes.isEmpty());
+    editor_->warm(document_);
+    settle(0);
+    EXPECT_EQ(changes_, std::vector<size_t>{0});
+    editor_->warm(document_);
+    follow(0);
+    EXPECT_EQ(editor_->facts().doing, "") << "once is enough";
+}
+
 }  // namespace
 }  // namespace fbrdf::viewer

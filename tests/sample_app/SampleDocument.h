@@ -51,6 +51,7 @@ inline Document sampleDocument()
     document.spread = true;
     document.exposure = 0.6f;
     document.turning = document.orbiting = true;
+    document.compare = {true, CompareMode::difference, "paint.fbrdf", "hdio", 0.3f, 4.0f, true};
     document.moment = {12.5, 33.0, 640, 480};
     return document;
 }

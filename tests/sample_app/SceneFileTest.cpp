@@ -24,6 +24,7 @@ scene::Document documentIn(const test::TemporaryDir& folder)
     document.materials[0].source = folder.file("tables/paint.csv@0.55");
     document.mesh = folder.file("cow.obj");
     document.environment.name = folder.file("sky.exr");
+    document.compare.a = folder.file("tables/other.fbrdf");
     return document;
 }
 
@@ -56,6 +57,7 @@ TEST(SceneFile, NamesOfWhatIsBuiltInStay)
     EXPECT_EQ(read.materials[1].source, "ggx:alpha=0.3");
     EXPECT_EQ(read.mesh, "knot");
     EXPECT_EQ(read.environment.name, "studio");
+    EXPECT_EQ(read.compare.b, "hdio");
     EXPECT_EQ(fs::path(read.materials[0].source).filename(), "paint.fbrdf");
 }
 

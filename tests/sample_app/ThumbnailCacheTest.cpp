@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <support/TemporaryDir.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -70,6 +71,27 @@ TEST(ThumbnailCache, WhatIsNoThumbnailIsNone)
     EXPECT_FALSE(cache.load(key)) << "of another size";
     cache.store(key, picture(10));
     EXPECT_TRUE(cache.load(key)) << "it is made anew";
+}
+
+TEST(ThumbnailCache, TheOldestAreDeletedWhereThereAreTooManyBytes)
+{
+    const test::TemporaryDir folder;
+    const auto keyOf = [](int i) { return thumbnailKey("material " + std::to_string(i)); };
+    const auto pathOf = [&](int i) { return folder.file(keyOf(i) + ".png"); };
+    ThumbnailCache(folder.file("")).store(keyOf(0), picture(10));
+    const auto bytes = std::filesystem::file_size(pathOf(0));
+    writeFile(folder.file("notes.png"), std::string(10 * bytes, 'x'));
+    const ThumbnailCache small(folder.file(""), 3 * bytes);
+    const auto now = std::filesystem::last_write_time(pathOf(0));
+    for (int i = 1; i < 6; ++i) {
+        // As if each was stored an hour after the one before.
+        for (int k = 0; k < i; ++k)
+            if (std::filesystem::exists(pathOf(k)))
+                std::filesystem::last_write_time(pathOf(k), now - std::chrono::hours(i - k));
+        small.store(keyOf(i), picture(10));
+    }
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(small.load(keyOf(i)).has_value(), i >= 3) << i;
+    EXPECT_TRUE(std::filesystem::exists(folder.file("notes.png"))) << "it is no thumbnail";
 }
 
 TEST(ThumbnailCache, AFolderThatCannotBeIsLikeNone)

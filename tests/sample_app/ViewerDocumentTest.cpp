@@ -61,6 +61,26 @@ TEST_F(ViewerDocument, UndoAndRedoGoThroughTheChanges)
     EXPECT_EQ(scene["technique"], "single");
 }
 
+TEST_F(ViewerDocument, ComparisonsAreUndoneSavedAndDrawnWithoutAWindow)
+{
+    const std::string material = "--plain --material '" + file("made.fbrdf") + "' ";
+    ASSERT_EQ(press(material, "space v 3 bracketright ctrl+z ctrl+s").exitCode, 0);
+    const auto compare = readJson(saved())["compare"];
+    EXPECT_EQ(compare["on"], true);
+    EXPECT_EQ(compare["mode"], "split");
+    EXPECT_EQ(compare["a"], "reference") << "3 exchanged the sides";
+    EXPECT_EQ(compare["b"], "drawn");
+    EXPECT_EQ(compare["at"], 0.5) << "the step of the line is undone";
+    draw("--headless --scene '" + saved() + "'");
+    EXPECT_EQ(stats_["compare"]["a"]["name"], "reference");
+    EXPECT_EQ(stats_["compare"]["b"]["name"], "drawn");
+    draw("--headless --scene '" + saved() + "' --compare drawn drawn");
+    EXPECT_EQ(stats_["compare"]["a"]["name"], "drawn") << "options change a part of the scene";
+    // A window that begins with the scene has the comparison, and leaves it as it is.
+    ASSERT_EQ(press("--scene '" + saved() + "'", "ctrl+s").exitCode, 0);
+    EXPECT_EQ(readJson(saved())["compare"], compare);
+}
+
 TEST_F(ViewerDocument, AWindowGoesOnWithASceneAndSavesItToItsFile)
 {
     const std::string path = file("mine.json");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace fbrdf::scene {
 namespace {
@@ -58,6 +59,14 @@ CompareMode compareModeFromName(const std::string& name)
         throw Error(ErrorKind::usage, "--compare-mode",
                     Found("'" + name + "'").expected("one of " + compareModeNames()));
     return static_cast<CompareMode>(found - kModeNames.begin());
+}
+
+bool Comparison::operator==(const Comparison& other) const
+{
+    const auto values = [](const Comparison& c) {
+        return std::tie(c.on, c.mode, c.a, c.b, c.at, c.gain, c.holds);
+    };
+    return values(*this) == values(other);
 }
 
 float CompareView::lineAt(double seconds) const

@@ -73,7 +73,8 @@ bool Document::operator==(const Document& o) const
            precise == o.precise && limits == o.limits && target == o.target && ground == o.ground &&
            shadows == o.shadows && toneMap == o.toneMap && samples == o.samples &&
            pathSamples == o.pathSamples && spread == o.spread && exposure == o.exposure &&
-           turning == o.turning && orbiting == o.orbiting && moment == o.moment;
+           turning == o.turning && orbiting == o.orbiting && compare == o.compare &&
+           moment == o.moment;
 }
 
 const SceneMaterial* shownMaterial(const Document& document)

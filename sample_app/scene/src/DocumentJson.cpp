@@ -183,6 +183,32 @@ Json jsonFrom(const DrawLimits& limits)
             {"lights_per_pass", limits.lightsPerPass}};
 }
 
+Comparison comparisonFrom(const Json& json, const std::string& where)
+{
+    JsonFields fields(json, where);
+    Comparison compare;
+    fields.read("on", compare.on);
+    if (fields.field("mode")) compare.mode = named(fields, "mode", compareModeFromName);
+    fields.read("a", compare.a);
+    fields.read("b", compare.b);
+    fields.read("at", compare.at, {0.0, 1.0});
+    fields.read("gain", compare.gain, {kLeastGain, kMostGain});
+    fields.read("holds", compare.holds);
+    fields.expectNoOthers();
+    return compare;
+}
+
+Json jsonFrom(const Comparison& compare)
+{
+    return {{"on", compare.on},
+            {"mode", compareModeName(compare.mode)},
+            {"a", compare.a},
+            {"b", compare.b},
+            {"at", jsonFromFloat(compare.at)},
+            {"gain", jsonFromFloat(compare.gain)},
+            {"holds", compare.holds}};
+}
+
 ColourFormat targetFrom(const Json& json, const std::string& where)
 {
     for (const ColourFormat format :
@@ -245,6 +271,8 @@ void readPicture(JsonFields& fields, Document& document)
     fields.read("exposure", document.exposure, {kSmallest, kLargest});
     fields.read("turning", document.turning);
     fields.read("orbiting", document.orbiting);
+    if (const Json* compare = fields.field("compare"))
+        document.compare = comparisonFrom(*compare, fields.place("compare"));
     fields.read("table_degrees", document.moment.tableDegrees, kAnyDegrees);
     fields.read("lights_degrees", document.moment.lightsDegrees, kAnyDegrees);
     readSize(fields, document.moment);
@@ -299,6 +327,7 @@ std::string documentToJson(const Document& document)
               {"exposure", jsonFromFloat(document.exposure)},
               {"turning", document.turning},
               {"orbiting", document.orbiting},
+              {"compare", jsonFrom(document.compare)},
               {"table_degrees", document.moment.tableDegrees},
               {"lights_degrees", document.moment.lightsDegrees}};
     for (const SceneMaterial& material : document.materials)

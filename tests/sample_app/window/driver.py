@@ -85,6 +85,18 @@ class Window:
         """What is on the screen of the window."""
         run('import', '-window', self.number, path)
 
+    def still(self):
+        """The picture as it is when it becomes no better: the title does not end with dots any more. Needs a turntable that stands."""
+        self.wait('picture that stands', lambda: not self.title().endswith('...'))
+        self.picture(self.folder / 'window.ppm')
+        return (self.folder / 'window.ppm').read_bytes()
+
+    def hold(self, x, y, places):
+        """A drag with the left button through places [(x, y)]; returns after the last, with the button still down."""
+        run('xdotool', 'mousemove', '--window', self.number, x, y, 'mousedown', 1)
+        for x, y in places:
+            run('xdotool', 'mousemove', '--window', self.number, x, y)
+
     def close(self):
         """Its stats, after the key that ends it."""
         end = time.monotonic() + PATIENCE

@@ -7,7 +7,6 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 from driver import Window, run
@@ -102,14 +101,9 @@ class WindowTest(unittest.TestCase):
         window.key('space')  # the turntable stands
         pictures = []
 
-        def taken():
-            window.picture(self.folder / 'window.ppm')
-            return (self.folder / 'window.ppm').read_bytes()
-
         def another_that_stands():
-            first = taken()
-            time.sleep(0.3)
-            return first if first == taken() and len(set(first)) > 50 and first not in pictures else None
+            picture = window.still()
+            return picture if len(set(picture)) > 50 and picture not in pictures else None
 
         def take():
             pictures.append(window.wait('another picture that stands', another_that_stands))

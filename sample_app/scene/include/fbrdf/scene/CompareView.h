@@ -23,6 +23,19 @@ constexpr double kFlipSeconds = 0.7;  ///< that A or B is seen
 constexpr int kMostCompareTerms = 32;
 constexpr float kLeastGain = 1.0f, kMostGain = 64.0f;
 
+/// What is compared, and how: a part of a document.
+struct Comparison {
+    bool on = false;
+    CompareMode mode = CompareMode::split;
+    std::string a = "drawn", b = "reference";  ///< as --compare takes them
+    float at = 0.5f;                           ///< of split: the share of the width that A has
+    float gain = 8.0f;                         ///< of difference
+    bool holds = false;                        ///< flip and wipe stand still
+
+    bool operator==(const Comparison& other) const;
+};
+
+/// The same in a window, with the numbers that keys count through.
 struct CompareView {
     bool on = false;
     CompareMode mode = CompareMode::split;

@@ -5,6 +5,7 @@
 #include <fbrdf/brdf/DirectionMap.h>
 #include <fbrdf/plan/Plan.h>
 #include <fbrdf/scene/Camera.h>
+#include <fbrdf/scene/CompareView.h>
 #include <fbrdf/scene/Environment.h>
 #include <fbrdf/scene/Lights.h>
 #include <fbrdf/scene/ViewTechnique.h>
@@ -90,6 +91,7 @@ struct Document {
     float exposure = 1.0f;
     bool turning = false;   ///< the turntable turns
     bool orbiting = false;  ///< the lights turn about the objects
+    Comparison compare;
     Moment moment;
 
     bool operator==(const Document& other) const;
