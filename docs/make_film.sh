@@ -21,7 +21,7 @@ xvfb-run -a -s "-noreset -screen 0 920x520x24" env -u WAYLAND_DISPLAY bash -c '
   shot
   xdotool mousemove $left $row; sleep 1; xdotool mousedown 1; sleep 1
   for ((x = 0; x <= 48; x += 2)); do xdotool mousemove $((left + x)) $row; sleep 0.35; shot; done
-  xdotool mouseup 1; sleep 4
+  xdotool mouseup 1 mousemove 860 20; sleep 4
   for ((i = 0; i < 6; ++i)); do shot; done
   xdotool key q; wait $viewer || true'
 convert -delay 12 -loop 0 "$work"/frame-*.png -dither FloydSteinberg -colors 220 -layers optimize "$film"
