@@ -34,7 +34,7 @@ FitOrder longOrder()
 template <class Condition>
 void wait(const Condition& condition)
 {
-    for (int i = 0; i < 15000 && !condition(); ++i)
+    for (int i = 0; i < 60000 && !condition(); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 

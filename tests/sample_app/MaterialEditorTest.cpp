@@ -42,7 +42,7 @@ protected:
     template <class Condition>
     void follow(size_t slot, const Condition& condition)
     {
-        for (int i = 0; i < 10000 && !condition(); ++i) {
+        for (int i = 0; i < 60000 && !condition(); ++i) {
             follow(slot);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
