@@ -90,7 +90,7 @@ Dataset readDataset(const Source& source, const FitOptions& options)
 FitContext makeFitContext(Dataset dataset, const FitOptions& options, const std::string& source)
 {
     FitContext context{options, std::move(dataset), {}, false, 1, false, nullptr};
-    const size_t fewest = mayUsePrior(context.dataset, options) ? 1 : kFewestSamples;
+    const size_t fewest = mayUsePrior(context.dataset, options) ? kFewestWithPrior : kFewestSamples;
     context.statistics = statisticsOf(
         context.dataset, {options.seed, options.threads, options.ranks, fewest}, source);
     context.robust = options.robust && !context.dataset.exact;

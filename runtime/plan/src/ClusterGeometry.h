@@ -12,7 +12,7 @@
 namespace fbrdf {
 
 template <class T>
-struct Interval {
+struct DistanceRange {
     T low = T(0), high = T(0);
 };
 
@@ -24,7 +24,7 @@ T square(T x)
 
 /// How far x is outside of the interval; 0 inside. Twin: fbrdfIntervalDistance.
 template <class T>
-T intervalDistance(const Interval<T>& interval, T x)
+T intervalDistance(const DistanceRange<T>& interval, T x)
 {
     return std::max(std::max(interval.low - x, x - interval.high), T(0));
 }
@@ -34,7 +34,7 @@ T intervalDistance(const Interval<T>& interval, T x)
 /// edge at its far end. margin: of a tile, by which it is widened on either side. Twin:
 /// fbrdfTileExtent.
 template <class T>
-Interval<T> tileExtent(const glm::vec<4, T, glm::defaultp>& lines, T tile, T margin)
+DistanceRange<T> tileExtent(const glm::vec<4, T, glm::defaultp>& lines, T tile, T margin)
 {
     const T first = tile - margin, last = tile + T(1) + margin;
     const T a = lines.x + lines.y * first, b = lines.x + lines.y * last,

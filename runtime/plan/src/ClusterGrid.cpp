@@ -17,7 +17,7 @@ double nearestStep(double x)
 }
 
 /// From kNearest on; slices finer than 1 % of the depth would separate no lights.
-Interval<double> slicedRange(const Interval<double>& reached)
+DistanceRange<double> slicedRange(const DistanceRange<double>& reached)
 {
     const double high = std::max(reached.high, kNearest);
     return {std::clamp(reached.low, 0.01 * high, 0.99 * high), high};
@@ -27,7 +27,7 @@ Interval<double> slicedRange(const Interval<double>& reached)
 
 void ReachSums::add(const Reach& reach, const glm::dmat4& projection)
 {
-    const Interval<double> of = distanceOf(reach);
+    const DistanceRange<double> of = distanceOf(reach);
     distance.low = std::min(distance.low, of.low);
     distance.high = std::max(distance.high, of.high);
     const double w = std::abs(projection[2][3] * reach.centre.z + projection[3][3]),
@@ -66,7 +66,7 @@ ReachSums rounded(const ReachSums& sums)
     return result;
 }
 
-Interval<double> setGrid(LightClusters& clusters, const ReachSums& sums)
+DistanceRange<double> setGrid(LightClusters& clusters, const ReachSums& sums)
 {
     constexpr double kMostTiles = 96.0, kMostSlices = 24.0, kTilesPerRadius = 4.0,
                      kSlicesPerRadius = 1.5;
@@ -76,7 +76,7 @@ Interval<double> setGrid(LightClusters& clusters, const ReachSums& sums)
         const double wanted = projected > 0.0 ? 2.0 * kTilesPerRadius / projected : 1.0;
         return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, kMostTiles));
     };
-    const Interval<double> range = slicedRange(sums.distance);
+    const DistanceRange<double> range = slicedRange(sums.distance);
     ClusterGrid& grid = clusters.grid;
     const double middle = std::sqrt(range.low * range.high),
                  wanted = sums.radius > 0.0

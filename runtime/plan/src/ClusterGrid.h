@@ -11,8 +11,8 @@ namespace fbrdf {
 
 /// What the grid depends on, added up over lights with a radius.
 struct ReachSums {
-    Interval<double> distance{std::numeric_limits<double>::max(), 0.0};  ///< from the eye
-    double radius = 0.0;                                                 ///< sum of the radii
+    DistanceRange<double> distance{std::numeric_limits<double>::max(), 0.0};  ///< from the eye
+    double radius = 0.0;                                                      ///< sum of the radii
     glm::dvec2 projected{0.0};  ///< and of the radii in normalised device coordinates
     int count = 0;
 
@@ -27,6 +27,6 @@ ReachSums rounded(const ReachSums& sums);
 
 /// Sets slices, and the numbers of tiles and slices that the caller left at 0. Returns the
 /// distances from the eye that are cut into slices. sums: as rounded() gives them.
-Interval<double> setGrid(LightClusters& clusters, const ReachSums& sums);
+DistanceRange<double> setGrid(LightClusters& clusters, const ReachSums& sums);
 
 }  // namespace fbrdf

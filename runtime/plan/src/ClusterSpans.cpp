@@ -71,7 +71,7 @@ class ConeInRow {
 public:
     ConeInRow(const Tiles& tiles, const Reach& cone, int row) : columns_(tiles.columns), cone_(cone)
     {
-        const Interval<double> y = tiles.rows.extent(row);
+        const DistanceRange<double> y = tiles.rows.extent(row);
         centre_ = {0.0, 0.5 * (y.low + y.high), -0.5 * (tiles.distance.low + tiles.distance.high)};
         half_ = {0.0, 0.5 * (y.high - y.low), 0.5 * (tiles.distance.high - tiles.distance.low)};
     }
@@ -92,7 +92,7 @@ private:
     bool mayBeIn(int from, int to)
     {
         // The columns of a mirrored projection descend.
-        const Interval<double> a = columns_.extent(from), b = columns_.extent(to);
+        const DistanceRange<double> a = columns_.extent(from), b = columns_.extent(to);
         const double low = std::min(a.low, b.low), high = std::max(a.high, b.high);
         centre_.x = 0.5 * (low + high);
         half_.x = 0.5 * (high - low);

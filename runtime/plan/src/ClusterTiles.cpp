@@ -9,7 +9,7 @@ namespace {
 constexpr double kFarthest = 1e30;
 
 /// The distances that a slice spans; the first slice reaches to the eye and the last has no end.
-Interval<double> spanOf(const LightClusters& clusters, int slice)
+DistanceRange<double> spanOf(const LightClusters& clusters, int slice)
 {
     const double scale = static_cast<double>(clusters.sliceScale),
                  bias = static_cast<double>(clusters.sliceBias);
@@ -18,7 +18,7 @@ Interval<double> spanOf(const LightClusters& clusters, int slice)
             isLast ? kFarthest : std::exp2((slice + 1 - bias) / scale)};
 }
 
-TileAxis axisOf(const glm::dmat4& p, int axis, int count, const Interval<double>& distance)
+TileAxis axisOf(const glm::dmat4& p, int axis, int count, const DistanceRange<double>& distance)
 {
     // The eye coordinate of a normalised device coordinate at z is (ndc w - offset) / scale.
     const auto lineAt = [&](double z) {
@@ -40,16 +40,16 @@ TileAxis axisOf(const glm::dmat4& p, int axis, int count, const Interval<double>
 
 }  // namespace
 
-Interval<double> distanceOf(const Reach& reach)
+DistanceRange<double> distanceOf(const Reach& reach)
 {
     return {-reach.centre.z - reach.radius, -reach.centre.z + reach.radius};
 }
 
 ClusterTiles::ClusterTiles(const LightClusters& clusters, const glm::dmat4& projection,
-                           const Interval<double>& reach)
+                           const DistanceRange<double>& reach)
 {
     for (int slice = 0; slice < clusters.grid.slices; ++slice) {
-        const Interval<double> span = spanOf(clusters, slice);
+        const DistanceRange<double> span = spanOf(clusters, slice);
         lows_.push_back(span.low / kDistanceMargin);
         highs_.push_back(span.high * kDistanceMargin);
         Tiles tiles;
@@ -63,7 +63,7 @@ ClusterTiles::ClusterTiles(const LightClusters& clusters, const glm::dmat4& proj
 
 std::pair<int, int> ClusterTiles::slicesOf(const Reach& reach) const
 {
-    const Interval<double> distance = distanceOf(reach);
+    const DistanceRange<double> distance = distanceOf(reach);
     const double slack =
         (kDistanceMargin - 1.0) * (std::abs(distance.low) + std::abs(distance.high));
     // Few slices are searched sooner one by one than by halves.

@@ -16,7 +16,7 @@ constexpr double kDistanceMargin = 1.0 + 1e-5;
 constexpr double kTileMargin = 1e-4;
 
 /// The distances from the eye that a sphere spans.
-Interval<double> distanceOf(const Reach& reach);
+DistanceRange<double> distanceOf(const Reach& reach);
 
 /// The tiles along one axis of a slice.
 struct TileAxis {
@@ -25,7 +25,7 @@ struct TileAxis {
     std::vector<double> lows, highs;     ///< extent of each tile
 
     size_t count() const { return lows.size(); }
-    Interval<double> extent(int tile) const
+    DistanceRange<double> extent(int tile) const
     {
         return {lows[static_cast<size_t>(tile)], highs[static_cast<size_t>(tile)]};
     }
@@ -49,7 +49,7 @@ struct TileAxis {
 /// The tiles of a slice.
 struct Tiles {
     /// The slice, and what lights with a radius reach of it; low is above high where there is none.
-    Interval<double> distance;
+    DistanceRange<double> distance;
     TileAxis columns, rows;
 };
 
@@ -60,7 +60,7 @@ public:
     /// clusters: whose grid and slices are set. reach: the distances that lights with a radius
     /// reach, at which the outer slices end.
     ClusterTiles(const LightClusters& clusters, const glm::dmat4& projection,
-                 const Interval<double>& reach);
+                 const DistanceRange<double>& reach);
     /// The slices [first, last) in which some of a sphere may be.
     std::pair<int, int> slicesOf(const Reach& reach) const;
     const Tiles& operator[](int slice) const { return slices_[static_cast<size_t>(slice)]; }

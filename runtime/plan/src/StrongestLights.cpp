@@ -7,7 +7,7 @@ namespace {
 
 /// The part of eye space of one cluster; z: the distance from the eye.
 struct ClusterBox {
-    Interval<double> x, y, z;
+    DistanceRange<double> x, y, z;
 };
 
 /// An upper bound of the irradiance that a light causes in a box, as strongestIrradiance but

@@ -6,12 +6,12 @@ import pathlib
 import subprocess
 import time
 
-PATIENCE = 60.0  # seconds for what takes a moment: a busy machine, a sanitizer
+PATIENCE = 240.0  # seconds for what takes a moment: a busy machine, a sanitizer
 PAUSE = 0.02
 
 
-def run(*command, patience=PATIENCE):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=patience)
+def run(*command):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=PATIENCE)
 
 
 def resident(pid):
@@ -78,7 +78,7 @@ class Window:
         run('xdotool', 'windowsize', self.number, width, height)
 
     def drop(self, *files):
-        done = run(self.dropper, self.number, *files, patience=4 * PATIENCE)
+        done = run(self.dropper, self.number, *files)
         assert done.returncode == 0, f'the window did not take {files}: {done.stderr}'
 
     def picture(self, path):

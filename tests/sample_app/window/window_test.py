@@ -34,10 +34,10 @@ class WindowTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return path
 
-    def window(self, *arguments, scene='--plain'):
+    def window(self, *arguments, scene='--plain', size=(320, 240)):
         folder = self.folder / f'window{len(self.windows)}'
         folder.mkdir()
-        self.windows.append(Window(VIEWER, DROPPER, folder, '--light-count', '2', scene, *arguments, size=(320, 240)))
+        self.windows.append(Window(VIEWER, DROPPER, folder, '--light-count', '2', scene, *arguments, size=size))
         return self.windows[-1]
 
     def file(self, name, text):
@@ -96,7 +96,7 @@ class WindowTest(unittest.TestCase):
         self.assertGreater(opened[1]['seconds'], 0.0)
 
     def test_keys_drags_and_the_wheel_change_the_picture(self):
-        window = self.window('--material', self.gold, '--mesh', 'knot', scene='--full')
+        window = self.window('--material', self.gold, '--mesh', 'knot', scene='--full', size=(480, 360))  # wider than its panel
         window.shows('gold.fbrdf')
         window.key('space')  # the turntable stands
         pictures = []
@@ -109,9 +109,9 @@ class WindowTest(unittest.TestCase):
             pictures.append(window.wait('another picture that stands', another_that_stands))
 
         take()
-        window.drag(280, 200, 300, 120)
+        window.drag(380, 100, 420, 40)
         take()
-        window.move(300, 120)
+        window.move(420, 40)
         window.wheel(True)
         take()
         window.key('plus')

@@ -398,7 +398,7 @@ vec3 fbrdfSrgbFromLinear(vec3 x)
 // Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images", Eq. 4, white at 4.
 vec3 fbrdfToneMapped(vec3 radiance)
 {
-    vec3 x = max(radiance, vec3(0.0));
+    vec3 x = clamp(radiance, 0.0, 4.0);  // white, also where a sum is infinite
     return min(vec3(1.0), x * (1.0 + x / 16.0) / (1.0 + x));
 }
 
@@ -725,7 +725,7 @@ vec3 fbrdfSrgbFromLinear(vec3 x)
 // Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images", Eq. 4, white at 4.
 vec3 fbrdfToneMapped(vec3 radiance)
 {
-    vec3 x = max(radiance, vec3(0.0));
+    vec3 x = clamp(radiance, 0.0, 4.0);  // white, also where a sum is infinite
     return min(vec3(1.0), x * (1.0 + x / 16.0) / (1.0 + x));
 }
 

@@ -136,8 +136,7 @@ DataStatistics statisticsOf(const std::vector<Sample>& samples, bool exact,
         throw Error(ErrorKind::fit, source,
                     Found(std::to_string(samples.size()) + ", of which " +
                           std::to_string(statistics.usable) + " have a value above the noise floor")
-                        .expected("at least " + std::to_string(fewest) +
-                                  (fewest == 1 ? " sample that has" : " samples that have")));
+                        .expected("at least " + std::to_string(fewest) + " samples that have"));
     return statistics;
 }
 

@@ -35,6 +35,8 @@ inline float floorAt(const DataStatistics& statistics, int channel, float cosine
 
 /// Samples that a fit needs which leans on nothing else.
 constexpr size_t kFewestSamples = 5;
+/// And one that leans on a prior: a single sample fits whatever the prior says.
+constexpr size_t kFewestWithPrior = 2;
 
 /// Looks at `samples`, a fair part of the data; `exact`: values of a function, without noise.
 /// Throws Error(fit) naming `source` when fewer than `fewest` samples have a value above the noise

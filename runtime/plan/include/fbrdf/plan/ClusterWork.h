@@ -9,7 +9,7 @@ namespace fbrdf {
 
 struct ClusterWork {
     /// For each slice: (near, far, 0, 0), the distances from the eye that it spans, and the edges
-    /// of its columns and of its rows (tileExtent, ClusterGeometry.h). Then for each of
+    /// of its columns and of its rows (tileExtent). Then for each of
     /// LightClusters::lights: (centre, radius) of a sphere around all that it reaches, (apex,
     /// cosine) and (unit axis, sine) of a cone that it stays in; a cosine of -1: there is none.
     /// Lights without a radius have zeros.
