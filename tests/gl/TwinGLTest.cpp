@@ -579,7 +579,7 @@ TEST_P(Twin, IntervalDistanceAndTileExtent)
         boxesAndTiles(),
         [](const Inputs& i) {
             const auto extent = tileExtent(i.a, std::floor(9.0f * i.b.x), 0.01f);
-            const Interval<float> interval{i.a.x, i.a.x + 0.5f + 0.5f * i.b.x};
+            const DistanceRange<float> interval{i.a.x, i.a.x + 0.5f + 0.5f * i.b.x};
             return Vec4(extent.low, extent.high, intervalDistance(interval, i.b.y), 1.0f);
         },
         kRounding);
