@@ -18,6 +18,23 @@ namespace {
 
 using namespace fbrdf;
 
+/// False where one picture is asked for.
+bool wroteSeveral(const viewer::Options& options, viewer::World& world)
+{
+    if (options.command == viewer::Command::turntable)
+        viewer::writeTurntable(options, world);
+    else if (options.command == viewer::Command::sheet)
+        writeImage(viewer::drawSheet(options, world), options.out, options.document.exposure,
+                   transferOf(options.document));
+    else if (options.command == viewer::Command::compare)
+        viewer::writeCompareSheet(options, world);
+    else if (!options.compare.empty() && options.headless)
+        viewer::writeComparison(options, world);
+    else
+        return false;
+    return true;
+}
+
 int run(int argc, char** argv)
 {
     // 1. What is asked for.
@@ -37,7 +54,6 @@ int run(int argc, char** argv)
     if (!options.out.empty() && options.command != viewer::Command::turntable)
         requireWritable(options.out);
     if (!options.stats.empty()) requireWritable(options.stats);
-
     if (!options.headless) viewer::keepHeapLean();
 
     // 2. Materials, mesh, lights and camera.
@@ -45,24 +61,7 @@ int run(int argc, char** argv)
     viewer::loadWorld(options, world);
 
     // 3. Several pictures: in one sheet, turning, or two that are compared.
-    if (options.command == viewer::Command::turntable) {
-        viewer::writeTurntable(options, world);
-        return 0;
-    }
-    if (options.command == viewer::Command::sheet) {
-        writeImage(viewer::drawSheet(options, world), options.out, options.document.exposure,
-                   transferOf(options.document));
-        return 0;
-    }
-
-    if (options.command == viewer::Command::compare) {
-        viewer::writeCompareSheet(options, world);
-        return 0;
-    }
-    if (!options.compare.empty() && options.headless) {
-        viewer::writeComparison(options, world);
-        return 0;
-    }
+    if (wroteSeveral(options, world)) return 0;
 
     // 4. One picture: in a window, by the runtime without one, or on the CPU.
     viewer::Picture picture;

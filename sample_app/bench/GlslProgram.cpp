@@ -6,7 +6,6 @@
 #include <fbrdf/base/Found.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <set>
 
 namespace fbrdf::bench {
@@ -102,7 +101,7 @@ private:
             int depth = 0;
             const bool literal =
                 isConstant && token(at_) == "=" && (token(at_ + 2) == "," || token(at_ + 2) == ";");
-            if (literal) variable.constant = std::strtod(token(at_ + 1).c_str(), nullptr);
+            if (literal) variable.constant = glslNumber(token(at_ + 1));
             while (depth > 0 || (token(at_) != "," && token(at_) != ";")) {
                 const std::string& skipped = next();
                 depth += skipped == "(" || skipped == "["   ? 1

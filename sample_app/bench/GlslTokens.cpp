@@ -1,6 +1,7 @@
 #include "bench/GlslTokens.h"
 
 #include <cctype>
+#include <charconv>
 #include <cstring>
 
 namespace fbrdf::bench {
@@ -61,6 +62,13 @@ std::vector<std::string> glslTokens(const std::string& text)
         }
     }
     return tokens;
+}
+
+double glslNumber(const std::string& token)
+{
+    double value = 0.0;
+    std::from_chars(token.data(), token.data() + token.size(), value);
+    return value;
 }
 
 }  // namespace fbrdf::bench

@@ -340,7 +340,7 @@ private:
         }
         if (std::isdigit(static_cast<unsigned char>(token[0])) || token[0] == '.')
             return {token.find_first_of(".e") == std::string::npos ? "int" : "float",
-                    std::stod(token)};
+                    glslNumber(token)};
         if (token == "true" || token == "false") return {"bool", token == "true" ? 1.0 : 0.0};
         if (program_.isType(token) && take("[")) {  // float[8](...)
             if (!isNext("]")) expression();

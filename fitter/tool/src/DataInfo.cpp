@@ -34,9 +34,7 @@ void measureSamples(const Source& source, DataInfo& info)
     }
 }
 
-/// Compares f, as pictures, with its means with other functions. A quarter of the pixels of the
-/// standard sphere shows the same within 0.6 dB (networks of brass, chrome, felt and others, and
-/// the RGL files).
+/// Compares f, as pictures, with its means with other functions.
 class MeanErrors {
 public:
     MeanErrors(const BrdfFunction& brdf, int threads) : brdf_(brdf), threads_(threads) {}
@@ -53,11 +51,9 @@ public:
     }
 
 private:
-    static constexpr int kSize = 128;
-
     SphereImage pictureOf(const BrdfFunction& brdf) const
     {
-        return renderStandardSphere(brdf, kSize, threads_);
+        return renderStandardSphere(brdf, 256, threads_);
     }
 
     const BrdfFunction& brdf_;
