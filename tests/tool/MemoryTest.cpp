@@ -266,8 +266,35 @@ std::string hdr(const std::string& sides)
     return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + sides + "\n";
 }
 
+std::string exrAttribute(const std::string& name, const std::string& type, const std::string& value)
+{
+    return name + '\0' + type + '\0' + number(uint32_t(value.size()), 4) + value;
+}
+
+/// An OpenEXR file of one float channel whose pixels are missing, in tiles where `tile` is above 0.
+std::string emptyExr(uint32_t width, uint32_t height, uint32_t tile)
+{
+    const std::string zero = number(0, 4), one = number(0x3f800000, 4);  // floats
+    const std::string window = zero + zero + number(width - 1, 4) + number(height - 1, 4);
+    const std::string y = std::string("Y\0", 2) + number(2, 4) + zero + number(1, 4) + number(1, 4);
+    std::string text = "\x76\x2f\x31\x01" + number(tile > 0 ? 0x202 : 2, 4) +
+                       exrAttribute("channels", "chlist", y + '\0') +
+                       exrAttribute("compression", "compression", number(0, 1)) +
+                       exrAttribute("dataWindow", "box2i", window) +
+                       exrAttribute("displayWindow", "box2i", window) +
+                       exrAttribute("lineOrder", "lineOrder", number(0, 1)) +
+                       exrAttribute("pixelAspectRatio", "float", one) +
+                       exrAttribute("screenWindowCenter", "v2f", zero + zero) +
+                       exrAttribute("screenWindowWidth", "float", one);
+    if (tile > 0)
+        text += exrAttribute("tiles", "tiledesc", number(tile, 4) + number(tile, 4) + '\0');
+    const size_t chunks = tile == 0 && height <= 4096 ? height : 1;  // their places in the file
+    return text + '\0' + repeated(number(1, 4) + number(0, 4), chunks);
+}
+
 std::vector<HostilePicture> hostilePictures()
 {
+    constexpr const char* kUnreadable = "an OpenEXR file that cannot be read";
     return {
         {"OneStrip", "a.tif", blackTiff(1600, 1600, 0, 1600), "far fewer in a small file"},
         {"EqualStrips", "a.tif", blackTiff(4000, 4000, 0, 1), "far fewer in a small file"},
@@ -275,6 +302,12 @@ std::vector<HostilePicture> hostilePictures()
         {"HugeTiff", "a.tif", blackTiff(200000, 200000, 0, 1), "a picture that cannot be read"},
         {"WideHdr", "a.hdr", hdr("-Y 1 +X 2000000000"), "far fewer in a small file"},
         {"HugeHdr", "a.hdr", hdr("-Y 30000 +X 30000"), "far fewer in a small file"},
+        {"LargeExr", "a.exr", emptyExr(4096, 4096, 0), "far fewer in a small file"},
+        {"TallExr", "a.exr", emptyExr(1, 0x7ffffff0, 0), kUnreadable},
+        {"HugeExr", "a.exr", emptyExr(0x7ffffff0, 0x7ffffff0, 0), kUnreadable},
+        {"SmallTiles", "a.exr", emptyExr(4096, 4096, 1), kUnreadable},
+        {"LargeTiles", "a.exr", emptyExr(64, 64, 0x4000), kUnreadable},
+        {"HugeTiles", "a.exr", emptyExr(64, 64, 0xfffffff0), kUnreadable},
     };
 }
 
