@@ -33,13 +33,38 @@ double mostAbove(const SampleErrors& a, const SampleErrors& b)
     return most;
 }
 
-bool isAsGood(const Candidate& c, const Candidate& best)
+// Whether `a` is below `b` by more than a twentieth in an error on all samples, and nowhere above
+// it by more.
+bool isBetterOnAll(const Candidate& a, const Candidate& b)
 {
     constexpr double kAllowed = 1.05;
-    if (c.mark() - best.mark() > leadOf(best, c).error) return false;
-    if (!c.whole || !best.whole) return true;
-    const double above = mostAbove(c.all, best.all);
-    return above <= kAllowed || above < mostAbove(best.all, c.all);
+    if (!a.whole || !b.whole) return false;
+    const double above = mostAbove(b.all, a.all);
+    return above > kAllowed && above >= mostAbove(a.all, b.all);
+}
+
+// Candidates whose marks are above that of `best` by chance, if at all.
+std::vector<const Candidate*> equalsOf(const Candidate& best,
+                                       const std::vector<Candidate>& candidates)
+{
+    std::vector<const Candidate*> equals;
+    for (const Candidate& c : candidates)
+        if (c.mark() - best.mark() <= leadOf(best, c).error) equals.push_back(&c);
+    return equals;
+}
+
+// The cheapest of those that no other is better than on all samples, or `best` where there is none.
+const Candidate* cheapestUnbeaten(const Candidate& best,
+                                  const std::vector<const Candidate*>& equals)
+{
+    const Candidate* cheapest = nullptr;
+    for (const Candidate* c : equals) {
+        const bool isBeaten =
+            std::any_of(equals.begin(), equals.end(),
+                        [c](const Candidate* other) { return isBetterOnAll(*other, *c); });
+        if (!isBeaten && (!cheapest || costOf(*c) < costOf(*cheapest))) cheapest = c;
+    }
+    return cheapest ? cheapest : &best;
 }
 
 std::string percent(double difference)
@@ -75,7 +100,8 @@ std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate&
         return text + "what known materials look like decides; without it, " +
                comparison(best, chosen);
     if (&chosen != &best)
-        return text + "as good as " + best.form.name + " and cheaper; without it, " +
+        return text + "as good as " + best.form.name + " on samples held out and " +
+               (costOf(chosen) < costOf(best) ? "cheaper" : "better on all") + "; without it, " +
                comparison(best, chosen);
     const Candidate* second = nullptr;
     for (const Candidate& c : candidates)
@@ -119,9 +145,7 @@ Choice choose(const std::vector<Candidate>& candidates)
     if (const Candidate* leaning = leaningOnPrior(candidates, *best))
         return {static_cast<size_t>(leaning - candidates.data()),
                 reasonFor(candidates, *leaning, *best)};
-    const Candidate* chosen = &*best;
-    for (const Candidate& c : candidates)
-        if (isAsGood(c, *best) && costOf(c) < costOf(*chosen)) chosen = &c;
+    const Candidate* chosen = cheapestUnbeaten(*best, equalsOf(*best, candidates));
     return {static_cast<size_t>(chosen - candidates.data()), reasonFor(candidates, *chosen, *best)};
 }
 

@@ -3,11 +3,11 @@
 // The forms that have names, at the sizes that data and budget allow, are fitted to the data, to
 // 32,768 samples of many, and compared by the errors that a person sees (SeenErrors.h) on samples
 // held out, and on all where those are few. A difference within the spread of the parts of what is
-// held out is none, and the cheaper form wins (Candidate.h). From a form that was found on many
-// samples without noise the search goes on to the forms next to it, one table or axis at a time
-// (Neighbours.h); on few or noisy ones only `best-of` does.
-// The result depends on data, options and seed alone, not on the number of threads; with
-// FitOptions::seconds also on what the machine did in that time.
+// held out is none: then errors on all samples decide, and then the cost (Candidate.h). From a form
+// that was found on many samples without noise the search goes on to the forms next to it, one
+// table or axis at a time (Neighbours.h); on few or noisy ones only `best-of` does. The result
+// depends on data, options and seed alone, not on the number of threads; with FitOptions::seconds
+// also on what the machine did in that time.
 #pragma once
 #include "FitContext.h"
 
