@@ -33,7 +33,8 @@ using Structs =
     ::testing::Types<fbrdf_table, fbrdf_material_desc, fbrdf_renderer_desc, fbrdf_gpu_material_desc,
                      fbrdf_mesh_desc, fbrdf_buffer_array, fbrdf_mesh_buffers_desc, fbrdf_hooks_desc,
                      fbrdf_light, fbrdf_item, fbrdf_depth_desc, fbrdf_draw_desc, fbrdf_draw_stats,
-                     fbrdf_instance, fbrdf_batch_desc, fbrdf_glsl_desc>;
+                     fbrdf_instance, fbrdf_batch_desc, fbrdf_glsl_desc, fbrdf_environment_desc,
+                     fbrdf_environment_light>;
 TYPED_TEST_SUITE(CApiVersions, Structs);
 
 TYPED_TEST(CApiVersions, OlderCallersHaveZerosInWhatTheyLack)
@@ -75,6 +76,8 @@ TEST(CApiVersion, FirstSizesStay)
     EXPECT_EQ(kFirstSize<fbrdf_instance>, 68u);
     EXPECT_EQ(kFirstSize<fbrdf_batch_desc>, 40u);
     EXPECT_EQ(kFirstSize<fbrdf_glsl_desc>, 12u);
+    EXPECT_EQ(kFirstSize<fbrdf_environment_desc>, 40u);
+    EXPECT_EQ(kFirstSize<fbrdf_environment_light>, 32u);
 }
 
 TEST(CApiVersion, ElementsOfAnyVersionAreReadByTheirOwnSize)

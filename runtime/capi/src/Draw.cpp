@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <optional>
 
 using namespace fbrdf::capi;
 
@@ -73,6 +74,17 @@ fbrdf::gl::EnvironmentLight environmentOf(const fbrdf_environment_light& given)
     return result;
 }
 
+/// 0 leaves the choice to the planner; the others follow in the order of ColourFormat.
+std::optional<fbrdf::ColourFormat> accumulationOf(uint32_t given)
+{
+    using fbrdf::ColourFormat;
+    constexpr ColourFormat kFormats[] = {ColourFormat::rgba8, ColourFormat::rgba16,
+                                         ColourFormat::rgba16f, ColourFormat::rgba32f};
+    const auto format = enumerator(given, FBRDF_ACCUMULATION_RGBA32F, "accumulation");
+    if (format == FBRDF_ACCUMULATION_AUTOMATIC) return {};
+    return kFormats[format - FBRDF_ACCUMULATION_RGBA8];
+}
+
 fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
 {
     fbrdf::gl::DrawOptions options;
@@ -82,6 +94,7 @@ fbrdf::gl::DrawOptions optionsOf(const fbrdf_draw_desc& desc)
     options.maxLights = countOf(desc.max_lights, 0, "max_lights");
     options.clustered = desc.clustered != 0;
     options.listsBy = enumerator(desc.lists_by, fbrdf::gl::ListsBy::gpu, "lists_by");
+    options.accumulation = accumulationOf(desc.accumulation);
     if (desc.environment) options.environment = environmentOf(*desc.environment);
     for (const fbrdf_area_light& light :
          elements(desc.area_lights, desc.area_light_count, desc.area_light_size, "area_lights"))
@@ -135,6 +148,11 @@ void report(const fbrdf::gl::DrawStats& from, fbrdf_draw_stats* to)
     stats.lists_by = static_cast<uint32_t>(from.listsBy);
     from.whyListsByCpu.copy(stats.why_lists_by_cpu, sizeof stats.why_lists_by_cpu - 1);
     from.accumulation.copy(stats.accumulation, sizeof stats.accumulation - 1);
+    from.whyAccumulation.copy(stats.why_accumulation, sizeof stats.why_accumulation - 1);
+    stats.filter = static_cast<uint32_t>(from.filter);
+    stats.error_recombination = static_cast<float>(from.error.maps.recombination);
+    stats.error_filtering = static_cast<float>(from.error.maps.filtering);
+    stats.error_filtering_absolute = static_cast<float>(from.error.maps.absolute);
     // A newer caller has fields that this library does not know; they become 0.
     std::memset(to, 0, to->struct_size);
     std::memcpy(to, &stats, std::min<size_t>(stats.struct_size, sizeof stats));
@@ -173,6 +191,21 @@ fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
                      return gl.draw(target, view, itemsOf(known), lightsOf(known),
                                     optionsOf(known));
                  });
+}
+
+fbrdf_result fbrdf_prepare(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc)
+{
+    return guarded(logOf(renderer), [&] {
+        Shared& shared = *required(renderer, "renderer").shared;
+        const fbrdf_draw_desc known = descriptor(desc, "draw");
+        const fbrdf::gl::DrawOptions options = optionsOf(known);
+        const int lights = countOf(known.light_count, 0, "light_count");
+        for (const fbrdf::gl::Item& item : itemsOf(known)) {
+            required(item.material, "material of an item");
+            required(item.mesh, "mesh of an item");
+            shared.renderer.prepare(item, options, lights);
+        }
+    });
 }
 
 fbrdf_result fbrdf_draw_batch(fbrdf_renderer* renderer, const fbrdf_draw_desc* draw,

@@ -41,11 +41,22 @@ fbrdf_result fbrdf_environment_create(fbrdf_renderer* renderer, const fbrdf_envi
         options.size = static_cast<int>(std::min(known.size, uint32_t(INT32_MAX)));
         options.floats = known.floats != 0;
         options.unfiltered = known.unfiltered != 0;
+        options.gradual = known.gradual != 0;
         auto gpu = known.texture
                        ? shared->renderer.createEnvironment(
                              fbrdf::gl::HostEnvironment{known.texture, known.cube != 0}, options)
                        : shared->renderer.createEnvironment(panoramaOf(known), options);
         return new fbrdf_environment{shared, std::move(gpu)};
+    });
+}
+
+fbrdf_result fbrdf_environment_refine(fbrdf_environment* environment, uint32_t texels,
+                                      uint32_t* finished)
+{
+    return guarded(logOf(environment), [&] {
+        fbrdf_environment& known = required(environment, "environment");
+        const bool isFinished = known.shared->renderer.refine(*known.gpu, texels);
+        if (finished) *finished = isFinished ? 1 : 0;
     });
 }
 

@@ -1,23 +1,7 @@
 #include "Boundary.h"
-
-#include <algorithm>
+#include "Uploads.h"
 
 using namespace fbrdf::capi;
-
-namespace {
-
-fbrdf::gl::MaterialOptions optionsOf(const fbrdf_gpu_material_desc& desc)
-{
-    fbrdf::gl::MaterialOptions options;
-    options.lookUp = enumerator(desc.look_up, fbrdf::LookUp::cube, "look_up");
-    // Numbers beyond the largest size, also those that no int can represent, are refused alike.
-    options.mapSize = static_cast<int>(
-        std::min(desc.map_size, static_cast<uint32_t>(fbrdf::kLargestMapSize + 1)));
-    options.precise = desc.precise != 0;
-    return options;
-}
-
-}  // namespace
 
 fbrdf_result fbrdf_gpu_material_create(fbrdf_renderer* renderer, const fbrdf_material* material,
                                        const fbrdf_gpu_material_desc* desc,
@@ -25,8 +9,7 @@ fbrdf_result fbrdf_gpu_material_create(fbrdf_renderer* renderer, const fbrdf_mat
 {
     return created(logOf(renderer), out, [&] {
         const SharedPtr& shared = required(renderer, "renderer").shared;
-        const auto options =
-            desc ? optionsOf(descriptor(desc, "gpu_material")) : fbrdf::gl::MaterialOptions{};
+        const auto options = desc ? materialOptionsOf(*desc) : fbrdf::gl::MaterialOptions{};
         auto gpu =
             shared->renderer.createMaterial(required(material, "material").material, options);
         return new fbrdf_gpu_material{shared, std::move(gpu), options, {}};

@@ -1,4 +1,5 @@
 #include "Boundary.h"
+#include "Uploads.h"
 
 #include <fbrdf/base/Found.h>
 
@@ -7,14 +8,22 @@ using namespace fbrdf::capi;
 fbrdf_result fbrdf_library_create(fbrdf_renderer* renderer, uint32_t count,
                                   const fbrdf_material* const* materials, fbrdf_library** out)
 {
+    return fbrdf_library_create_with(renderer, count, materials, nullptr, out);
+}
+
+fbrdf_result fbrdf_library_create_with(fbrdf_renderer* renderer, uint32_t count,
+                                       const fbrdf_material* const* materials,
+                                       const fbrdf_gpu_material_desc* desc, fbrdf_library** out)
+{
     return created(logOf(renderer), out, [&] {
         const SharedPtr& shared = required(renderer, "renderer").shared;
+        const auto options = desc ? materialOptionsOf(*desc) : fbrdf::gl::MaterialOptions{};
         if (count > 0) required(materials, "materials");
         // The renderer takes materials side by side, and the handles are anywhere.
         std::vector<fbrdf::Material> copies;
         for (uint32_t i = 0; i < count; ++i)
             copies.push_back(required(materials[i], "materials").material);
-        return new fbrdf_library{shared, shared->renderer.createLibrary(copies)};
+        return new fbrdf_library{shared, shared->renderer.createLibrary(copies, options)};
     });
 }
 

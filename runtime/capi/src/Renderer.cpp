@@ -2,6 +2,8 @@
 
 #include <fbrdf/base/Found.h>
 
+#include <functional>
+
 using namespace fbrdf::capi;
 
 namespace {
@@ -16,6 +18,28 @@ fbrdf_severity severityOf(fbrdf::gl::Severity severity)
     return FBRDF_SEVERITY_ERROR;
 }
 
+/// Empty where the host has no function. What cannot be told for want of memory is not told.
+std::function<void(const fbrdf::gl::PassEvent&)> passFunctionOf(fbrdf_pass_function function,
+                                                                void* user)
+{
+    if (!function) return {};
+    return [function, user](const fbrdf::gl::PassEvent& event) noexcept {
+        try {
+            const std::string name(event.material);
+            const auto number = [](int value) { return static_cast<uint32_t>(value); };
+            const fbrdf_pass_event told{sizeof(fbrdf_pass_event),
+                                        number(event.index),
+                                        number(event.count),
+                                        number(event.lookups),
+                                        number(event.pass->firstLight),
+                                        number(event.pass->lightCount),
+                                        name.c_str()};
+            function(user, &told);
+        } catch (...) {
+        }
+    };
+}
+
 fbrdf::gl::RendererOptions optionsOf(const fbrdf_renderer_desc& desc)
 {
     fbrdf::gl::RendererOptions options;
@@ -25,6 +49,9 @@ fbrdf::gl::RendererOptions optionsOf(const fbrdf_renderer_desc& desc)
         options.log = [log = desc.log](fbrdf::gl::Severity severity, const std::string& text) {
             log.function(log.user, severityOf(severity), FBRDF_RESULT_OK, text.c_str());
         };
+    options.passes = {passFunctionOf(desc.passes.begins, desc.passes.user),
+                      passFunctionOf(desc.passes.ends, desc.passes.user)};
+    if (desc.idle_programs != 0) options.idlePrograms = desc.idle_programs;
     options.debugLabels = desc.no_debug_labels == 0;
     options.state = enumerator(desc.state_mode, fbrdf::gl::StateMode::leave, "state_mode");
     if (desc.first_texture_unit > 1024)

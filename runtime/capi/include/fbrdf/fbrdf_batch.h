@@ -16,6 +16,12 @@ typedef struct fbrdf_library fbrdf_library;
 FBRDF_API fbrdf_result fbrdf_library_create(fbrdf_renderer* renderer, uint32_t count,
                                             const fbrdf_material* const* materials,
                                             fbrdf_library** out);
+/* The same, uploaded as desc says, but that recombined maps are not packed; NULL: native look-ups.
+ */
+FBRDF_API fbrdf_result fbrdf_library_create_with(fbrdf_renderer* renderer, uint32_t count,
+                                                 const fbrdf_material* const* materials,
+                                                 const fbrdf_gpu_material_desc* desc,
+                                                 fbrdf_library** out);
 /* Puts another material, of whatever layout, in the place of one; on failure the library keeps the
  * one that it has. */
 FBRDF_API fbrdf_result fbrdf_library_replace(fbrdf_library* library, uint32_t index,

@@ -78,6 +78,20 @@ typedef enum fbrdf_lists_by {
     FBRDF_LISTS_BY_GPU = 2
 } fbrdf_lists_by;
 
+/* The format of the surfaces in which lights add up, where they cannot in the target. One that the
+ * context does not have, or whose error would be no picture, is replaced by what AUTOMATIC takes:
+ * the smallest one whose error is below half a step of the target (fbrdf/plan/Plan.h). */
+typedef enum fbrdf_accumulation {
+    FBRDF_ACCUMULATION_AUTOMATIC = 0,
+    FBRDF_ACCUMULATION_RGBA8 = 1,
+    FBRDF_ACCUMULATION_RGBA16 = 2,
+    FBRDF_ACCUMULATION_RGBA16F = 3,
+    FBRDF_ACCUMULATION_RGBA32F = 4
+} fbrdf_accumulation;
+
+/* What mixes the texels of a look-up: see `precise` of fbrdf_gpu_material_desc. */
+typedef enum fbrdf_filter { FBRDF_FILTER_HARDWARE = 0, FBRDF_FILTER_SHADER = 1 } fbrdf_filter;
+
 /* A fragment passes where its depth compares so with the depth that is stored. */
 typedef enum fbrdf_depth_test {
     FBRDF_DEPTH_TEST_LESS = 0,
@@ -125,6 +139,8 @@ typedef struct fbrdf_draw_desc {
     const fbrdf_area_light* area_lights;
     uint32_t area_light_count;
     uint32_t area_light_size; /* sizeof(fbrdf_area_light) */
+    uint32_t accumulation;    /* fbrdf_accumulation */
+    uint32_t reserved;        /* 0 */
 } fbrdf_draw_desc;
 
 typedef struct fbrdf_draw_stats {
@@ -149,12 +165,24 @@ typedef struct fbrdf_draw_stats {
     char why_not_sampled[160];    /* why lobes were drawn instead of the environment's `samples` */
     uint32_t lists_by;            /* fbrdf_lists_by */
     char why_lists_by_cpu[160];   /* why the CPU made lists of lights; "": it did not */
+    char why_accumulation[160];   /* why `accumulation` was taken; "": there was no choice */
+    uint32_t filter;              /* fbrdf_filter of the maps of the item that `technique` is of */
+    /* What is included in the errors above: how far recombined maps, and the context's filter, may
+     * move a product of logarithmic maps, |log2|, and what the filter may add through others. */
+    float error_recombination, error_filtering, error_filtering_absolute;
 } fbrdf_draw_stats;
 
 /* Draws the items into the framebuffer, in front of what its depth buffer contains. stats may be
  * NULL. The result is FBRDF_RESULT_OK although items were left out: they are counted and logged. */
 FBRDF_API fbrdf_result fbrdf_draw(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc,
                                   fbrdf_draw_stats* stats);
+
+/* Builds the programs that drawing the items with these options and so many lights will need, and
+ * so keeps the first draw from waiting for a compiler; draws nothing. The framebuffer, its size and
+ * the matrices are not read: the programs are those of an RGBA32F target. With an environment it
+ * waits for the lobes of materials that have none. An item without a material or mesh is
+ * FBRDF_RESULT_ERROR_ARGUMENT. */
+FBRDF_API fbrdf_result fbrdf_prepare(fbrdf_renderer* renderer, const fbrdf_draw_desc* desc);
 
 #ifdef __cplusplus
 }

@@ -24,10 +24,19 @@ typedef struct fbrdf_environment_desc {
                                where a CPU samples textures */
     uint32_t floats;        /* 1: RGBA32F instead of RGBA16F, which ends at 65504 */
     uint32_t unfiltered;    /* 1: keeps what fbrdf_environment_light::samples needs: RGBA32F */
+    uint32_t gradual;       /* 1: leaves levels of more than 32 texels on a side to
+                               fbrdf_environment_refine; it can be drawn with at once. Without effect
+                               where a CPU makes the environment */
+    uint32_t reserved;      /* 0 */
 } fbrdf_environment_desc;
 FBRDF_API fbrdf_result fbrdf_environment_create(fbrdf_renderer* renderer,
                                                 const fbrdf_environment_desc* desc,
                                                 fbrdf_environment** out);
+/* Draws about `texels` (at least 1) texels more of an environment that comes gradually, its
+ * sharpest lobes last: all of one with faces of N texels are 8 N^2, and each costs hundreds of
+ * look-ups. *finished, which may be NULL, becomes 1 where nothing is left, else 0. */
+FBRDF_API fbrdf_result fbrdf_environment_refine(fbrdf_environment* environment, uint32_t texels,
+                                                uint32_t* finished);
 FBRDF_API void fbrdf_environment_release(fbrdf_environment* environment);
 
 /* How a draw is lit by an environment; changing it costs nothing. */

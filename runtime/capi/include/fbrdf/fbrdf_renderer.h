@@ -22,6 +22,24 @@ typedef enum fbrdf_state_mode {
     FBRDF_STATE_LEAVE = 2     /* left as the draw needed it; no queries */
 } fbrdf_state_mode;
 
+/* A pass of an item, or of the objects of a batch that are drawn together. */
+typedef struct fbrdf_pass_event {
+    uint32_t struct_size; /* as the library was compiled: it has no fields beyond */
+    uint32_t index;       /* of the `count` passes of the item */
+    uint32_t count;
+    uint32_t lookups;     /* texture look-ups of a fragment, counted from the program */
+    uint32_t first_light; /* lights of the item that the pass adds up; of lists of lights one */
+    uint32_t light_count;
+    const char* material; /* its name, which lives until the function returns */
+} fbrdf_pass_event;
+typedef void (*fbrdf_pass_function)(void* user, const fbrdf_pass_event* event);
+/* Told of each pass of a draw, while its state is set: a host may begin and end queries, and
+ * touches no other state. They must not call the library; either may be NULL. */
+typedef struct fbrdf_pass_watch {
+    fbrdf_pass_function begins, ends;
+    void* user; /* passed to both; must live as long as the renderer */
+} fbrdf_pass_watch;
+
 typedef struct fbrdf_renderer_desc {
     uint32_t struct_size;
     uint32_t api_version; /* FBRDF_API_VERSION, as the program was compiled */
@@ -31,7 +49,8 @@ typedef struct fbrdf_renderer_desc {
     uint32_t state_mode;         /* fbrdf_state_mode */
     uint32_t first_texture_unit; /* units from here on are used */
     uint32_t no_debug_labels;    /* 1: no KHR_debug names and groups */
-    uint32_t reserved;           /* 0 */
+    uint32_t idle_programs;      /* so many that the last 256 draws did not need are kept; 0: 256 */
+    fbrdf_pass_watch passes;
 } fbrdf_renderer_desc;
 
 FBRDF_API fbrdf_result fbrdf_renderer_create(const fbrdf_renderer_desc* desc, fbrdf_renderer** out);
