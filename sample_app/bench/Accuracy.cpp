@@ -2,6 +2,7 @@
 
 #include "bench/Materials.h"
 #include "bench/Stage.h"
+#include "bench/Variants.h"
 #include "viewer/GlFunctions.h"
 
 #include <fbrdf/base/Error.h>
@@ -12,6 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace fbrdf::bench {
 namespace {
@@ -40,12 +43,51 @@ std::vector<Version> versions(std::optional<int> device)
 }
 
 struct Format {
-    OffscreenFormat format;
-    const char* name;
+    OffscreenFormat offscreen;
+    ColourFormat colour;
 };
-constexpr Format kFormats[] = {{OffscreenFormat::rgba32f, "RGBA32F"},
-                               {OffscreenFormat::rgba16f, "RGBA16F"},
-                               {OffscreenFormat::rgba8, "RGBA8"}};
+constexpr Format kFormats[] = {{OffscreenFormat::rgba32f, ColourFormat::rgba32f},
+                               {OffscreenFormat::rgba16f, ColourFormat::rgba16f},
+                               {OffscreenFormat::rgba8, ColourFormat::rgba8}};
+
+ColourFormat colourFormatFromName(const std::string& name)
+{
+    for (const ColourFormat format :
+         {ColourFormat::rgba8, ColourFormat::rgba16, ColourFormat::rgba16f, ColourFormat::rgba32f})
+        if (name == colourFormatName(format)) return format;
+    return ColourFormat::other;
+}
+
+/// A material under so many lights, and what is exact for it: the same in every version.
+struct Case {
+    std::string form;  ///< with what materialOptionsFromWord takes: "pqp cube"
+    Material material;
+    gl::MaterialOptions options;
+    std::vector<Light> lights;
+    std::vector<double> radiance = {};  ///< of each pixel
+};
+
+Case makeCase(const std::string& form, int count, const Stage& stage,
+              const truth::GeometryBuffer& geometry)
+{
+    const size_t end = form.find(' ');
+    Case result{form, benchMaterial(form.substr(0, end)),
+                materialOptionsFromWord(end == std::string::npos ? "" : form.substr(end + 1)),
+                stageLights(count)};
+    result.radiance = truth::referenceImage(result.material, geometry, result.lights, stage.view);
+    const auto forColours = [&](auto act) {
+        for (size_t i = 0; i < result.radiance.size(); ++i)
+            if (i % 4 < 3) act(result.radiance[i]);
+    };
+    double largest = 0.0;
+    forColours([&](double value) { largest = std::max(largest, value); });
+    // Scaled so that no pixel exceeds 1, where RGBA8 would clamp it; by a power of two, which
+    // rounds nothing.
+    const double scale = std::exp2(std::floor(-std::log2(largest)));
+    forColours([&](double& value) { value *= scale; });
+    for (Light& light : result.lights) light.intensity *= static_cast<float>(scale);
+    return result;
+}
 
 gl::Renderer rendererOf(const HeadlessContext& context, const Version& version)
 {
@@ -73,67 +115,59 @@ truth::GeometryBuffer geometryOf(const Stage& stage, std::optional<int> device)
 /// One version: a context and the drawings in it.
 class Bench {
 public:
-    Bench(const Version& version, const Stage& stage, const truth::GeometryBuffer& geometry)
+    Bench(const Version& version, const Stage& stage)
         : context_(version.context),
           renderer_(rendererOf(context_, version)),
           floatTargets_(version.floatTargets),
           stage_(stage),
-          geometry_(geometry),
           mesh_(renderer_.createMesh(stage_.mesh))
     {
     }
 
     const gl::Renderer& renderer() const { return renderer_; }
 
-    /// form: a form, optionally followed by how its maps are looked up: "pqp cube", or by
-    /// "precise".
-    void measure(const std::string& form, int count, std::vector<AccuracyRow>& rows)
+    void measure(const Case& wanted, std::vector<AccuracyRow>& rows)
     {
-        const size_t end = form.find(' ');
-        const Material material = ggxMaterial(form.substr(0, end));
-        gl::MaterialOptions options;
-        const std::string how = end == std::string::npos ? "native" : form.substr(end + 1);
-        options.precise = how == "precise";
-        if (!options.precise) options.lookUp = lookUpFromName(how);
-        const auto gpu = renderer_.createMaterial(material, options);
-        auto lights = stageLights(count);
-        auto radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
-        // Scaled so that no pixel exceeds 1, where RGBA8 would clamp it.
-        const auto scale =
-            static_cast<float>(0.9 / *std::max_element(radiance.begin(), radiance.end()));
-        for (Light& light : lights) light.intensity *= scale;
-        radiance = truth::referenceImage(material, geometry_, lights, stage_.view);
+        const auto gpu = renderer_.createMaterial(wanted.material, wanted.options);
+        const UploadedMaterial uploaded =
+            uploadedMaterial(wanted.material, wanted.options, renderer_.capabilities());
         for (const Format& format : kFormats) {
-            if (!floatTargets_ && format.format != OffscreenFormat::rgba8) continue;
-            for (const Technique technique : allTechniques()) {
-                AccuracyRow row = drawn(*gpu, lights, format, technique, radiance);
-                row.form = form;
-                rows.push_back(std::move(row));
-            }
+            if (!floatTargets_ && format.colour != ColourFormat::rgba8) continue;
+            for (const Technique technique : allTechniques())
+                rows.push_back(drawn(*gpu, uploaded, wanted, format, technique));
         }
     }
 
 private:
-    AccuracyRow drawn(const gl::GpuMaterial& material, const std::vector<Light>& lights,
-                      const Format& format, Technique technique, const std::vector<double>& exact)
+    AccuracyRow drawn(const gl::GpuMaterial& material, const UploadedMaterial& uploaded,
+                      const Case& wanted, const Format& format, Technique technique)
     {
-        Offscreen offscreen(context_.loader(), {kSize, kSize, format.format});
+        constexpr int kLightsPerPass = 8;
+        Offscreen offscreen(context_.loader(), {kSize, kSize, format.offscreen});
         offscreen.clear();
         const auto stats = renderer_.draw({offscreen.framebuffer(), kSize, kSize}, stage_.view,
-                                          {{&material, mesh_.get()}}, lights, {technique, 8, 0});
+                                          {{&material, mesh_.get()}}, wanted.lights,
+                                          {technique, kLightsPerPass, 0});
         if (stats.itemsFailed > 0)
             throw Error(ErrorKind::gl, "runtime", "found an object that cannot be drawn");
         const Capabilities& c = renderer_.capabilities();
+        PlanRequest request;
+        request.technique = stats.technique;
+        request.lights = static_cast<int>(wanted.lights.size());
+        request.lightsPerPass = kLightsPerPass;
+        request.target = format.colour;
+        request.accumulation = colourFormatFromName(stats.accumulation);
         const bool isEs = c.glsl == 100 || c.glsl == 300;
         return {fmt::format("{}.{} {}{}{}", c.glMajor, c.glMinor, isEs ? "ES " : "GLSL ", c.glsl,
                             floatTargets_ ? "" : " RGBA8"),
-                "",
+                wanted.form,
                 techniqueName(technique),
-                format.name,
-                static_cast<int>(lights.size()),
+                colourFormatName(format.colour),
+                request.lights,
                 stats.passes,
+                runtimeCost(uploaded, request, c),
                 stats.error,
-                truth::deviationOf(offscreen.readPixels(), exact, stats.error),
+                truth::deviationOf(offscreen.readPixels(), wanted.radiance, stats.error),
                 stats.whyReplaced};
     }
 
@@ -141,11 +175,19 @@ private:
     gl::Renderer renderer_;
     bool floatTargets_;
     const Stage& stage_;
-    const truth::GeometryBuffer& geometry_;
     std::shared_ptr<gl::GpuMesh> mesh_;
 };
 
 }  // namespace
+
+std::vector<std::string> accuracyForms()
+{
+    std::vector<std::string> forms = allForms();
+    for (const char* form : {"pqp cube", "pqp parabolic", "pqpr cube", "hdio precise",
+                             "hdpio precise", "hdpu precise", "pqpr precise"})
+        forms.push_back(form);
+    return forms;
+}
 
 bool Accuracy::holds() const
 {
@@ -155,19 +197,19 @@ bool Accuracy::holds() const
 
 Accuracy measureAccuracy(const Options& options)
 {
-    const std::vector<std::string> all{"hdio",      "pqp",          "pqpr",
-                                       "io+hdio",   "pqp cube",     "pqp parabolic",
-                                       "pqpr cube", "hdio precise", "pqpr precise"};
-    const auto& forms = options.only.empty() ? all : options.only;
+    const std::vector<std::string> forms = options.only.empty() ? accuracyForms() : options.only;
     const Stage stage = makeStage("sphere", 1.0);
     const truth::GeometryBuffer geometry = geometryOf(stage, options.device);
+    std::vector<Case> cases;
+    for (const std::string& form : forms)
+        for (const int count : options.lights)
+            cases.push_back(makeCase(form, count, stage, geometry));
     Accuracy result;
     for (const Version& version : versions(options.device)) {
         try {
-            Bench bench(version, stage, geometry);
+            Bench bench(version, stage);
             result.glRenderer = bench.renderer().glRenderer();
-            for (const std::string& form : forms)
-                for (const int count : options.lights) bench.measure(form, count, result.rows);
+            for (const Case& wanted : cases) bench.measure(wanted, result.rows);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::gl) throw;
             result.leftOut.push_back(fmt::format("{}.{}: {}", version.context.major,
@@ -181,18 +223,23 @@ Accuracy measureAccuracy(const Options& options)
 
 std::string asText(const Accuracy& accuracy)
 {
+    size_t width = std::size("form");
+    for (const AccuracyRow& row : accuracy.rows) width = std::max(width, row.form.size());
     std::string text = fmt::format(
-        "{}, {}x{} pixels, against double\n{:<18} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9} {:>9} "
-        "{:>9} {:>9} {:>6}\n",
-        accuracy.glRenderer, kSize, kSize, "version", "form", "technique", "format", "lights",
-        "passes", "relative", "bound", "absolute", "bound", "share");
+        "{}, {}x{} pixels, against double; multiply-adds, special functions and bytes of texels "
+        "are for a pixel and light\n{:<18} {:<{}} {:<11} {:<8} {:>6} {:>6} {:>7} {:>7} {:>7} "
+        "{:>9} {:>9} {:>9} {:>9} {:>6}\n",
+        accuracy.glRenderer, kSize, kSize, "version", "form", width, "technique", "format",
+        "lights", "passes", "MACs", "special", "bytes", "relative", "bound", "absolute", "bound",
+        "share");
     for (const AccuracyRow& row : accuracy.rows)
         text += fmt::format(
-            "{:<18} {:<13} {:<11} {:<8} {:>6} {:>6} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
-            "{:>6.2f}{}\n",
-            row.version, row.form, row.technique, row.format, row.lights, row.passes,
-            row.found.relative, row.bound.relative, row.found.absolute, row.bound.absolute,
-            row.found.share, row.whyReplaced.empty() ? "" : "  replaced: " + row.whyReplaced);
+            "{:<18} {:<{}} {:<11} {:<8} {:>6} {:>6} {:>7.1f} {:>7.1f} {:>7.1f} {:>9.1e} {:>9.1e} "
+            "{:>9.1e} {:>9.1e} {:>6.2f}{}\n",
+            row.version, row.form, width, row.technique, row.format, row.lights, row.passes,
+            row.cost.multiplyAdds, row.cost.specials, row.cost.bytes, row.found.relative,
+            row.bound.relative, row.found.absolute, row.bound.absolute, row.found.share,
+            row.whyReplaced.empty() ? "" : "  replaced: " + row.whyReplaced);
     for (const std::string& left : accuracy.leftOut) text += "left out: " + left + "\n";
     return text +
            "relative: to the exact value or a hundredth of the mean; share: of relative bound x "
@@ -210,6 +257,9 @@ std::string asJson(const Accuracy& accuracy)
                         {"format", row.format},
                         {"lights", row.lights},
                         {"passes", row.passes},
+                        {"multiply_adds", row.cost.multiplyAdds},
+                        {"specials", row.cost.specials},
+                        {"bytes", row.cost.bytes},
                         {"relative", row.found.relative},
                         {"absolute", row.found.absolute},
                         {"bound", {row.bound.relative, row.bound.absolute}},

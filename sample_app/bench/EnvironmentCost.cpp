@@ -60,7 +60,7 @@ public:
           scene_(rig_.scene(makeStage(mesh, double(options.width) / options.height), {})),
           environment_(rig_.renderer.createEnvironment(proceduralEnvironment("studio", 512))),
           mesh_(rig_.renderer.createMesh(scene_.stage.mesh)),
-          material_(ggxMaterial("hdio")),
+          material_(benchMaterial("hdio")),
           fitted_(fitLobes(material_, {1, 3, 24, 0}))
     {
         result_ = {rig_.renderer.glRenderer(),

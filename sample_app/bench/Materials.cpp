@@ -1,10 +1,16 @@
 #include "bench/Materials.h"
 
+#include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
+#include <fbrdf/fit/AnalyticFactors.h>
 #include <fbrdf/fit/Fit.h>
+#include <fbrdf/fit/Svd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <variant>
 
 namespace fbrdf::bench {
 namespace {
@@ -38,17 +44,50 @@ Vec3d fresnel(double theta_d)
     return kF0 + (Vec3d(1.0) - kF0) * std::pow(1.0 - std::cos(theta_d), 5.0);
 }
 
-/// The function in the table that a form calls `name`.
-TableFunction functionOf(const std::string& name, bool isSum)
+/// The factor of GGX that a table stands for. angles: of its arguments; of a disc the zenith angle.
+Vec3d ofDirection(const Direction& direction, double theta)
 {
-    if (name == "p")  // the square root of V at equal angles: exact on the diagonal
-        return [](const auto& a) { return Vec3d(std::sqrt(visibility(a[0], a[0]))); };
-    if (name == "q") return [](const auto& a) { return distribution(a[0]) * kF0; };
-    if (name == "r") return [](const auto& a) { return fresnel(a[0]) / kF0; };
-    if (name.rfind("T1", 0) == 0 || name.rfind("V", 0) == 0)
-        return [](const auto& a) { return distribution(a[0]) * fresnel(a[1]); };
-    if (isSum && name == "T2") return [](const auto&) { return kDiffuse / kPi; };
-    return [](const auto& a) { return Vec3d(visibility(a[0], a[1])); };
+    if (direction == Direction::h) return distribution(theta) * kF0;
+    if (direction == Direction::d) return fresnel(theta) / kF0;
+    // The square root of V at equal angles: exact on the diagonal.
+    if (direction == Direction::wo || direction == Direction::wi)
+        return Vec3d(std::sqrt(visibility(theta, theta)));
+    return Vec3d(0.5 + 0.5 * std::cos(theta));  // a half vector near the normal: any smooth factor
+}
+
+Vec3d ofAngles(const std::vector<Angle>& names, const std::vector<double>& angles)
+{
+    if (names[0] == Angle::theta_h)
+        return distribution(angles[0]) * (names.size() > 1 ? fresnel(angles[1]) : kF0);
+    if (names[0] == Angle::theta_d) return fresnel(angles[0]) / kF0;
+    if (names.size() > 1) return Vec3d(visibility(angles[0], angles[1]));
+    return Vec3d(std::sqrt(visibility(angles[0], angles[0])));
+}
+
+TableFunction ggxFactor(const Argument& argument)
+{
+    if (const auto* direction = std::get_if<Direction>(&argument))
+        return [d = *direction](const auto& angles) { return ofDirection(d, angles[0]); };
+    return [names = std::get<std::vector<Angle>>(argument)](const auto& angles) {
+        return ofAngles(names, angles);
+    };
+}
+
+/// Of the first factor that looks the table up.
+TableFunction functionOf(const Form& form, int table)
+{
+    for (size_t t = 0; t < form.terms.size(); ++t) {
+        const auto& factors = form.terms[t].factors;
+        const auto found = std::find_if(factors.begin(), factors.end(),
+                                        [&](const Factor& f) { return f.table == table; });
+        if (found == factors.end()) continue;
+        if (form.terms.size() == 1 || t > 0) return ggxFactor(found->argument);
+        const double share = 1.0 / static_cast<double>(factors.size());
+        return [share](const auto&) { return glm::pow(kDiffuse / kPi, Vec3d(share)); };
+    }
+    throw Error(ErrorKind::usage, "form",
+                Found("table '" + form.tables[static_cast<size_t>(table)].name + "' without a use")
+                    .expected("one in a product"));
 }
 
 std::vector<double> anglesAt(const Domain& domain, int texel)
@@ -82,17 +121,72 @@ fbrdf::Table filled(const TableSpec& spec, const TableFunction& function)
     return quantized(table, Storage::log8);
 }
 
-}  // namespace
-
-Material ggxMaterial(const std::string& form)
+Material productMaterial(const std::string& form)
 {
     Material material;
     material.form = makeForm(form);
-    material.name = form;
-    const bool isSum = material.form.terms.size() > 1;
-    for (const TableSpec& spec : material.form.tables)
-        material.tables.push_back(filled(spec, functionOf(spec.name, isSum)));
+    for (size_t k = 0; k < material.form.tables.size(); ++k)
+        material.tables.push_back(
+            filled(material.form.tables[k], functionOf(material.form, static_cast<int>(k))));
     material.scales.assign(material.form.terms.size(), Vec3f(1.0f));
+    return material;
+}
+
+constexpr char kSvd[] = "svd", kAnalytic[] = "analytic:";
+
+bool startsWith(const std::string& text, const std::string& start)
+{
+    return text.compare(0, start.size(), start) == 0;
+}
+
+/// Throws Error(usage) where no number follows "svd".
+Material svdOfGgx(const std::string& form)
+{
+    const std::string digits = form.substr(std::size(kSvd) - 1);
+    const bool isNumber = !digits.empty() && digits.size() <= 2 &&
+                          digits.find_first_not_of("0123456789") == std::string::npos;
+    const int terms = isNumber ? std::stoi(digits) : 0;
+    if (terms < 1 || terms > kMaxSvdTerms)
+        throw Error(ErrorKind::usage, "form",
+                    Found("'" + form + "'").expected("svd1 to svd" + std::to_string(kMaxSvdTerms)));
+    const BrdfFunction ggx = [](const Vec3d& wo, const Vec3d& wi) {
+        const auto angle = [](double cosine) { return std::acos(std::min(cosine, 1.0)); };
+        const Vec3d h = glm::normalize(wo + wi);
+        return distribution(angle(h.z)) * fresnel(angle(glm::dot(h, wi))) *
+               visibility(angle(wi.z), angle(wo.z));
+    };
+    return svdMaterial(ggx, formSvd(terms, kSvdSize, true), 0);
+}
+
+Material modelMaterial(const std::string& form)
+{
+    constexpr int kTexels = 64;  // on a side of q, as the fit takes where nothing else is asked for
+    const std::string model = form.substr(std::size(kAnalytic) - 1);
+    const auto material = analyticFactors(model, kTexels, Storage::log8);
+    if (material) return *material;
+    throw Error(ErrorKind::usage, "form",
+                Found("'" + form + "'").expected("analytic:ward or analytic:ashikhmin-shirley"));
+}
+
+}  // namespace
+
+std::vector<std::string> allForms()
+{
+    std::vector<std::string> forms;
+    for (const NamedForm& named : namedForms()) forms.push_back(named.name);
+    for (const char* sum : {"io+hdio", "u+hdpu", "gg+pqpr"}) forms.push_back(sum);
+    for (const char* terms : {"2", "4", "8"}) forms.push_back(kSvd + std::string(terms));
+    for (const char* model : {"ward", "ashikhmin-shirley"})
+        forms.push_back(kAnalytic + std::string(model));
+    return forms;
+}
+
+Material benchMaterial(const std::string& form)
+{
+    Material material = startsWith(form, kSvd)        ? svdOfGgx(form)
+                        : startsWith(form, kAnalytic) ? modelMaterial(form)
+                                                      : productMaterial(form);
+    material.name = form;
     validate(material, "benchmark");
     return material;
 }

@@ -38,16 +38,10 @@ public:
 private:
     static std::vector<Variant> chosen(const std::vector<std::string>& names)
     {
-        std::vector<Variant> all = allVariants(), result;
-        if (names.empty()) return all;
-        for (const std::string& name : names) {
-            const auto found = std::find_if(all.begin(), all.end(),
-                                            [&](const Variant& v) { return v.name == name; });
-            if (found == all.end())
-                throw Error(ErrorKind::usage, "--only",
-                            Found("'" + name + "'").expected("a variant such as 'hdio single'"));
-            result.push_back(*found);
-        }
+        if (names.empty()) return allVariants();
+        std::vector<Variant> result;
+        for (const std::string& name : names)
+            for (Variant& variant : variantsNamed(name)) result.push_back(std::move(variant));
         return result;
     }
 

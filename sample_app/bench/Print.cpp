@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace fbrdf::bench {
 namespace {
@@ -43,14 +44,17 @@ std::string costCell(const std::vector<const Table*>& tables, const std::string&
 
 std::string meshText(const std::vector<const Table*>& tables)
 {
+    const std::vector<std::string> variants = variantsOf(tables);
+    size_t width = std::size("lights");
+    for (const std::string& variant : variants) width = std::max(width, variant.size() + 1);
     std::string text = fmt::format(
         "\n{}: ms a frame, and ratio to ggx, after multiply-adds, special functions and "
-        "bytes of texels for a pixel and light\n{:<20}{:>7} {:>7} {:>7}",
-        tables.front()->mesh, "lights", "MACs", "special", "bytes");
+        "bytes of texels for a pixel and light\n{:<{}}{:>7} {:>7} {:>7}",
+        tables.front()->mesh, "lights", width, "MACs", "special", "bytes");
     for (const Table* table : tables) text += fmt::format("{:>9} {:>6}", table->lights, "");
     text += "\n";
-    for (const std::string& variant : variantsOf(tables)) {
-        text += fmt::format("{:<20}", variant) + costCell(tables, variant);
+    for (const std::string& variant : variants) {
+        text += fmt::format("{:<{}}", variant, width) + costCell(tables, variant);
         for (const Table* table : tables) text += cell(*table, variant);
         text += "\n";
     }

@@ -117,7 +117,7 @@ private:
 Draw drawing(const Scene& scene, const gl::DrawOptions& options)
 {
     const std::shared_ptr<gl::GpuMaterial> material =
-        scene.renderer.createMaterial(ggxMaterial("hdio"));
+        scene.renderer.createMaterial(benchMaterial("hdio"));
     const std::shared_ptr<gl::GpuMesh> mesh = scene.renderer.createMesh(scene.stage.mesh);
     const auto view = std::make_shared<MovingView>(scene.stage.view);
     return [material, mesh, options, view, &scene] {
@@ -133,7 +133,7 @@ Draw drawing(const Scene& scene, const gl::DrawOptions& options)
 std::string whyNotByGpu(Rig& rig)
 {
     const Scene scene = rig.scene(makeStage("triangle", 1.0), spreadLights(4, 1.0));
-    const auto material = scene.renderer.createMaterial(ggxMaterial("hdio"));
+    const auto material = scene.renderer.createMaterial(benchMaterial("hdio"));
     const auto mesh = scene.renderer.createMesh(scene.stage.mesh);
     return scene.renderer
         .draw(scene.target, scene.stage.view, {{material.get(), mesh.get()}}, scene.lights,

@@ -175,7 +175,7 @@ ShaderPeer poulinFournierPeer()
 
 ShaderPeer multipassPeer()
 {
-    const Material material = ggxMaterial("pqp");
+    const Material material = benchMaterial("pqp");
     const PeerMap p = factorMap(material, "peerMapP", "p"),
                   q = factorMap(material, "peerMapQ", "q");
     const auto size = static_cast<float>(p.image.size[0]), radius = 0.5f * (size - 1.0f);

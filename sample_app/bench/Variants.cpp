@@ -1,13 +1,15 @@
 #include "bench/Variants.h"
 
 #include "bench/Materials.h"
-#include "bench/ShaderCost.h"
 #include "bench/ShaderPeers.h"
 
 #include <fbrdf/base/Error.h>
+#include <fbrdf/base/Found.h>
 
-#include <map>
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 namespace fbrdf::bench {
@@ -33,116 +35,23 @@ Draw drawWithRuntime(const Material& material, const gl::MaterialOptions& upload
     };
 }
 
-/// shader: that of a pass with so many lights. bytesOf: of one fetch by the name of its sampler.
-template <class BytesOf>
-LightCost passCost(const std::string& shader, int lights, const BytesOf& bytesOf)
-{
-    const ShaderCost cost = costOf(shader, {{"fbrdfLightCount", lights}});
-    LightCost result{cost.multiplyAdds(), cost.specials, 0.0};
-    for (const auto& [sampler, count] : cost.fetches) result.bytes += count * bytesOf(sampler);
-    return result;
-}
-
-void add(LightCost& sum, const LightCost& pass, double share)
-{
-    sum.multiplyAdds += share * pass.multiplyAdds;
-    sum.specials += share * pass.specials;
-    sum.bytes += share * pass.bytes;
-}
-
-/// Of RGB texels that a linear filter mixes.
-double bytesOfFetch(const TextureImage& image)
-{
-    const double texel = image.type == TexelType::float32 ? 12.0 : 6.0;
-    if (image.encoding.precise) return texel;
-    return texel * (image.size[2] > 1 && image.encoding.lookUp != LookUp::cube ? 8.0 : 4.0);
-}
-
-/// The texels of a material as the renderer uploads them; empty for knots in uniforms.
-std::vector<TextureImage> imagesOf(const Material& material, const gl::MaterialOptions& options,
-                                   const Capabilities& capabilities)
-{
-    std::vector<TextureImage> images;
-    for (size_t k = 0; k < material.tables.size(); ++k) {
-        const Table& table = material.tables[k];
-        TextureImage image;
-        image.encoding = {isLog(table.storage), false};
-        const bool native =
-            options.lookUp == LookUp::native ||
-            !whyNotRecombined(material.form, static_cast<int>(k), table.storage).empty();
-        if (!material.form.tables[k].uniform)
-            image = native ? textureImage(table, capabilities)
-                           : textureImage(recombined(table, {options.lookUp, options.mapSize,
-                                                             capabilities.maxTextureSize,
-                                                             capabilities.seamlessCubes}),
-                                          capabilities);
-        image.encoding.precise = options.precise;
-        images.push_back(std::move(image));
-    }
-    return images;
-}
-
-LightCost runtimeCost(const Material& material, const gl::MaterialOptions& uploaded,
-                      const gl::DrawOptions& options, const Scene& scene)
-{
-    const Capabilities& capabilities = scene.renderer.capabilities();
-    PlanRequest request;
-    request.technique = options.technique;
-    request.lights = static_cast<int>(scene.lights.size());
-    const Plan plan = planPasses(material.form, request, capabilities);
-    const auto images = imagesOf(material, uploaded, capabilities);
-    std::vector<TableEncoding> encodings;
-    for (const TextureImage& image : images) encodings.push_back(image.encoding);
-    const auto bytesOf = [&](const std::string& sampler) {
-        constexpr double kSurfaceTexel = 16.0;  // RGBA32F, of which one is read
-        if (sampler == "fbrdfRead") return kSurfaceTexel;
-        return bytesOfFetch(
-            images.at(std::stoul(sampler.substr(sampler.find_last_not_of("0123456789") + 1))));
-    };
-    LightCost sum;
-    std::map<std::pair<std::string, int>, LightCost> known;  // most passes are alike
-    for (const Pass& pass : plan.passes) {
-        const ProgramSpec spec =
-            programSpec(pass, maxLightsInUniforms(material.form, capabilities, pass.lobes));
-        const std::string text = fragmentSource(material.form, encodings, spec, capabilities.glsl);
-        const auto [found, isNew] = known.try_emplace({text, pass.lightCount});
-        if (isNew) found->second = passCost(text, pass.lightCount, bytesOf);
-        add(sum, found->second, 1.0 / request.lights);
-    }
-    return sum;
-}
-
-LightCost peerCost(const ShaderPeer& peer, const Scene& scene)
-{
-    const auto bytesOf = [&](const std::string& sampler) {
-        for (const PeerMap& map : peer.maps)
-            if (map.sampler == sampler) return bytesOfFetch(map.image);
-        return 0.0;
-    };
-    const int lights = static_cast<int>(scene.lights.size()),
-              inPass = peer.passPerLight ? 1 : lights;
-    const std::string text = peerFragmentSource(peer, inPass);
-    LightCost sum;
-    add(sum, passCost(text, inPass, bytesOf), 1.0 / inPass);
-    if (peer.passPerLight) add(sum, passCost(text, 0, bytesOf), 1.0 / lights);
-    return sum;
-}
-
-Variant runtimeVariant(const std::string& form, Technique technique,
-                       const gl::MaterialOptions& uploaded = {})
+Variant runtimeVariant(const std::string& form, const std::string& word, Technique technique)
 {
     gl::DrawOptions options;
     options.technique = technique;
-    const bool isNative = uploaded.lookUp == LookUp::native;
-    const std::string name = form +
-                             (isNative ? "" : std::string(" ") + lookUpName(uploaded.lookUp)) +
-                             (uploaded.precise ? " precise " : " ") + techniqueName(technique);
-    return {name, techniqueInfo(technique).description,
+    const gl::MaterialOptions uploaded = materialOptionsFromWord(word);
+    return {form + (word.empty() ? " " : " " + word + " ") + techniqueName(technique),
+            techniqueInfo(technique).description,
             [form, uploaded, options](const Scene& scene) {
-                return drawWithRuntime(ggxMaterial(form), uploaded, options, scene);
+                return drawWithRuntime(benchMaterial(form), uploaded, options, scene);
             },
-            [form, uploaded, options](const Scene& scene) {
-                return runtimeCost(ggxMaterial(form), uploaded, options, scene);
+            [form, uploaded, technique](const Scene& scene) {
+                PlanRequest request;
+                request.technique = technique;
+                request.lights = static_cast<int>(scene.lights.size());
+                const Capabilities& capabilities = scene.renderer.capabilities();
+                return runtimeCost(uploadedMaterial(benchMaterial(form), uploaded, capabilities),
+                                   request, capabilities);
             }};
 }
 
@@ -155,25 +64,66 @@ Variant peerVariant(ShaderPeer peer)
                     scene.gl, *shared, scene.stage, static_cast<int>(scene.lights.size()));
                 return [shared, drawing, &scene] { drawing->draw(scene.target, scene.lights); };
             },
-            [shared](const Scene& scene) { return peerCost(*shared, scene); }};
+            [shared](const Scene& scene) {
+                return peerCost(*shared, static_cast<int>(scene.lights.size()));
+            }};
+}
+
+std::vector<std::string> wordsOf(const std::string& text)
+{
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+bool isTechnique(const std::string& word)
+{
+    const auto& all = allTechniques();
+    return std::any_of(all.begin(), all.end(),
+                       [&](Technique technique) { return word == techniqueName(technique); });
 }
 
 }  // namespace
+
+gl::MaterialOptions materialOptionsFromWord(const std::string& word)
+{
+    gl::MaterialOptions options;
+    options.precise = word == "precise";
+    if (!word.empty() && !options.precise) options.lookUp = lookUpFromName(word);
+    return options;
+}
 
 std::vector<Variant> allVariants()
 {
     std::vector<Variant> variants;
     for (ShaderPeer& peer : shaderPeers()) variants.push_back(peerVariant(std::move(peer)));
-    for (const char* form : {"hdio", "hdpio", "hdpu", "hdsu", "hdau", "pqp", "pqpr", "io+hdio"})
+    for (const std::string& form : allForms())
         for (const Technique technique : allTechniques())
-            variants.push_back(runtimeVariant(form, technique));
-    for (const LookUp lookUp : {LookUp::parabolic, LookUp::cube})
-        variants.push_back(runtimeVariant("pqp", Technique::single, {lookUp}));
-    gl::MaterialOptions precise;
-    precise.precise = true;
-    for (const char* form : {"hdio", "pqp"})
-        variants.push_back(runtimeVariant(form, Technique::single, precise));
+            variants.push_back(runtimeVariant(form, "", technique));
+    for (const char* word : {"parabolic", "cube"})
+        variants.push_back(runtimeVariant("pqp", word, Technique::single));
+    for (const char* form : {"hdio", "hdpio", "hdpu", "pqp"})
+        variants.push_back(runtimeVariant(form, "precise", Technique::single));
     return variants;
+}
+
+std::vector<Variant> variantsNamed(const std::string& name)
+{
+    for (Variant& variant : allVariants())
+        if (variant.name == name) return {std::move(variant)};
+    std::vector<std::string> words = wordsOf(name);
+    std::vector<Technique> techniques(allTechniques().begin(), allTechniques().end());
+    if (!words.empty() && isTechnique(words.back())) {
+        techniques = {techniqueFromName(words.back())};
+        words.pop_back();
+    }
+    if (words.empty() || words.size() > 2)
+        throw Error(ErrorKind::usage, "--only",
+                    Found("'" + name + "'").expected("a variant such as 'hdio single'"));
+    benchMaterial(words[0]);  // throws where there is no such form
+    std::vector<Variant> result;
+    for (const Technique technique : techniques)
+        result.push_back(runtimeVariant(words[0], words.size() > 1 ? words[1] : "", technique));
+    return result;
 }
 
 }  // namespace fbrdf::bench

@@ -1,5 +1,6 @@
 // Variants.h - everything that is timed: each technique and form of the runtime, and the peers.
 #pragma once
+#include "bench/LightCost.h"
 #include "bench/Stage.h"
 #include "viewer/GlFunctions.h"
 
@@ -20,14 +21,6 @@ struct Scene {
 
 using Draw = std::function<void()>;
 
-/// What a pixel computes and fetches for each light, by the rule of ShaderCost.h: all passes with
-/// what they do once, divided by the lights. Bytes are those of the texels that a look-up mixes
-/// (four of a plane, eight of a volume), as they were uploaded, and of surfaces that a pass reads;
-/// caches make fewer of them. Blending is not included.
-struct LightCost {
-    double multiplyAdds = 0.0, specials = 0.0, bytes = 0.0;
-};
-
 struct Variant {
     std::string name, description;
     /// Uploads and compiles; the result draws one frame into the scene's target.
@@ -35,8 +28,17 @@ struct Variant {
     std::function<LightCost(const Scene& scene)> cost;
 };
 
-/// `ggx` comes first, then the other peers, then "FORM TECHNIQUE" for each form and technique of
-/// the runtime.
+/// How a material is drawn beside its technique: "", "parabolic", "cube" (recombined maps) or
+/// "precise" (filtered in the shader). Throws Error(usage) for another word.
+gl::MaterialOptions materialOptionsFromWord(const std::string& word);
+
+/// `ggx` comes first, then the other peers, then "FORM TECHNIQUE" for each form (Materials.h) and
+/// technique of the runtime, then "FORM WORD single" for some that materialOptionsFromWord changes.
 std::vector<Variant> allVariants();
+
+/// The variants that a name stands for: one of allVariants(), or "FORM", "FORM WORD",
+/// "FORM TECHNIQUE" or "FORM WORD TECHNIQUE" of any form, without a technique in all of them.
+/// Throws Error(usage) for anything else.
+std::vector<Variant> variantsNamed(const std::string& name);
 
 }  // namespace fbrdf::bench

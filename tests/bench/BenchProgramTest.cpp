@@ -71,18 +71,69 @@ TEST(BenchProgram, TimesEveryVariantOnce)
     for (const auto& row : json["results"]) {
         EXPECT_GT(row["milliseconds"], 0.0);
         EXPECT_GT(row["ratio"], 0.0);
+        EXPECT_GT(row["multiply_adds"], 0.0) << row;
         variants.insert(row["mesh"].get<std::string>() + " " + row["variant"].get<std::string>());
     }
     EXPECT_EQ(variants.size(), json["results"].size());
     for (const char* mesh : {"triangle ", "sphere "})
-        for (const char* variant :
-             {"ggx", "merl", "nbrdf", "nbrdf-baked", "poulin-fournier", "multipass-osgfx",
-              "hdio single", "hdio batched", "hdio two-lookup", "pqp single", "pqpr batched",
-              "io+hdio two-lookup", "hdpio single", "hdpu batched", "hdsu two-lookup",
-              "hdio precise single"})
+        for (const char* variant : {"ggx",
+                                    "merl",
+                                    "nbrdf",
+                                    "nbrdf-baked",
+                                    "poulin-fournier",
+                                    "multipass-osgfx",
+                                    "hdio single",
+                                    "hdio batched",
+                                    "hdio two-lookup",
+                                    "pqp single",
+                                    "pqpr batched",
+                                    "io+hdio two-lookup",
+                                    "hdpio single",
+                                    "hdpu batched",
+                                    "hdsu two-lookup",
+                                    "hdio precise single",
+                                    "hdg two-lookup",
+                                    "svd4 single",
+                                    "svd8 two-lookup",
+                                    "analytic:ward batched",
+                                    "qdio single",
+                                    "hdpu precise single"})
             EXPECT_EQ(variants.count(std::string(mesh) + variant), 1u) << mesh << variant;
     EXPECT_TRUE(json["left_out"].empty());
     EXPECT_FALSE(json["renderer"].get<std::string>().empty());
+}
+
+TEST(BenchProgram, TimesFormsByName)
+{
+    const Result result = runBench(
+        "--lights 2 --size 8x8 --mesh triangle --json --only 'hdg,svd3 single,pqpn precise,"
+        "gg+qdg batched,pqpr cube single'");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    std::vector<std::string> variants;
+    const auto json = nlohmann::json::parse(result.out);
+    for (const auto& row : json["results"]) variants.push_back(row["variant"]);
+    EXPECT_EQ(variants, std::vector<std::string>({"hdg single", "hdg batched", "hdg two-lookup",
+                                                  "svd3 single", "pqpn precise single",
+                                                  "pqpn precise batched", "pqpn precise two-lookup",
+                                                  "gg+qdg batched", "pqpr cube single"}));
+}
+
+TEST(BenchProgram, IsRightInFormsOfEveryKind)
+{
+    const Result result =
+        runBench("--accuracy --lights 2 --json --only 'hdg,hdpu precise,qdio,svd4,analytic:ward'");
+    NEEDS_GL(result);
+    ASSERT_EQ(result.exitCode, 0) << result.err << result.out;
+    std::set<std::string> forms;
+    const auto json = nlohmann::json::parse(result.out);
+    for (const auto& row : json["rows"]) {
+        forms.insert(row["form"]);
+        EXPECT_GT(row["multiply_adds"], 0.0) << row;
+        // Singular values have no bound, and differ by no more than floats and formats do.
+        EXPECT_LT(row["absolute"], 0.01) << row;
+    }
+    EXPECT_EQ(forms.size(), 5u);
 }
 
 TEST(BenchProgram, CountsTheLightsThatReachAPixel)
@@ -156,9 +207,10 @@ TEST(BenchProgram, RefusesWhatItDoesNotKnow)
 {
     for (const char* arguments :
          {"--lights 0", "--lights many", "--size 8", "--size 0x8", "--mesh cube", "--clock sun",
-          "--device gpu", "--only hidio", "--frame-limit -1", "more"}) {
+          "--device gpu", "--only hidio", "--only 'hdio twice'", "--only 'hdio cube single more'",
+          "--accuracy --only svd99", "--frame-limit -1", "more"}) {
         const Result result = runBench(arguments);
-        if (std::string(arguments) == "--only hidio") NEEDS_GL(result);
+        if (std::string(arguments).find("--only") != std::string::npos) NEEDS_GL(result);
         EXPECT_EQ(result.exitCode, 2) << arguments << result.err;
         EXPECT_EQ(result.err.rfind("fbrdf-bench: ", 0), 0u) << result.err;
         EXPECT_TRUE(result.out.empty());
