@@ -67,7 +67,7 @@ def samples_csv(fbrdf, source, pairs, noise, rng):
 
 def fitted(fbrdf, source, prior, csv, folder):
     """PSNR, and whether the fit called the material unlike all that the prior knows."""
-    fit = json.loads(run(fbrdf, 'fit', csv, '-o', folder / 'm.fbrdf', '--prior', prior, '--seconds', 0, '--json'))
+    fit = json.loads(run(fbrdf, 'fit', csv, '-o', folder / 'm.fbrdf', '--prior', prior, '--seconds', 0, '--environment-lobes', 0, '--json'))
     errors = json.loads(run(fbrdf, 'compare', folder / 'm.fbrdf', source, '--json'))['errors']
     return errors['psnr_linear'], bool(fit['prior'] and fit['prior']['unlike'])
 
