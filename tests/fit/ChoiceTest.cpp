@@ -1,8 +1,7 @@
-// ChoiceTest.cpp - what `auto` compares: the errors that are seen, stray hues, and costs.
+// ChoiceTest.cpp - what `auto` compares: the errors that are seen, what is invented, and costs.
 #include "Known.h"
 #include "search/Candidate.h"
 #include "search/SeenErrors.h"
-#include "search/StrayHue.h"
 
 #include <fbrdf/fit/Fit.h>
 #include <gtest/gtest.h>
@@ -81,11 +80,11 @@ TEST(Choice, OneErrorOnAllSamplesIsNotGivenAwayForCheapness)
                                       candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02})};
     for (Candidate& c : candidates) {
         c.whole.emplace();
-        c.all.logMedian = c.all.cosRms = c.all.cubeRootRms = 0.1;
+        c.whole->all.logMedian = c.whole->all.cosRms = c.whole->all.cubeRootRms = 0.1;
     }
-    candidates[1].all.cosRms = 0.13;
+    candidates[1].whole->all.cosRms = 0.13;
     EXPECT_EQ(choose(candidates).index, 0u);
-    candidates[1].all.logMedian = 0.05;  // more than made up for
+    candidates[1].whole->all.logMedian = 0.05;  // more than made up for
     EXPECT_EQ(choose(candidates).index, 1u);
 }
 
@@ -97,10 +96,10 @@ TEST(Choice, OfEqualsTheOneIsTakenThatIsBetterOnAllSamples)
                                       candidate("hdio", {0.98, 0.98, 0.99, 1.01, 0.98})};
     for (Candidate& c : candidates) {
         c.whole.emplace();
-        c.all.logMedian = c.all.cosRms = c.all.cubeRootRms = 0.1;
+        c.whole->all.logMedian = c.whole->all.cosRms = c.whole->all.cubeRootRms = 0.1;
     }
     EXPECT_EQ(choose(candidates).index, 0u);
-    candidates[0].all.cosRms = 0.13;
+    candidates[0].whole->all.cosRms = 0.13;
     const Choice choice = choose(candidates);
     EXPECT_EQ(choice.index, 1u);
     EXPECT_NE(choice.reason.find("better on all"), std::string::npos) << choice.reason;
@@ -108,45 +107,17 @@ TEST(Choice, OfEqualsTheOneIsTakenThatIsBetterOnAllSamples)
     EXPECT_EQ(choose(candidates).index, 0u);
 }
 
-TEST(Choice, AStrayHueIsAFault)
+TEST(Choice, WhatIsInventedIsAFault)
 {
     std::vector<Candidate> candidates{candidate("hdio", {0.8, 0.8, 0.8, 0.8, 0.8}),
                                       candidate("hdpio", {1.0, 1.0, 1.0, 1.0, 1.0})};
     for (Candidate& c : candidates) {
         c.whole.emplace();
-        c.allMark = c.marks[0];
+        c.whole->allMark = c.marks[0];
     }
     EXPECT_EQ(choose(candidates).index, 0u);
-    candidates[0].strayHue = 0.2;
+    candidates[0].whole->stray.hue = 0.2;
     EXPECT_EQ(choose(candidates).index, 1u);
-}
-
-TEST(StrayHue, IsThatOfNoNeighbour)
-{
-    const Source source = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
-    const StrayHue hues(test::scattered(source, 1500, 2).samples, Vec3f(0.0f), true, 2);
-    FitOptions options;
-    options.form = "hdio";
-    options.heldOut = false;
-    Material grey = fitMaterial(source, options).material;
-    EXPECT_LT(hues.of(grey, 2), 1e-3);
-    // A quarter of the texels of one factor loses its blue: yellow bands.
-    Table& table = grey.tables[0];
-    for (size_t i = 0; i < table.texels.size(); i += 12) table.texels[i + 2] -= 2.0f;
-    EXPECT_GT(hues.of(grey, 2), 0.1);
-}
-
-TEST(StrayHue, AChannelBelowTheFloorMayBeAnythingBelow)
-{
-    Source source = test::sourceOf(test::Ggx{0.3, 0.3, 0.04, 0.3});
-    FitOptions options;
-    options.form = "hdio";
-    options.heldOut = false;
-    Material material = fitMaterial(source, options).material;
-    auto samples = test::scattered(source, 1500, 2).samples;
-    for (Sample& s : samples) s.f.z = 0.0f;
-    material.scales[0].z *= 1e-4f;
-    EXPECT_LT(StrayHue(samples, Vec3f(0, 0, 1e-3f), true, 2).of(material, 2), 1e-3);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "forms/DirectForms.h"
 #include "forms/NamedForms.h"
 #include "prior/PriorUse.h"
+#include "search/Restrained.h"
 #include "search/Search.h"
 #include "Tilt.h"
 
@@ -45,11 +46,19 @@ void checkLimits(const FitContext& context, const Form& form)
     checkLookups(options, form);
 }
 
-Fitted fitNamed(const FitContext& context)
+// Few scattered samples leave room for inventions.
+Fitted fitNamed(const Source& source, const FitContext& context)
 {
+    constexpr size_t kMostRestrained = 32768;
     const Form form = formFor(context);
     checkLimits(context, form);
-    return fitForm(context, form);
+    const Dataset& dataset = context.dataset;
+    if (dataset.exact || !dataset.inMemory || dataset.rows > kMostRestrained ||
+        context.options.ranks.count > 1)
+        return fitForm(context, form);
+    const Stray stray(probeOf(context), context.statistics.floor, isIsotropicSource(source),
+                      context.options.threads);
+    return fitRestrained(context, form, stray).fitted;
 }
 
 bool isDirect(const FitOptions& options)
@@ -69,7 +78,7 @@ Fitted fitAny(const Source& source, const FitContext& context, FitSummary& summa
     if (isDirect(context.options)) return fitDirect(source, context);
     return isSearched(context.options) || priorFor(context)
                ? searchForm(source, context, summary.trials, summary.reason)
-               : fitNamed(context);
+               : fitNamed(source, context);
 }
 
 // Samples that show an isotropic surface tilted, in the frame of its own normal.

@@ -166,6 +166,18 @@ Fitted fitForm(const FitContext& context, const Form& form, const Solution* star
     return fitted;
 }
 
+Fitted fitFormBeside(const FitContext& context, const Form& form, const std::vector<Sample>& more)
+{
+    const FitOptions& options = context.options;
+    std::vector<Sample> samples = someSamples(context.dataset, FoldChoice::all(),
+                                              context.dataset.rows, options.seed, options.threads);
+    samples.insert(samples.end(), more.begin(), more.end());
+    Fitted fitted = fitForm(partOf(context, std::move(samples)), form);
+    const LeastSquares problem = problemOf(context, form);
+    markUnsupported(fitted.material, problem.layout(), texelWeights(problem));
+    return fitted;
+}
+
 SampleErrors heldOutErrors(const Source& source, const FitContext& context, const Fitted& fitted)
 {
     if (fitted.heldOut) return *fitted.heldOut;

@@ -54,6 +54,8 @@ struct Fitted {
 };
 /// `start`: the solution for a part of the data, where that is known.
 Fitted fitForm(const FitContext& context, const Form& form, const Solution* start = nullptr);
+/// A form fitted to all of the data and to `more` beside them, which support no texel.
+Fitted fitFormBeside(const FitContext& context, const Form& form, const std::vector<Sample>& more);
 
 /// The errors that are stated for a fit. For a function they are measured on a fresh set of
 /// directions; for measurements, on folds that fits of the same form and smoothness leave out.

@@ -1,5 +1,7 @@
 #include "search/Candidate.h"
 
+#include "search/SeenErrors.h"
+
 #include <fbrdf/base/Assert.h>
 #include <fmt/format.h>
 
@@ -22,25 +24,14 @@ auto costOf(const Candidate& c)
     return std::make_tuple(c.lookups, c.form.terms.size(), c.bytes);
 }
 
-// The largest factor by which an error of `a` on all samples is above that of `b`.
-double mostAbove(const SampleErrors& a, const SampleErrors& b)
-{
-    constexpr double kUnseen = 1e-4;
-    double most = 0.0;
-    for (const auto error :
-         {&SampleErrors::logMedian, &SampleErrors::cosRms, &SampleErrors::cubeRootRms})
-        most = std::max(most, (a.*error + kUnseen) / (b.*error + kUnseen));
-    return most;
-}
-
 // Whether `a` is below `b` by more than a twentieth in an error on all samples, and nowhere above
 // it by more.
 bool isBetterOnAll(const Candidate& a, const Candidate& b)
 {
     constexpr double kAllowed = 1.05;
     if (!a.whole || !b.whole) return false;
-    const double above = mostAbove(b.all, a.all);
-    return above > kAllowed && above >= mostAbove(a.all, b.all);
+    const double above = mostAbove(b.whole->all, a.whole->all);
+    return above > kAllowed && above >= mostAbove(a.whole->all, b.whole->all);
 }
 
 // Candidates whose marks are above that of `best` by chance, if at all.
@@ -114,8 +105,7 @@ std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate&
 
 double Candidate::mark() const
 {
-    constexpr double kHue = 2.0;  // what a wrong hue counts beside errors on samples
-    return whole ? 0.5 * (meanOf(marks) + allMark) + kHue * strayHue : meanOf(marks);
+    return whole ? 0.5 * meanOf(marks) + whole->mark() : meanOf(marks);
 }
 
 bool isBetter(const Candidate& a, const Candidate& b)

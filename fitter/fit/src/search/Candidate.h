@@ -1,6 +1,6 @@
 // Candidate.h - one form under trial, and how candidates compare.
 #pragma once
-#include "FitContext.h"
+#include "search/Restrained.h"
 
 #include <string>
 #include <vector>
@@ -14,14 +14,10 @@ struct Candidate {
     size_t bytes = 0;
     int lookups = 0;  ///< a light
     HeldOut held;
-    std::vector<double> marks;    ///< markOf each part of the samples that were held out
-    std::optional<Fitted> whole;  ///< fitted to all data; where that is known before the choice
-    SampleErrors all;             ///< of `whole` on all samples
-    double allMark = 0;           ///< markOf them; 0 without
-    double strayHue = 0;          ///< of `whole`, see StrayHue
+    std::vector<double> marks;        ///< markOf each part of the samples that were held out
+    std::optional<Restrained> whole;  ///< fitted to all data; where that is known before the choice
 
-    /// The mean of the marks; where a fit to all data is known, the mean of that and allMark, and
-    /// twice strayHue more.
+    /// The mean of the marks; where a fit to all data is known, half of it and the mark of that.
     double mark() const;
 };
 

@@ -73,8 +73,8 @@ Fitted searchForm(const Source& source, const FitContext& context, std::vector<T
     runs.choose(best);
     if (!best.whole) return fitForm(context, best.form, &best.held.solution);
     const bool isStated = isIsotropic(best.form) || !part.turnsHeldOut;
-    if (!context.dataset.exact && isStated) best.whole->heldOut = best.held.errors;
-    return std::move(*best.whole);
+    if (!context.dataset.exact && isStated) best.whole->fitted.heldOut = best.held.errors;
+    return std::move(best.whole->fitted);
 }
 
 }  // namespace fbrdf

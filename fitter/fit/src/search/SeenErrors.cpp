@@ -79,4 +79,14 @@ double markOf(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitt
         orNothing(metric == Metric::cubeRoot ? errors.cubeRootRms : errors.nbrdfLoss));
 }
 
+double mostAbove(const SampleErrors& a, const SampleErrors& b)
+{
+    constexpr double kNothing = 1e-4;
+    double most = 0.0;
+    for (const auto error :
+         {&SampleErrors::logMedian, &SampleErrors::cosRms, &SampleErrors::cubeRootRms})
+        most = std::max(most, (a.*error + kNothing) / (b.*error + kNothing));
+    return most;
+}
+
 }  // namespace fbrdf

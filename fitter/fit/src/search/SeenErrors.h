@@ -27,4 +27,7 @@ double markOf(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitt
               const Vec3f& floor, Metric metric);
 double markOf(const SeenErrors& errors);
 
+/// The largest factor by which log_median, cos_rms or cuberoot_rms of `a` is above that of `b`.
+double mostAbove(const SampleErrors& a, const SampleErrors& b);
+
 }  // namespace fbrdf

@@ -1,6 +1,5 @@
 #include "search/TrialRuns.h"
 
-#include "data/Symmetry.h"
 #include "prior/PriorUse.h"
 #include "search/SeenErrors.h"
 
@@ -57,20 +56,6 @@ std::vector<double> marksOf(const HeldOut& held, const FitContext& context)
     return marks;
 }
 
-void fitWhole(const FitContext& context, const StrayHue& hues, Candidate& candidate)
-{
-    candidate.whole = fitForm(context, candidate.form);
-    const auto probe = probeOf(context);
-    const auto valuesAt = [&](const std::vector<Sample>& samples) {
-        return evaluateAt(candidate.whole->material, samples, context.options.threads);
-    };
-    const auto values = valuesAt(probe);
-    candidate.all = sampleErrors(probe, values, context.statistics.floor);
-    candidate.allMark = markOf(probe, context.turnsHeldOut ? valuesAt(turned(probe)) : values,
-                               context.statistics.floor, context.options.metric);
-    candidate.strayHue = hues.of(candidate.whole->material, context.options.threads);
-}
-
 // Keeps those that could still be chosen.
 void leaveBehind(std::vector<Candidate>& candidates)
 {
@@ -98,7 +83,7 @@ TrialRuns::TrialRuns(const FitContext& all, const FitContext& part, bool isIsotr
 {
     if (!isWhole()) return;
     prior_ = priorFor(all);
-    hues_.emplace(probeOf(all), all.statistics.floor, isIsotropic, all.options.threads);
+    stray_.emplace(probeOf(all), all.statistics.floor, isIsotropic, all.options.threads);
 }
 
 size_t TrialRuns::budget() const
@@ -154,9 +139,9 @@ FitContext TrialRuns::contextFor(const FitContext& context, const Candidate& can
 void TrialRuns::complete(const FitContext& context, Candidate& candidate)
 {
     holdOutMore(context, candidate, context.folds);
-    if (!hues_) return;
+    if (!stray_) return;
     const Clock clock;
-    fitWhole(contextFor(context, candidate), *hues_, candidate);
+    candidate.whole = fitRestrained(contextFor(context, candidate), candidate.form, *stray_);
     rows_[candidate.trial].seconds += clock.seconds();
 }
 

@@ -1,7 +1,7 @@
 // TrialRuns.h - fits the forms that a search tries, and keeps a row of each.
 #pragma once
 #include "search/Candidate.h"
-#include "search/StrayHue.h"
+#include "search/Stray.h"
 
 #include <optional>
 #include <string>
@@ -61,7 +61,7 @@ private:
     FitOptions serialOptions_;  ///< those of the context with one thread
     FitContext serial_;         ///< part() with one thread
     std::vector<Trial>& rows_;
-    std::optional<StrayHue> hues_;  ///< where trials are fitted to all of the data
+    std::optional<Stray> stray_;  ///< where trials are fitted to all of the data
     std::shared_ptr<const PriorCovariance> prior_;
     Clock clock_;
 };
