@@ -55,63 +55,74 @@ void findSpans(const LightClusters& clusters, const ClusterTiles& tiles,
                const std::vector<Reach>& reaches, const ListMemory& memory, ListBand& band)
 {
     const auto slice = static_cast<size_t>(band.slice);
-    band.spans.clear();
+    band.rows.resize(static_cast<size_t>(band.last - band.first));
+    for (ListRow& row : band.rows) row.used = 0;
+    RowEnds ends;
     for (size_t k = memory.firsts[slice]; k < memory.firsts[slice + 1]; ++k) {
         const int32_t light = memory.ofSlices[k];
         const auto slot = static_cast<size_t>(light);
-        if (!isUnlimited(clusters.lights[slot])) {
-            addSpans(tiles, band.slice, band.first, band.last, light,
-                     reachOf(clusters, reaches, slot), band.spans);
+        if (isUnlimited(clusters.lights[slot])) {
+            for (ListRow& row : band.rows) row.add(light, 0, clusters.grid.columns);
             continue;
         }
-        for (int row = band.first; row < band.last; ++row)
-            band.spans.push_back({light, static_cast<int16_t>(band.slice),
-                                  static_cast<int16_t>(row), 0,
-                                  static_cast<int16_t>(clusters.grid.columns)});
+        SpanFinder finder(tiles[band.slice], band.first, band.last,
+                          reachOf(clusters, reaches, slot));
+        while (finder.next(ends)) {
+            ListRow* const rows = &band.rows[static_cast<size_t>(ends.row - band.first)];
+            for (int i = 0; i < ends.count; ++i) rows[i].add(light, ends.first[i], ends.last[i]);
+        }
     }
 }
 
 void countLights(const ClusterGrid& grid, ListBand& band)
 {
-    // Differences between neighbours first; their running sum are the numbers.
-    const auto width = static_cast<size_t>(grid.columns) + 1,
-               rows = static_cast<size_t>(band.last - band.first);
-    band.differences.assign(width * rows, 0);
-    for (const LightSpan& span : band.spans) {
-        int32_t* const row = &band.differences[width * static_cast<size_t>(span.row - band.first)];
-        ++row[span.first];
-        --row[span.last];
-    }
     band.counts.clear();
     band.total = 0;
-    for (size_t row = 0; row < rows; ++row) {
+    for (const ListRow& row : band.rows) {
+        // Differences between neighbours first; their running sum are the numbers.
+        band.changes.assign(static_cast<size_t>(grid.columns) + 1, 0);
+        for (size_t k = 0; k < row.used; ++k) {
+            ++band.changes[static_cast<size_t>(row.spans[k].first)];
+            --band.changes[static_cast<size_t>(row.spans[k].last)];
+        }
         int32_t count = 0;
-        for (size_t column = 0; column + 1 < width; ++column) {
-            count += band.differences[row * width + column];
+        for (size_t column = 0; column + 1 < band.changes.size(); ++column) {
+            count += band.changes[column];
             band.counts.push_back(count);
             band.total += static_cast<size_t>(count);
         }
     }
 }
 
+/// Fills the lists of a row in memory that stays in the fastest cache, and copies them out at once.
 void fillLists(LightClusters& clusters, ListBand& band)
 {
     const ClusterGrid& grid = clusters.grid;
-    auto first = static_cast<int32_t>(band.begin);
-    const auto cluster = static_cast<size_t>((band.slice * grid.rows + band.first) * grid.columns);
-    band.next.clear();
-    for (size_t tile = 0; tile < band.counts.size(); ++tile) {
-        clusters.lists[2 * (cluster + tile)] = first;
-        clusters.lists[2 * (cluster + tile) + 1] = band.counts[tile];
-        band.next.push_back(first);
-        first += band.counts[tile];
-    }
-    int32_t* const indices = clusters.indices.data();
-    for (const LightSpan& span : band.spans) {
-        int32_t* const row =
-            &band.next[static_cast<size_t>((span.row - band.first) * grid.columns)];
-        for (int column = span.first; column < span.last; ++column)
-            indices[row[column]++] = span.light;
+    auto begin = static_cast<int32_t>(band.begin);
+    size_t cluster = static_cast<size_t>((band.slice * grid.rows + band.first) * grid.columns),
+           tile = 0;
+    band.next.resize(static_cast<size_t>(grid.columns));
+    for (const ListRow& row : band.rows) {
+        int32_t size = 0;
+        for (int32_t& next : band.next) {
+            clusters.lists[2 * cluster] = begin + size;
+            clusters.lists[2 * cluster + 1] = band.counts[tile];
+            next = size;
+            size += band.counts[tile];
+            ++tile, ++cluster;
+        }
+        if (band.entries.size() < static_cast<size_t>(size))
+            band.entries.resize(2 * static_cast<size_t>(size));
+        int32_t* const entries = band.entries.data();
+        int32_t* const next = band.next.data();
+        for (size_t k = 0; k < row.used; ++k) {
+            const ColumnSpan span = row.spans[k];
+            const int32_t light = span.light;
+            for (int column = span.first; column < span.last; ++column)
+                entries[next[column]++] = light;
+        }
+        std::copy_n(entries, size, clusters.indices.data() + begin);
+        begin += size;
     }
 }
 

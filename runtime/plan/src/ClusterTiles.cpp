@@ -34,7 +34,11 @@ TileAxis axisOf(const glm::dmat4& p, int axis, int count, const DistanceRange<do
         const auto extent = tileExtent(result.lines, static_cast<double>(i), kTileMargin);
         result.lows.push_back(extent.low);
         result.highs.push_back(extent.high);
+        result.floatLows.push_back(static_cast<float>(extent.low));
+        result.floatHighs.push_back(static_cast<float>(extent.high));
     }
+    for (std::vector<float>* floats : {&result.floatLows, &result.floatHighs})
+        floats->insert(floats->end(), kFloatsAtOnce, 0.0f);
     return result;
 }
 

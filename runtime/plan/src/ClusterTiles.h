@@ -18,11 +18,15 @@ constexpr double kTileMargin = 1e-4;
 /// The distances from the eye that a sphere spans.
 DistanceRange<double> distanceOf(const Reach& reach);
 
+/// So many rows are looked at in a step.
+constexpr int kFloatsAtOnce = 4;
+
 /// The tiles along one axis of a slice.
 struct TileAxis {
-    glm::dvec4 lines{0.0};               ///< see tileExtent
-    double perNear = 0.0, perFar = 0.0;  ///< 1 / lines.y and 1 / lines.w
-    std::vector<double> lows, highs;     ///< extent of each tile
+    glm::dvec4 lines{0.0};                     ///< see tileExtent
+    double perNear = 0.0, perFar = 0.0;        ///< 1 / lines.y and 1 / lines.w
+    std::vector<double> lows, highs;           ///< extent of each tile
+    std::vector<float> floatLows, floatHighs;  ///< the nearest floats, and kFloatsAtOnce zeros
 
     size_t count() const { return lows.size(); }
     DistanceRange<double> extent(int tile) const
