@@ -117,15 +117,31 @@ ShaderCost perLight(const std::string& text)
 TEST(ShaderCost, OfGgxIsCountedByHand)
 {
     const ShaderCost cost = perLight(peerFragmentSource(ggxPeer(), 8));
-    // fbrdfIrradiance 3 + 3 + 3, window 2 (ratio, ratio^2) + 1, 1 / clamped 1, cone 3 + 1, falloff
-    // x cone 1 + 3; dot(n, wi) 3, irradiance NoL brdf 3 + 3; peerBrdf: dot(h, h) 3, 1 / 1, LoH 1,
-    // slope 3 + 3 + 2, d 2 + 1 + 1, lightLength 3 + 3 + (2 + 2 + 1), reflection 1 + 1 + 1 + 1 + 1,
-    // c2 c2 c 3, fresnel 3, x reflection 3.
+    // fbrdfToLight 3 + 3 + 1 + 3, dot(n, wi) 3, window 2 (ratio, ratio^2) + 1, its product 1, cone
+    // 3 + 1, the products of both, NoL and intensity 2 + 3, weight brdf 3; peerBrdf: dot(h, h) 3,
+    // 1 / 1, LoH 1, slope 3 + 3 + 2, d 2 + 1 + 1, lightLength 3 + 3 + (2 + 2 + 1), reflection
+    // 1 + 1 + 1 + 1 + 1, c2 c2 c 3, fresnel 3, x reflection 3.
     EXPECT_EQ(cost.multiplications,
-              9 + 3 + 1 + 4 + 4 + 3 + 6 + 3 + 1 + 1 + 8 + 4 + 11 + 5 + 3 + 3 + 3);
-    // inversesqrt and 1 / clamped of the light; 1 / dot, inversesqrt, sqrt, and the division.
-    EXPECT_EQ(cost.specials, 2 + 4);
+              10 + 3 + 3 + 1 + 4 + 5 + 3 + 3 + 1 + 1 + 8 + 4 + 11 + 5 + 3 + 3 + 3);
+    // inversesqrt of the light; 1 / dot, inversesqrt, sqrt, and the division.
+    EXPECT_EQ(cost.specials, 1 + 4);
     EXPECT_TRUE(cost.fetches.empty());
+}
+
+// The loop of `single` over hdio: roots and exponentials are what a GPU does fewest of.
+TEST(ShaderCost, OfTwoAnglesIsCountedByHand)
+{
+    const Form form = formHdio({12, 6, 6});
+    PlanRequest request;
+    request.lights = 8;
+    const Plan plan = planPasses(form, request, Capabilities{});
+    ASSERT_EQ(plan.passes.size(), 1u);
+    const ShaderCost cost = perLight(
+        fragmentSource(form, {{true, true}, {true, true}}, programSpec(plan.passes[0], 8), 330));
+    // inversesqrt of the light and of |wi + wo|; of theta_h two roots, of theta_d and theta_i one;
+    // exp2.
+    EXPECT_EQ(cost.specials, 1 + 1 + 2 + 2 + 3);
+    EXPECT_LT(cost.multiplyAdds(), 90.0);
 }
 
 TEST(ShaderCost, OfTheNetworkIsThatOfItsWeights)

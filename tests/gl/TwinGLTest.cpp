@@ -156,8 +156,9 @@ TEST_P(Twin, ZenithAngles)
 TEST_P(Twin, HalfAndDifferenceAngles)
 {
     compare(
-        "result = vec4(fbrdfZenith(fbrdfHalfVector(a.xyz, b.xyz)), fbrdfDifferenceAngle(a.xyz, "
-        "b.xyz));",
+        "vec2 size = fbrdfSizeOf(a.xyz + b.xyz);"
+        "result = vec4(fbrdfHalfZenith(a.z + b.z, vec3(a.xy + b.xy, 0.0), size), "
+        "fbrdfDifferenceAngle(a.xyz, b.xyz, size.x));",
         pairs(),
         [](const Inputs& i) { return angles(geometryOf(i), Angle::theta_h, Angle::theta_d); },
         kRounding);
@@ -174,8 +175,9 @@ TEST_P(Twin, AnglesAboutANormal)
     std::vector<Inputs> inputs = pairs();
     for (Inputs& i : inputs) i = {turned(i.a), turned(i.b)};
     compare(
-        "vec3 n = normalize(vec3(0.3, -0.5, 0.8)); result = vec4(fbrdfZenithAbout(n, "
-        "fbrdfHalfVector(a.xyz, b.xyz)), fbrdfZenithAbout(n, b.xyz));",
+        "vec3 n = normalize(vec3(0.3, -0.5, 0.8)), both = a.xyz + b.xyz; result = vec4("
+        "fbrdfHalfZenith(dot(n, both), cross(n, both), fbrdfSizeOf(both)), "
+        "fbrdfZenithAbout(n, b.xyz));",
         inputs,
         [&frame](const Inputs& i) {
             const Inputs local{Vec4(frame.local(Vec3f(i.a)), 0.0f),
@@ -203,14 +205,21 @@ TEST_P(Twin, DifferenceVectorsAndCombinations)
         kRounding);
 }
 
+// The sides of the triangle that phi_d is an angle of, times |wi + wo|; up to a common factor they
+// are s.y times the cosine and the sine.
+const std::string kSides =
+    "vec2 size = fbrdfSizeOf(a.xyz + b.xyz);"
+    "float side = a.x * b.y - a.y * b.x, lean = 0.5 * size.x * (a.z - b.z);"
+    "vec2 s = fbrdfHalfZenith(a.z + b.z, vec3(a.xy + b.xy, 0.0), size) * "
+    "fbrdfDifferenceAngle(a.xyz, b.xyz, size.x);";
+
 TEST_P(Twin, DifferenceAzimuth)
 {
     // Up to a common factor these are the sides of the triangle that phi_d is an angle of.
     compare(
-        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalfVector(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) "
-        "* "
-        "fbrdfDifferenceAngle(a.xyz, b.xyz); result = vec4(sqrt(s.y) * "
-        "fbrdfDifferenceAzimuth(n, h, b.xyz, a.z, b.z), 0.0, 0.0);",
+        kSides +
+            "result = vec4(sqrt(s.y) * "
+            "fbrdfDifferenceAzimuth(side, lean), 0.0, 0.0);",
         pairs(),
         [](const Inputs& i) {
             const auto g = geometryOf(i);
@@ -227,10 +236,9 @@ TEST_P(Twin, HalfDifferenceAzimuth)
 {
     // phi_d means nothing where one of these sines is 0.
     compare(
-        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalfVector(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) "
-        "* "
-        "fbrdfDifferenceAngle(a.xyz, b.xyz); result = vec4(sqrt(s.y) * "
-        "fbrdfHalfDifferenceAzimuth(n, h, b.xyz, a.z, b.z), 0.0, 0.0);",
+        kSides +
+            "result = vec4(sqrt(s.y) * "
+            "fbrdfHalfDifferenceAzimuth(side, lean), 0.0, 0.0);",
         pairs(),
         [](const Inputs& i) {
             const auto g = geometryOf(i);
@@ -248,11 +256,10 @@ TEST_P(Twin, SideDifferenceAzimuth)
     // phi_d means nothing where one of these sines is 0, and in the plane of incidence, where the
     // sides meet, either will do.
     compare(
-        "vec3 n = vec3(0.0, 0.0, 1.0), h = fbrdfHalfVector(a.xyz, b.xyz); vec2 s = fbrdfZenith(h) "
-        "* "
-        "fbrdfDifferenceAngle(a.xyz, b.xyz); result = vec4(abs(dot(n, cross(h, b.xyz))) * "
-        "sqrt(s.y) "
-        "* fbrdfSideDifferenceAzimuth(n, h, b.xyz, a.z, b.z), 0.0, 0.0);",
+        kSides +
+            "result = vec4(abs(side * size.y) * "
+            "sqrt(s.y) "
+            "* fbrdfSideDifferenceAzimuth(side, lean), 0.0, 0.0);",
         pairs(),
         [](const Inputs& i) {
             const auto g = geometryOf(i);
@@ -338,8 +345,10 @@ TEST_P(Twin, Falloff)
             inputs.push_back({Vec4(d2, radius, 0.0f, 0.0f), {}});
     inputs.push_back({Vec4(0.0f, 0.0f, 0.0f, 0.0f), {}});
     compare(
-        "result = vec4(fbrdfFalloff(a.x, a.y > 0.0 ? 1.0 / (a.y * a.y) : 0.0));", inputs,
-        [](const Inputs& i) { return Vec4(falloff(i.a.x, i.a.y)); }, kRounding);
+        "result = vec4(fbrdfFalloff(vec2(a.x, 1.0 / max(a.x, 1e-30)), a.y > 0.0 ? 1.0 / (a.y * "
+        "a.y) "
+        ": 0.0));",
+        inputs, [](const Inputs& i) { return Vec4(falloff(i.a.x, i.a.y)); }, kRounding);
 }
 
 TEST_P(Twin, Windows)

@@ -12,11 +12,10 @@ float fbrdfInfluenceWindow(float distanceSquared, float inverseRadiusSquared)
     return window * window;
 }
 
-// Twin: falloff, Light.h. As there, 1e-12 keeps a light on the surface finite.
-float fbrdfFalloff(float distanceSquared, float inverseRadiusSquared)
+// Twin: falloff, Light.h. squares: squared distance and its inverse. As there, 1e12 keeps a light on the surface finite.
+float fbrdfFalloff(vec2 squares, float inverseRadiusSquared)
 {
-    float clamped = max(distanceSquared, 1e-12);
-    return fbrdfInfluenceWindow(clamped, inverseRadiusSquared) / clamped;
+    return fbrdfInfluenceWindow(squares.x, inverseRadiusSquared) * min(squares.y, 1e12);
 }
 
 // Twin: coneFactor, Light.h. wi: unit, towards the light.
@@ -26,12 +25,20 @@ float fbrdfConeFactor(vec4 cone, vec3 wi)
     return edge * edge;
 }
 
-// Irradiance on a surface that faces the light (docs/method.md, Eq. 2), and the unit direction to the light. 1e-30 is
-// above the smallest normal float, so that wi is finite at the light itself.
+// The unit direction to a light, given by its first vector and the last number of the second, and what fbrdfFalloff
+// needs. 1e-30 is above the smallest normal float, so that the direction is finite at the light itself.
+vec3 fbrdfToLight(vec4 position, float isLocated, vec3 point, out vec2 squares)
+{
+    vec3 toLight = position.xyz - isLocated * point;
+    float square = dot(toLight, toLight), inverse = inversesqrt(max(square, 1e-30));
+    squares = vec2(square, inverse * inverse);
+    return toLight * inverse;
+}
+
+// Irradiance on a surface that faces the light (docs/method.md, Eq. 2), and the unit direction to the light.
 vec3 fbrdfIrradiance(vec4 position, vec4 intensity, vec4 cone, vec3 point, out vec3 wi)
 {
-    vec3 toLight = position.xyz - intensity.w * point;
-    float distanceSquared = dot(toLight, toLight);
-    wi = toLight * inversesqrt(max(distanceSquared, 1e-30));
-    return intensity.rgb * (fbrdfFalloff(distanceSquared, position.w) * fbrdfConeFactor(cone, wi));
+    vec2 squares;
+    wi = fbrdfToLight(position, intensity.w, point, squares);
+    return intensity.rgb * (fbrdfFalloff(squares, position.w) * fbrdfConeFactor(cone, wi));
 }

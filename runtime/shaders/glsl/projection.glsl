@@ -11,13 +11,13 @@ float fbrdfAxisCoordinate(bool fromCosine, float exponent, float cosine, float c
     return pow(base, exponent);
 }
 
-// Texel position of a direction of the upper hemisphere. 1e-30 is above the smallest normal float, so that the centre
-// of the map is finite.
+// Texel position of a direction of the upper hemisphere. With p = direction.xy / (1 + z) it is at p |p|^(gamma - 1). 1e-30
+// is above the smallest normal float, so that the centre of the map is finite.
 vec2 fbrdfDiscPosition(float size, float gamma, float radius, vec3 direction)
 {
-    vec2 p = direction.xy / (1.0 + max(direction.z, 0.0));
-    float radiusSquared = max(dot(p, p), 1e-30);
-    if (gamma == 0.5) p /= sqrt(sqrt(radiusSquared));
-    else if (gamma != 1.0) p *= pow(radiusSquared, 0.5 * (gamma - 1.0));
-    return vec2(0.5 * (size - 1.0)) + radius * p;
+    float height = 1.0 + max(direction.z, 0.0), square = max(dot(direction.xy, direction.xy), 1e-30), scale;
+    if (gamma == 0.5) scale = inversesqrt(height * sqrt(square));
+    else if (gamma == 1.0) scale = 1.0 / height;
+    else scale = pow(square, 0.5 * (gamma - 1.0)) * pow(height, -gamma);
+    return vec2(0.5 * (size - 1.0)) + radius * scale * direction.xy;
 }

@@ -139,8 +139,8 @@ std::string knotsLines(const FragmentContext& c, const Factor& factor, const std
     if (axis.size == 1) return target + operation + knot(c, factor.table, "0") + ";\n";
     const Angle angle = std::get<std::vector<Angle>>(factor.argument)[0];
     return "{ float x = " + axisCall(axis.map, angle) + " * " + number(axis.size - 1.0) +
-           "; int k = int(min(x, " + number(axis.size - 2.0) + ")); " + target + operation +
-           "mix(" + knot(c, factor.table, "k") + ", " + knot(c, factor.table, "k + 1") +
+           "; int k = int(min(max(0.0, x), " + number(axis.size - 2.0) + ")); " + target +
+           operation + "mix(" + knot(c, factor.table, "k") + ", " + knot(c, factor.table, "k + 1") +
            ", x - float(k)); }\n";
 }
 
@@ -191,9 +191,11 @@ std::set<std::string> variablesUsed(const FragmentContext& c)
             for (const Angle angle : std::get<std::vector<Angle>>(factor.argument))
                 names.insert(angleName(angle));
     });
-    const bool poleIsHalf = names.count("phi_d") || names.count("half_phi_d") ||
-                            names.count("side_phi_d") || names.count("d");
-    if (poleIsHalf || (names.count("theta_h") && needsLocalFrame(c))) names.insert("h");
+    if (names.count("d")) names.insert("h");
+    if (names.count("phi_d") || names.count("half_phi_d") || names.count("side_phi_d"))
+        names.insert({"side", "lean"});
+    if (names.count("theta_h") || names.count("theta_d") || names.count("lean"))
+        names.insert({"both", "size"});
     return names;
 }
 

@@ -34,17 +34,21 @@ constexpr Variable kViewVariables[] = {
     {"vec2", "theta_o", "fbrdfZenith(wo)", "fbrdfZenithAbout(n, wo)"},
 };
 constexpr Variable kPairVariables[] = {
+    {"vec3", "both", "wi + wo", "wi + wo"},
+    {"vec2", "size", "fbrdfSizeOf(both)", "fbrdfSizeOf(both)"},
     {"vec3", "h", "fbrdfHalfVector(wo, wi)", "fbrdfHalfVector(wo, wi)"},
-    {"vec2", "theta_h", "fbrdfZenith(h)",
-     "fbrdfHalfZenith(NoV, NoL, acrossView + cross(n, wi), fbrdfInverseLength(wi + wo))"},
+    {"vec2", "theta_h", "fbrdfHalfZenith(both.z, vec3(both.xy, 0.0), size)",
+     "fbrdfHalfZenith(NoV + NoL, cross(n, both), size)"},
     {"vec2", "theta_i", "fbrdfZenith(wi)", "fbrdfZenithAbout(n, wi)"},
-    {"vec2", "theta_d", "fbrdfDifferenceAngle(wo, wi)", "fbrdfDifferenceAngle(wo, wi)"},
-    {"vec2", "phi_d", "fbrdfDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
-     "fbrdfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
-    {"vec2", "half_phi_d", "fbrdfHalfDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
-     "fbrdfHalfDifferenceAzimuth(n, h, wi, NoV, NoL)"},
-    {"vec2", "side_phi_d", "fbrdfSideDifferenceAzimuth(vec3(0.0, 0.0, 1.0), h, wi, NoV, NoL)",
-     "fbrdfSideDifferenceAzimuth(n, h, wi, NoV, NoL)"},
+    {"vec2", "theta_d", "fbrdfDifferenceAngle(wo, wi, size.x)",
+     "fbrdfDifferenceAngle(wo, wi, size.x)"},
+    {"float", "side", "wo.x * wi.y - wo.y * wi.x", "dot(acrossView, wi)"},
+    {"float", "lean", "0.5 * size.x * (NoV - NoL)", "0.5 * size.x * (NoV - NoL)"},
+    {"vec2", "phi_d", "fbrdfDifferenceAzimuth(side, lean)", "fbrdfDifferenceAzimuth(side, lean)"},
+    {"vec2", "half_phi_d", "fbrdfHalfDifferenceAzimuth(side, lean)",
+     "fbrdfHalfDifferenceAzimuth(side, lean)"},
+    {"vec2", "side_phi_d", "fbrdfSideDifferenceAzimuth(side, lean)",
+     "fbrdfSideDifferenceAzimuth(side, lean)"},
     {"vec3", "d", "fbrdfDifferenceVector(h, wi)", "fbrdfDifferenceVector(h, wi)"},
 };
 
@@ -66,7 +70,7 @@ std::string variableLines(const FragmentContext& c, const Variable (&variables)[
 std::string viewLines(const FragmentContext& c)
 {
     std::string text = variableLines(c, kViewVariables, "    ");
-    if (variablesUsed(c).count("theta_h") && !needsLocalFrame(c))
+    if (variablesUsed(c).count("side") && !needsLocalFrame(c))
         text += "    vec3 acrossView = cross(n, wo);\n";
     text += viewAxisLines(c);
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
@@ -93,25 +97,33 @@ std::string lightVector(const FragmentContext& c, const std::string& index)
                             : "fbrdfLights[" + index + "]";
 }
 
-/// Declares the direction, irradiance and angles of a light. light: the expression for its index.
+std::string vectorIndex(const std::string& light)
+{
+    return light == "0" ? light : std::to_string(kVectorsPerLight) + " * " + light;
+}
+
+/// Declares the direction to a light and what its strength is computed from. light: the expression
+/// for its index; in a clustered loop `position` is known.
 std::string lightLines(const FragmentContext& c, const std::string& light,
                        const std::string& indent)
 {
     const bool local = needsLocalFrame(c);
-    const std::string index =
-        light == "0" ? light : std::to_string(kVectorsPerLight) + " * " + light;
-    std::string text = indent + "vec3 wi;\n" + indent + "vec3 irradiance = ";
+    // In eye space; directions in the tangent frame leave it to those who need it.
+    const std::string to = local || c.shadow ? "toLight" : "wi", index = vectorIndex(light);
+    std::string text;
     if (c.spec.hosted) {
-        text += "fbrdfHostLight(" + light + ", ";
+        text = indent + "vec3 " + to + ";\n" + indent + "vec3 irradiance = fbrdfHostLight(" +
+               light + ", fbrdfPosition, " + to + ");\n";
     } else {
-        text += "fbrdfIrradiance(";
-        for (const char* const k : {"", " + 1", " + 2"}) text += lightVector(c, index + k) + ", ";
+        text = indent + "vec4 " +
+               (c.spec.clustered ? "" : "position = " + lightVector(c, index) + ", ") +
+               "intensity = " + lightVector(c, index + " + 1") + ";\n" + indent +
+               "vec2 squares;\n" + indent + "vec3 " + to +
+               " = fbrdfToLight(position, intensity.w, fbrdfPosition, squares);\n";
     }
-    text += "fbrdfPosition, wi);\n";
-    if (c.shadow) text += indent + "vec3 toLight = wi;\n";
-    if (local) text += indent + "wi = fbrdfLocal(frame, wi);\n";
-    return text + indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n") +
-           pairLines(c, indent);
+    if (local) text += indent + "vec3 wi = fbrdfLocal(frame, toLight);\n";
+    if (!local && c.shadow) text += indent + "vec3 wi = toLight;\n";
+    return text + indent + (local ? "float NoL = wi.z;\n" : "float NoL = dot(n, wi);\n");
 }
 
 /// The factor by which the host's shadow hook dims a light.
@@ -123,12 +135,23 @@ std::string shadowFactor(const FragmentContext& c, const std::string& light)
     return " * fbrdfShadow(" + number + ", fbrdfPosition, toLight)";
 }
 
-/// Adds one light to sum<p>, if it is above the horizon.
+/// The irradiance of a light on the surface.
+std::string weightOf(const FragmentContext& c, const std::string& light)
+{
+    if (c.spec.hosted) return "irradiance * NoL";
+    const std::string to = needsLocalFrame(c) || c.shadow ? "toLight" : "wi";
+    return "intensity.rgb * (NoL * fbrdfFalloff(squares, position.w) * fbrdfConeFactor(" +
+           lightVector(c, vectorIndex(light) + " + 2") + ", " + to + "))";
+}
+
+/// Adds one light to sum<p>, if it is above the horizon. All that only such a light needs is
+/// computed behind the question: a GPU skips it where it is below for a whole group of pixels.
 std::string litLines(const FragmentContext& c, const std::string& light, const std::string& indent)
 {
     const std::string inner = indent + "    ";
-    std::string text = indent + "if (NoL > 0.0) {\n" + inner + "vec3 weight = irradiance * NoL" +
-                       shadowFactor(c, light) + ";\n";
+    std::string text = indent + "if (NoL > 0.0) {\n" + inner +
+                       "vec3 weight = " + weightOf(c, light) + shadowFactor(c, light) + ";\n" +
+                       pairLines(c, inner);
     for (size_t p = 0; p < c.spec.parts.size(); ++p) {
         const std::string k = std::to_string(p);
         text += inner + "{\n" + inner + "    vec3 exponent = exponent" + k + ";\n" + inner +
@@ -149,9 +172,11 @@ std::string clusteredLoop(const FragmentContext& c)
            "    int end = fbrdfLightCount + list.y;\n"
            "    for (int i = 0; i < end; ++i) {\n"
            "        int light = fbrdfListed(fbrdfLightIndices, list, fbrdfLightCount, i);\n"
-           "        while (i + 1 < end && !fbrdfReaches(texelFetch(fbrdfLightBuffer, 3 * light), "
-           "fbrdfPosition))\n"
-           "            light = fbrdfListed(fbrdfLightIndices, list, fbrdfLightCount, ++i);\n" +
+           "        vec4 position = texelFetch(fbrdfLightBuffer, 3 * light);\n"
+           "        while (i + 1 < end && !fbrdfReaches(position, fbrdfPosition)) {\n"
+           "            light = fbrdfListed(fbrdfLightIndices, list, fbrdfLightCount, ++i);\n"
+           "            position = texelFetch(fbrdfLightBuffer, 3 * light);\n"
+           "        }\n" +
            lightLines(c, "light", "        ") + litLines(c, "light", "        ") + "    }\n";
 }
 
@@ -196,7 +221,8 @@ std::string productLines(const FragmentContext& c)
 
 std::string unlitBody(const FragmentContext& c)
 {
-    return (dependsOnLight(c) ? lightLines(c, "0", "    ") : "") + productLines(c);
+    return (dependsOnLight(c) ? lightLines(c, "0", "    ") + pairLines(c, "    ") : "") +
+           productLines(c);
 }
 
 void check(const FragmentContext& c)

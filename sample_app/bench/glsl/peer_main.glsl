@@ -11,11 +11,14 @@ void main()
     peerView(frame, wo, NoV);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < fbrdfLightCount; ++i) {
-        vec3 wi;
-        vec3 irradiance = fbrdfIrradiance(fbrdfLights[3 * i], fbrdfLights[3 * i + 1], fbrdfLights[3 * i + 2],
-                                          fbrdfPosition, wi);
+        vec4 position = fbrdfLights[3 * i], intensity = fbrdfLights[3 * i + 1];
+        vec2 squares;
+        vec3 wi = fbrdfToLight(position, intensity.w, fbrdfPosition, squares);
         float NoL = dot(frame.n, wi);
-        if (NoL > 0.0) sum += irradiance * NoL * peerBrdf(wi, NoL);
+        if (NoL > 0.0) {
+            vec3 weight = intensity.rgb * (NoL * fbrdfFalloff(squares, position.w) * fbrdfConeFactor(fbrdfLights[3 * i + 2], wi));
+            sum += weight * peerBrdf(wi, NoL);
+        }
     }
     fbrdfColour = vec4(NoV > 0.0 ? sum : vec3(0.0), 1.0);
 }

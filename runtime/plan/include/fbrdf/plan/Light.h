@@ -60,12 +60,12 @@ T inverseRadiusSquared(T radius)
 
 /// Irradiance factor at squared distance d2: 1 / d2 times the window. Deviation: d2 below 1e-12
 /// counts as 1e-12, so that a light on the surface stays finite. Twin: fbrdfFalloff in lights.glsl,
-/// whose second argument is 1 / radius^2.
+/// which takes d2 and its inverse, and 1 / radius^2.
 template <class T>
 T falloff(T distanceSquared, T radius)
 {
-    const T clamped = std::max(distanceSquared, T(1e-12));
-    return influenceWindow(clamped, inverseRadiusSquared(radius)) / clamped;
+    return influenceWindow(distanceSquared, inverseRadiusSquared(radius)) /
+           std::max(distanceSquared, T(1e-12));
 }
 
 /// A cone as (scale, offset): the factor of a spot is clamp(scale cos + offset, 0, 1)^2, with the
