@@ -171,6 +171,34 @@ TEST(ShaderSource, DividesByTheShareOfSamplesOnlyWhereTexelsAreResolved)
     EXPECT_GT(reading, 0);
 }
 
+// Division need not be exact, so a quotient of whole numbers may be floored to the one before.
+TEST(ShaderSource, TakesNoRemainders)
+{
+    for (const char* file : {"area.glsl", "clusters.glsl", "lobes.glsl", "prefilter_source.frag",
+                             "samples.glsl", "sampling.glsl"}) {
+        const std::string text(shaderSnippet(file));
+        ASSERT_FALSE(text.empty()) << file;
+        for (const char* name : {" mod(", "(mod(", "modf("})
+            EXPECT_EQ(text.find(name), std::string::npos) << file;
+    }
+}
+
+// That of a surface says what was drawn to, so no tint may change it.
+TEST(ShaderSource, AlphaOfATintIsThatOfTargetsAlone)
+{
+    const Form form = formPqp(8, 0.5);
+    SurfaceInputs inputs;
+    inputs.tintHook = "vec4 fbrdfTint()\n{\n    return vec4(0.5);\n}\n";
+    inputs.tintedTerms = {0};
+    ProgramSpec spec = specOf(form, Technique::single, 4);
+    EXPECT_FALSE(spec.toSurface);
+    const std::vector<TableEncoding> encodings(form.tables.size());
+    const std::string alpha = "vec4(total, fbrdfTinted.a)";
+    EXPECT_NE(fragmentSource(form, encodings, spec, 330, inputs).find(alpha), std::string::npos);
+    spec.toSurface = true;
+    EXPECT_EQ(fragmentSource(form, encodings, spec, 330, inputs).find(alpha), std::string::npos);
+}
+
 TEST(ShaderSource, RefusesWhatDoesNotAgree)
 {
     const Form form = formPqp(8, 0.5);

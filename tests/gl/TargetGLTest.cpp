@@ -174,46 +174,6 @@ TEST_P(Targets, WithoutAFloatSurfaceAnotherTechniqueIsTaken)
     EXPECT_NE(log[1].find("replaced by single"), std::string::npos);
 }
 
-TEST_P(Targets, MultisampledAddUpInPlace)
-{
-    gl::Renderer renderer = makeRenderer();
-    const auto gpu = renderer.createMaterial(testMaterials()[2]);
-    const auto mesh = renderer.createMesh(sphereMesh(16));
-    GLuint framebuffer = 0, buffers[2] = {};
-    gl().GenFramebuffers(1, &framebuffer);
-    gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl().GenRenderbuffers(2, buffers);
-    for (int i = 0; i < 2; ++i) {
-        gl().BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-        gl().RenderbufferStorageMultisample(
-            GL_RENDERBUFFER, 4, i == 0 ? GL_RGBA16F : GL_DEPTH_COMPONENT24, kSize, kSize);
-        gl().FramebufferRenderbuffer(GL_FRAMEBUFFER,
-                                     i == 0 ? GL_COLOR_ATTACHMENT0 : GL_DEPTH_ATTACHMENT,
-                                     GL_RENDERBUFFER, buffers[i]);
-    }
-    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const auto lights = testLights(5);
-    const auto stats =
-        renderer.draw({framebuffer, kSize, kSize}, perspectiveView(), {{gpu.get(), mesh.get()}},
-                      lights, {Technique::twoLookup, 8, 0});
-    EXPECT_EQ(stats.accumulation, "RGBA16F");
-    EXPECT_EQ(stats.passes, 5);
-    Offscreen resolved = makeOffscreen(kSize, OffscreenFormat::rgba16f),
-              plain = makeOffscreen(kSize);
-    gl().BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    gl().BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.framebuffer());
-    gl().BlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
-    renderer.draw({plain.framebuffer(), kSize, kSize}, perspectiveView(), {{gpu.get(), mesh.get()}},
-                  lights);
-    const size_t middle = 4 * (kSize / 2 * kSize + kSize / 2);
-    const float expected = plain.readPixels()[middle];
-    // There are five blends in half floats, rounded towards 0, and other sample positions.
-    EXPECT_NEAR(resolved.readPixels()[middle], expected, 0.05f * expected);
-    gl().DeleteFramebuffers(1, &framebuffer);
-    gl().DeleteRenderbuffers(2, buffers);
-}
-
 INSTANTIATE_TEST_SUITE_P(Backends, Targets, ::testing::ValuesIn(allVariants()), variantName);
 
 }  // namespace

@@ -70,20 +70,95 @@ TEST(Precision, CountsFilteringAsRecombinationAndAddsWhatIsAbsolute)
     EXPECT_EQ(planPasses(formPqp(4, 1.0), filtered, modern()).filter, Filter::shader);
 }
 
+// GLSL 4.60, 4.7.1: exp2(x) may be off by (3 + 2 |x|) units in the last place, in every pass.
+TEST(Precision, GrowsWithTheExponents)
+{
+    PlanRequest request = twoLookup(1);
+    const auto bound = [&request] {
+        return planPasses(formHdio({4, 4, 4}), request, modern()).error;
+    };
+    const double calm = bound().relative;
+    request.maps.exponent = 20.0;
+    EXPECT_NEAR(bound().relative - calm, 40.0 * 0x1p-23, 1e-12);
+    Material material;
+    material.form = formHdio({4, 4, 4});
+    for (const TableSpec& spec : material.form.tables) {
+        Table table;
+        table.name = spec.name;
+        table.domain = spec.domain;
+        table.storage = Storage::half;
+        table.texels.assign(static_cast<size_t>(3 * texelCount(table.domain)), 1.0f);
+        table.texels[4] = -5.0f;
+        material.tables.push_back(std::move(table));
+    }
+    EXPECT_EQ(largestExponent(material), 10.0);
+}
+
+// Halves below 2^-14 have fewer digits, which drivers may drop altogether.
+TEST(Precision, OfHalvesCountsWhatIsTakenForZero)
+{
+    PlanRequest request = twoLookup(1);
+    request.target = ColourFormat::rgba16f;
+    request.technique = Technique::single;
+    const auto bound = [&request] {
+        return planPasses(formHdio({4, 4, 4}), request, modern()).error;
+    };
+    EXPECT_EQ(bound().absolute, 0x1p-14);
+    for (StoreRounding& rounding : request.roundings) rounding.tiny = 0x1p-24;
+    EXPECT_EQ(bound().absolute, 0x1p-24);
+}
+
+TEST(Precision, OfOtherFormatsIsThatOfTheirUnit)
+{
+    PlanRequest request = twoLookup(1);
+    request.target = ColourFormat::other;
+    request.technique = Technique::single;
+    const auto bound = [&request] {
+        return planPasses(formHdio({4, 4, 4}), request, modern()).error;
+    };
+    const ErrorBound bytes = bound();
+    EXPECT_EQ(bytes.absolute, 1.0 / 255.0);
+    request.otherUnit = {0.0, 1.0 / 31.0};
+    EXPECT_EQ(bound().absolute, 1.0 / 31.0);
+    request.otherUnit = {0x1p-5, 0x1p-14};
+    EXPECT_NEAR(bound().relative, bytes.relative + 0x1p-5, 1e-12);
+    EXPECT_EQ(bound().absolute, 0x1p-14);
+}
+
+// The mean of samples is stored once more, in floats whatever the peaks would allow.
+TEST(Precision, CountsTheMeanOfSamples)
+{
+    PlanRequest request = twoLookup(3);
+    request.target = ColourFormat::rgba8;
+    request.peaks = Peaks{{1.0, 1.0}, {1.0}, {0.1, 0.1, 0.1}};
+    request.roundings.fill({0.5, 0.5, 0x1p-24});
+    Capabilities gpu = modern();
+    gpu.unorm16Targets = true;
+    const auto plan = [&] { return planPasses(formHdio({4, 4, 4}), request, gpu); };
+    EXPECT_NE(plan().surfaces, ColourFormat::rgba32f);
+    request.accumulation = ColourFormat::rgba32f;
+    const double alone = plan().error.relative;
+    request.accumulation.reset();
+    request.resolves = true;
+    EXPECT_EQ(plan().surfaces, ColourFormat::rgba32f);
+    EXPECT_NEAR(plan().error.relative - alone, 0.5 * 0x1p-23, 1e-12);
+}
+
 TEST(Precision, NothingMultipliesInPlaceWhereFactorsAreClamped)
 {
-    for (const bool offscreen : {true, false})
-        for (const Technique technique : allTechniques()) {
-            PlanRequest request;
-            request.technique = technique;
-            request.lights = 9;
-            request.lightsPerPass = 2;
-            request.target = ColourFormat::rgba8;
-            request.offscreen = offscreen;
-            for (const Pass& pass : planPasses(formPqp(4, 1.0), request, modern()).passes)
-                EXPECT_FALSE(pass.blend == Blend::multiply && pass.writes == Surface::target)
-                    << techniqueName(technique) << " " << offscreen;
-        }
+    for (const auto target : {ColourFormat::rgba8, ColourFormat::rgba16, ColourFormat::other})
+        for (const bool offscreen : {true, false})
+            for (const Technique technique : allTechniques()) {
+                PlanRequest request;
+                request.technique = technique;
+                request.lights = 9;
+                request.lightsPerPass = 2;
+                request.target = target;
+                request.offscreen = offscreen;
+                for (const Pass& pass : planPasses(formPqp(4, 1.0), request, modern()).passes)
+                    EXPECT_FALSE(pass.blend == Blend::multiply && pass.writes == Surface::target)
+                        << techniqueName(technique) << " " << offscreen;
+            }
 }
 
 }  // namespace

@@ -167,6 +167,8 @@ TEST(HalfPlan, IsMadeWhereHalvesCanBeDrawnToAndIsWithinItsBound)
                 PlanRequest request = requestOf(form, lights, 0.001);
                 request.target = ColourFormat::rgba16f;
                 request.transfer = transfer;
+                // Under a curve 60 lights would be too many for halves that are taken for 0.
+                for (StoreRounding& rounding : request.roundings) rounding.tiny = 0x1p-24;
                 const Plan plan = planPasses(form, request, halves);
                 ASSERT_TRUE(plan.feasible()) << plan.reason;
                 EXPECT_LE(plan.maxLookups, 2);

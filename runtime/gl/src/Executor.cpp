@@ -1,6 +1,7 @@
 #include "Executor.h"
 
 #include "Blending.h"
+#include "ReadGuard.h"
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Error.h>
@@ -13,6 +14,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace fbrdf::gl {
 
@@ -49,22 +51,23 @@ int Executor::draw(const Drawable& item, const ReadyPlan& ready, const EyeLights
     lights_ = &lights;
     surfaces_ = ready.surfaces;
     program_ = nullptr;
+    depthCleared_ = false;
+    written_ = changed_ = {};
     int maxLookups = 0;
-    bool offscreenCleared = false;
+    const bool resolves = surfaces_ && surfaces_->isMultisampled();
+    std::optional<ReadFramebufferGuard> reading;
+    if (resolves) reading.emplace(device_);
     // Passes of an item differ in program and state, never in arrays.
     const MeshBinding binding(item.mesh);
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         const DebugGroup group(device_, "fbrdf pass " + std::to_string(i + 1) + " of " +
                                             std::to_string(plan.passes.size()));
+        if (resolves) resolveRead(pass);
         bindSurface(pass);
         setBlend(gl_, pass.blend);
         setDepth(pass.depth);
-        // All surfaces share one depth buffer, which the items before this one have left.
-        if (pass.writes != Surface::target && !offscreenCleared) {
-            gl_.Clear(GL_DEPTH_BUFFER_BIT);
-            offscreenCleared = true;
-        }
+        if (pass.writes != Surface::target) clearSurface(pass);
         const Program& program = *ready.programs[i];
         // Passes of one item often share a program; only lights and gain differ then.
         if (program_ != &program) useProgram(item, program);
@@ -95,6 +98,28 @@ void Executor::bindSurface(const Pass& pass)
     gl_.BindFramebuffer(gl_.drawFramebuffer(), pass.writes == Surface::target
                                                    ? request_.target.framebuffer
                                                    : surfaces_->framebuffer(pass.writes));
+}
+
+/// All surfaces share one depth buffer, which the items before this one have left. Samples that
+/// this item does not cover are 0, alpha too, so that the mean tells how many it does.
+void Executor::clearSurface(const Pass& pass)
+{
+    if (!depthCleared_) gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    depthCleared_ = true;
+    bool& written = written_[static_cast<size_t>(pass.writes)];
+    if (!written && surfaces_->isMultisampled()) {
+        constexpr GLfloat kNothing[4] = {};
+        gl_.ClearBufferfv(GL_COLOR, 0, kNothing);
+    }
+    written = changed_[static_cast<size_t>(pass.writes)] = true;
+}
+
+void Executor::resolveRead(const Pass& pass)
+{
+    if (!pass.reads || !changed_[static_cast<size_t>(*pass.reads)]) return;
+    changed_[static_cast<size_t>(*pass.reads)] = false;
+    state_.setScissor(nullptr);
+    surfaces_->resolve(*pass.reads);
 }
 
 void Executor::setDepth(Depth depth)

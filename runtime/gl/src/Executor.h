@@ -10,6 +10,8 @@
 
 #include <glm/mat3x3.hpp>
 
+#include <array>
+
 namespace fbrdf::gl {
 
 /// What one plan draws.
@@ -52,6 +54,8 @@ public:
 
 private:
     void bindSurface(const Pass& pass);
+    void clearSurface(const Pass& pass);
+    void resolveRead(const Pass& pass);
     void setDepth(Depth depth);
     void useProgram(const Drawable& item, const Program& program);
     void setMatrices(const Drawable& item, const Program& program);
@@ -71,8 +75,11 @@ private:
     const ClusterBuffers &lists_, &areaLists_;
     StateGuard& state_;
     const Surfaces* surfaces_ = nullptr;  ///< of the plan
-    const EyeLights* lights_ = nullptr;   ///< of the item
-    const Program* program_ = nullptr;    ///< in use, with the item's uniforms set
+    bool depthCleared_ = false;           ///< of the surfaces, for this item
+    /// Of the surfaces, by Surface: drawn to for this item; and since its mean was taken.
+    std::array<bool, 4> written_{}, changed_{};
+    const EyeLights* lights_ = nullptr;  ///< of the item
+    const Program* program_ = nullptr;   ///< in use, with the item's uniforms set
 };
 
 }  // namespace fbrdf::gl

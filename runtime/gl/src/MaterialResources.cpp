@@ -135,6 +135,7 @@ void MaterialResources::raisePeaks(const Material& material)
         peaks.resize(values.size(), 0.0);
         for (size_t i = 0; i < values.size(); ++i) peaks[i] = std::max(peaks[i], values[i]);
     };
+    exponent_ = std::max(exponent_, largestExponent(material));
     raise(peaks_.tables, found.tables);
     raise(peaks_.scales, found.scales);
 }
@@ -176,7 +177,7 @@ Filter MaterialResources::filter() const
 
 MapErrors MaterialResources::mapErrors(double irradiance) const
 {
-    MapErrors errors{lookUpError_, 0.0, 0.0};
+    MapErrors errors{lookUpError_, 0.0, 0.0, exponent_};
     if (filterErrors_.empty()) return errors;
     double radiance = 0.0;
     for (size_t t = 0; t < form_.terms.size(); ++t) {

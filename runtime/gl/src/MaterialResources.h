@@ -84,6 +84,7 @@ private:
     bool hasSigns_ = false;
     std::string whyNotRecombined_;
     double lookUpError_ = 0.0;
+    double exponent_ = 0.0;             ///< largestExponent, of all layers ever
     std::vector<double> filterErrors_;  ///< of each table, in its unit (filterError)
     Peaks peaks_;
     std::vector<TableEncoding> encodings_;

@@ -32,7 +32,8 @@ bool isSame(const ProgramSpec& a, const ProgramSpec& b)
 {
     return a.lightSlots == b.lightSlots && a.lit == b.lit && a.reads == b.reads &&
            a.transfer == b.transfer && a.gained == b.gained && a.clustered == b.clustered &&
-           a.lobes == b.lobes && a.areaLists == b.areaLists &&
+           a.lobes == b.lobes && a.areaLists == b.areaLists && a.resolved == b.resolved &&
+           a.toSurface == b.toSurface &&
            std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
                       [](const Part& x, const Part& y) { return isSame(x, y); });
 }

@@ -35,7 +35,8 @@ void addPlan(DrawStats& stats, const Plan& plan)
                    std::max(stats.error.absolute, plan.error.absolute),
                    {std::max(stats.error.maps.recombination, plan.error.maps.recombination),
                     std::max(stats.error.maps.filtering, plan.error.maps.filtering),
-                    std::max(stats.error.maps.absolute, plan.error.maps.absolute)}};
+                    std::max(stats.error.maps.absolute, plan.error.maps.absolute),
+                    std::max(stats.error.maps.exponent, plan.error.maps.exponent)}};
     stats.environmentError = std::max(stats.environmentError, plan.lobeError);
     stats.passes = std::max(stats.passes, passes);
     stats.drawCalls += passes;
@@ -134,7 +135,11 @@ PlanRequest Renderer::State::request(const DrawOptions& options, int lights,
     request.lightsPerPass = options.lightsPerPass;
     request.maxLookups = options.maxLookups;
     request.target = target.format;
-    request.offscreen = !target.multisampled;
+    request.otherUnit = target.otherUnit;
+    // Edges of a multisampled target would read texels of a surface of one sample that nothing was
+    // drawn to. ES has the functions too, but they are not loaded there.
+    request.resolves = target.samples > 1;
+    request.offscreen = !request.resolves || device->gl.version >= 30;
     request.transfer = target.transfer;
     request.accumulation = options.accumulation;
     if (device->roundings) request.roundings = *device->roundings;
@@ -154,6 +159,7 @@ std::vector<const Program*> Renderer::State::programsOf(const MaterialResources&
             programSpec(pass, maxLightsInUniforms(material.form(), capabilities, pass.lobes));
         spec.clustered = clustered && pass.lit;
         spec.areaLists = areaLists && spec.lobes.areaSlots > 0;
+        spec.resolved = spec.reads && plan.resolves;
         result.push_back(&programs.find(material, spec, surface));
     }
     return result;
@@ -167,7 +173,7 @@ ReadyPlan Renderer::State::planOf(const Form& form, PlanRequest& wanted,
     const Target& target = draw->target;
     const auto find = [&] {
         return surfaces.find(target.framebuffer, {target.width, target.height, ready.plan.surfaces,
-                                                  draw->info.floatDepth});
+                                                  draw->info.floatDepth, draw->info.samples});
     };
     // The driver knows only now whether surfaces of this format and size can be made.
     ready.surfaces = find();
@@ -266,7 +272,7 @@ void Renderer::State::prepare(const MaterialResources& material, const SurfaceOp
     const StateGuard guard(*device);
     PlanNotes notes;
     // An RGBA32F target needs no surfaces, and so no size, which is not known yet.
-    const TargetInfo floatTarget{ColourFormat::rgba32f, false, false, Transfer::linear};
+    const TargetInfo floatTarget{ColourFormat::rgba32f, {}, 1, false, Transfer::linear};
     PlanRequest wanted = request(options, lights, floatTarget);
     wanted.maps = material.mapErrors(0.0);
     wanted.lobeLight = {options.environment.map != nullptr,

@@ -69,7 +69,8 @@ public:
 
     StoreRounding measured()
     {
-        constexpr ValueRamp kWhole{0.0, 1.0}, kHalf{0.0, 0.5}, kRest{0.25, 0.25};
+        constexpr ValueRamp kWhole{0.0, 1.0}, kHalf{0.0, 0.5}, kRest{0.25, 0.25},
+            kTiny{0.0, 0x1p-14};
         StoreRounding rounding;
         const Pixels black(4 * kSide * kSide, 0.0);
         const auto one = [](double, double value) { return value; };
@@ -80,6 +81,9 @@ public:
         const Pixels whole = drawn(kWhole, Blend::replace);
         rounding.blend =
             std::max(rounding.blend, worst(whole, kRest, Blend::multiply, std::multiplies<>()));
+        // Beyond the last place of what halves can express so near 0, numbers are dropped.
+        const double loss = format_.steps > 0.0 ? 0.0 : largestLoss(kTiny);
+        rounding.tiny = loss > 0x1p-23 ? 0x1p-14 : loss;
         return rounding;
     }
 
@@ -110,11 +114,23 @@ private:
         double worst = 0.0;
         for (size_t i = 0; i < after.size(); ++i) {
             if (i % 4 == 3) continue;
-            const double value = exact(before[i], ramp.at(i / 4, i % 4)),
-                         unit = format_.steps > 0.0 ? 1.0 / format_.steps : 0x1p-10 * value;
+            const double value = exact(before[i], ramp.at(i / 4, i % 4));
+            // Below the smallest normal half the error is absolute: StoreRounding::tiny.
+            if (format_.steps == 0.0 && value < 0x1p-14) continue;
+            const double unit = format_.steps > 0.0 ? 1.0 / format_.steps : 0x1p-10 * value;
             worst = std::max(worst, std::abs(after[i] - value) / unit);
         }
         return worst;
+    }
+
+    /// The largest absolute error of what is stored.
+    double largestLoss(const ValueRamp& ramp) const
+    {
+        const Pixels after = drawn(ramp, Blend::replace);
+        double largest = 0.0;
+        for (size_t i = 0; i < after.size(); ++i)
+            if (i % 4 != 3) largest = std::max(largest, std::abs(after[i] - ramp.at(i / 4, i % 4)));
+        return largest;
     }
 
     const DevicePtr& device_;

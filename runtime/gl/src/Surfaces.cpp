@@ -21,6 +21,11 @@ Surfaces::Surfaces(DevicePtr device, const SurfaceFormat& format)
     FBRDF_ASSERT(format.width, >, 0);
     FBRDF_ASSERT(format.height, >, 0);
     const UploadGuard guard(*device_);
+    // More would be an error of GL, which the host would find.
+    if (isMultisampled() && format_.samples > integer(device_->gl, GL_MAX_SAMPLES)) {
+        refuse();
+        return;
+    }
     // One depth buffer for all: passes into different surfaces must agree on what is visible.
     createDepth();
     usable_ =
@@ -29,9 +34,17 @@ Surfaces::Surfaces(DevicePtr device, const SurfaceFormat& format)
     // What was made before the failure would only take memory.
     for (One* one : {&accumulation_, &scratch_, &sum_}) *one = One();
     depth_.reset();
-    device_->log(Severity::warning, std::string("no ") + colourFormatName(format.colour) +
-                                        " surface of " + std::to_string(format.width) + "x" +
-                                        std::to_string(format.height) + " can be drawn to");
+    refuse();
+}
+
+void Surfaces::refuse() const
+{
+    const std::string samples =
+        isMultisampled() ? " with " + std::to_string(format_.samples) + " samples" : "";
+    device_->log(Severity::warning, std::string("no ") + colourFormatName(format_.colour) +
+                                        " surface of " + std::to_string(format_.width) + "x" +
+                                        std::to_string(format_.height) + samples +
+                                        " can be drawn to");
 }
 
 void Surfaces::createDepth()
@@ -41,9 +54,19 @@ void Surfaces::createDepth()
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.name());
     const GLenum fixed = isOld(gl) ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
     // Float depth where the target has it: what was told apart there must be told apart here.
-    gl.RenderbufferStorage(GL_RENDERBUFFER, format_.floatDepth ? GL_DEPTH_COMPONENT32F : fixed,
-                           format_.width, format_.height);
+    storage(format_.floatDepth ? GLenum(GL_DEPTH_COMPONENT32F) : fixed);
     label(*device_, ObjectKind::renderbuffer, depth_, "depth");
+}
+
+/// Of the renderbuffer that is bound.
+void Surfaces::storage(GLenum internal) const
+{
+    const Functions& gl = device_->gl;
+    if (isMultisampled())
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, format_.samples, internal, format_.width,
+                                          format_.height);
+    else
+        gl.RenderbufferStorage(GL_RENDERBUFFER, internal, format_.width, format_.height);
 }
 
 void Surfaces::allocate() const
@@ -76,11 +99,41 @@ bool Surfaces::create(One& one, const std::string& name)
     gl.BindFramebuffer(gl.drawFramebuffer(), one.framebuffer.name());
     gl.FramebufferTexture2D(gl.drawFramebuffer(), GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                             one.texture.name(), 0);
-    gl.FramebufferRenderbuffer(gl.drawFramebuffer(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                               depth_.name());
+    if (!isMultisampled())
+        gl.FramebufferRenderbuffer(gl.drawFramebuffer(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                   depth_.name());
     label(*device_, ObjectKind::framebuffer, one.framebuffer, name);
     // Whether a format can be drawn to is the driver's choice in OpenGL 2.1 and ES.
-    return gl.CheckFramebufferStatus(gl.drawFramebuffer()) == GL_FRAMEBUFFER_COMPLETE;
+    if (gl.CheckFramebufferStatus(gl.drawFramebuffer()) != GL_FRAMEBUFFER_COMPLETE) return false;
+    return !isMultisampled() || createSamples(one, name + " samples");
+}
+
+bool Surfaces::createSamples(One& one, const std::string& name)
+{
+    const Functions& gl = device_->gl;
+    one.buffer = createObject(device_, ObjectKind::renderbuffer);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, one.buffer.name());
+    // Sums of several samples are floats (PlanRequest::resolves).
+    storage(format_.colour == ColourFormat::rgba16f ? GL_RGBA16F : GL_RGBA32F);
+    label(*device_, ObjectKind::renderbuffer, one.buffer, name);
+    one.drawn = createObject(device_, ObjectKind::framebuffer);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, one.drawn.name());
+    gl.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                               one.buffer.name());
+    gl.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                               depth_.name());
+    label(*device_, ObjectKind::framebuffer, one.drawn, name);
+    return gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void Surfaces::resolve(Surface surface) const
+{
+    const Functions& gl = device_->gl;
+    const One& one = of(surface);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, one.drawn.name());
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, one.framebuffer.name());
+    gl.BlitFramebuffer(0, 0, format_.width, format_.height, 0, 0, format_.width, format_.height,
+                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 const Surfaces::One& Surfaces::of(Surface surface) const

@@ -3,6 +3,10 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
 namespace fbrdf::gl {
 namespace {
 
@@ -11,14 +15,41 @@ namespace {
     throw Error(ErrorKind::gl, "framebuffer " + std::to_string(framebuffer), what);
 }
 
-ColourFormat formatOf(bool isFloat, GLint redBits)
+/// What is stored of a colour, by its coarsest channel.
+struct Channels {
+    GLenum type;  ///< GL_FLOAT, GL_UNSIGNED_NORMALIZED or GL_SIGNED_NORMALIZED
+    GLint bits;
+};
+
+/// Of the floats that can be drawn to: 32 and 16 bits have a sign, 11 and 10 have none (OpenGL 4.6,
+/// 2.3.4).
+int mantissaBits(GLint bits)
 {
-    if (isFloat) {
-        if (redBits == 32) return ColourFormat::rgba32f;
-        return redBits == 16 ? ColourFormat::rgba16f : ColourFormat::other;
+    switch (bits) {
+        case 32: return 23;
+        case 16: return 10;
+        case 11: return 6;
+        default: return 5;
     }
-    if (redBits == 8) return ColourFormat::rgba8;
-    return redBits == 16 ? ColourFormat::rgba16 : ColourFormat::other;
+}
+
+StoreUnit unitOf(const Channels& c)
+{
+    // 2^-14 is the smallest normal number of all floats of fewer than 32 bits.
+    if (c.type == GL_FLOAT) return {std::exp2(-mantissaBits(c.bits)), c.bits < 32 ? 0x1p-14 : 0.0};
+    const GLint bits = c.type == GL_SIGNED_NORMALIZED ? c.bits - 1 : c.bits;
+    return {0.0, 1.0 / (std::exp2(bits) - 1.0)};
+}
+
+ColourFormat formatOf(const Channels& c)
+{
+    if (c.type == GL_FLOAT) {
+        if (c.bits == 32) return ColourFormat::rgba32f;
+        return c.bits == 16 ? ColourFormat::rgba16f : ColourFormat::other;
+    }
+    if (c.type == GL_SIGNED_NORMALIZED) return ColourFormat::other;
+    if (c.bits == 8) return ColourFormat::rgba8;
+    return c.bits == 16 ? ColourFormat::rgba16 : ColourFormat::other;
 }
 
 GLint parameter(const Functions& gl, GLenum attachment, GLenum name)
@@ -52,7 +83,19 @@ bool isFloat(const Functions& gl, GLenum attachment)
     return parameter(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
 }
 
-ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
+/// The fewest bits of the three channels; those that are not stored do not count.
+template <class BitsOf>
+GLint fewestBits(std::initializer_list<GLenum> channels, const BitsOf& bitsOf)
+{
+    GLint fewest = 0;
+    for (const GLenum channel : channels) {
+        const GLint bits = bitsOf(channel);
+        if (bits > 0 && (fewest == 0 || bits < fewest)) fewest = bits;
+    }
+    return fewest;
+}
+
+Channels queriedChannels(const Functions& gl, GLuint framebuffer)
 {
     const auto buffer = queriedName(gl, static_cast<GLenum>(integer(gl, GL_DRAW_BUFFER0)));
     if (buffer == GL_NONE) fail(framebuffer, Found("no draw buffer").expected("a colour buffer"));
@@ -61,16 +104,26 @@ ColourFormat queriedFormat(const Functions& gl, GLuint framebuffer)
     if (parameter(gl, depthAttachment(framebuffer), GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) ==
         GL_NONE)
         fail(framebuffer, Found("no depth buffer").expected("one"));
-    return formatOf(isFloat(gl, buffer), parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE));
+    const auto type =
+        static_cast<GLenum>(parameter(gl, buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE));
+    if (type == GL_INT || type == GL_UNSIGNED_INT)
+        fail(framebuffer,
+             Found("a colour buffer of integers").expected("one of floats or of fixed point"));
+    return {type,
+            fewestBits({GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE,
+                        GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE},
+                       [&](GLenum name) { return parameter(gl, buffer, name); })};
 }
 
-ColourFormat formatBefore30(const Functions& gl, GLuint framebuffer)
+Channels channelsBefore30(const Functions& gl, GLuint framebuffer)
 {
     if (integer(gl, GL_DEPTH_BITS) == 0)
         fail(framebuffer, Found("no depth buffer").expected("one"));
     // Attachments cannot be queried before 3.0. Bits are those of the framebuffer that is bound.
     const bool isFloat = gl.ARB_color_buffer_float && integer(gl, GL_RGBA_FLOAT_MODE_ARB) != 0;
-    return formatOf(isFloat, integer(gl, GL_RED_BITS));
+    return {isFloat ? GLenum(GL_FLOAT) : GLenum(GL_UNSIGNED_NORMALIZED),
+            fewestBits({GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS},
+                       [&](GLenum name) { return integer(gl, name); })};
 }
 
 }  // namespace
@@ -87,11 +140,13 @@ TargetInfo targetInfo(const Device& device, const Target& target)
                  Found("status " + std::to_string(status)).expected("a complete framebuffer"));
     }
     TargetInfo info;
-    info.format = gl.has(30, 30) ? queriedFormat(gl, framebuffer) : formatBefore30(gl, framebuffer);
+    const Channels channels =
+        gl.has(30, 30) ? queriedChannels(gl, framebuffer) : channelsBefore30(gl, framebuffer);
+    info.format = formatOf(channels);
+    if (info.format == ColourFormat::other) info.otherUnit = unitOf(channels);
     info.floatDepth = gl.has(30, 30) && isFloat(gl, depthAttachment(framebuffer));
     info.transfer = target.transfer;
-    // Multisampled edges would read texels of a surface that nothing was drawn to.
-    info.multisampled = integer(gl, GL_SAMPLES) > 1;
+    info.samples = std::max(1, integer(gl, GL_SAMPLES));
     return info;
 }
 

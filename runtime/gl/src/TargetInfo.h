@@ -6,7 +6,8 @@ namespace fbrdf::gl {
 
 struct TargetInfo {
     ColourFormat format = ColourFormat::other;
-    bool multisampled = false;
+    StoreUnit otherUnit = {};  ///< where the format is `other`
+    int samples = 1;           ///< of a pixel
     bool floatDepth = false;
     Transfer transfer = Transfer::linear;
 };

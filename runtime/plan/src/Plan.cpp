@@ -132,8 +132,8 @@ Plan planCurved(const Form& form, const PlanRequest& request, const Capabilities
 /// True when sums may be scaled by their peaks.
 bool mayScale(const PlanRequest& request, const Capabilities& capabilities)
 {
-    return request.peaks && request.offscreen && !request.signs && request.lights > 0 &&
-           request.lobeLight.isEmpty() && isUnorm(request.target) &&
+    return request.peaks && request.offscreen && !request.resolves && !request.signs &&
+           request.lights > 0 && request.lobeLight.isEmpty() && isUnorm(request.target) &&
            capabilities.framebufferObjects;
 }
 
@@ -179,7 +179,8 @@ Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capab
         plan = curvedPlan(std::move(plan), request.transfer, true);
     if (!plan.feasible()) return plan;
     plan = scaledPlan(std::move(plan), form, *request.peaks, surfaces);
-    const ErrorBound error = errorBound(plan, request.target, {}, request.roundings);
+    const ErrorBound error =
+        errorBound(plan, request.target, {}, request.roundings, request.otherUnit);
     if (!isCoarse(error)) return plan;
     Plan none;
     none.reason = Found("a sum of " + std::to_string(request.lights) + " lights in " +
@@ -192,7 +193,7 @@ Plan planScaled(const Form& form, const PlanRequest& request, Capabilities capab
 Plan betterOf(Plan plan, Plan scaled, const PlanRequest& request)
 {
     const auto errorOf = [&](const Plan& of) {
-        return errorBound(of, request.target, {}, request.roundings).absolute;
+        return errorBound(of, request.target, {}, request.roundings, request.otherUnit).absolute;
     };
     if (!scaled.feasible()) {
         if (!plan.feasible()) plan.reason += "; " + scaled.reason;
@@ -221,7 +222,7 @@ Plan planUnscaledOrNot(const Form& form, const PlanRequest& request, Capabilitie
 {
     Plan plan = planUnscaled(form, request, capabilities);
     if (plan.surfaces != ColourFormat::rgba16f ||
-        !isCoarse(errorBound(plan, request.target, {}, request.roundings)))
+        !isCoarse(errorBound(plan, request.target, {}, request.roundings, request.otherUnit)))
         return plan;
     capabilities.halfTargets = false;
     plan = planUnscaled(form, request, capabilities);
@@ -289,6 +290,23 @@ Peaks peaksOf(const Material& material)
     return peaks;
 }
 
+double largestExponent(const Material& material)
+{
+    double largest = 0.0;
+    for (const Term& term : material.form.terms) {
+        double sum = 0.0;
+        for (const Factor& factor : term.factors) {
+            const Table& table = material.tables[static_cast<size_t>(factor.table)];
+            if (!isLog(table.storage)) continue;
+            float most = 0.0f;
+            for (const float texel : table.texels) most = std::max(most, std::abs(texel));
+            sum += static_cast<double>(most);
+        }
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
 const char* filterName(Filter filter)
 {
     return filter == Filter::shader ? "shader" : "hardware";
@@ -318,9 +336,11 @@ Plan planPasses(const Form& form, const PlanRequest& request, const Capabilities
     if (none.feasible()) none.reason = whyNotSampled(request);
     if (!none.feasible()) return none;
     Plan plan = planSums(form, request, capabilities);
+    plan.resolves = request.resolves;
     plan.technique = request.technique;
     plan.filter = request.filter;
-    plan.error = errorBound(plan, request.target, request.maps, request.roundings);
+    plan.error =
+        errorBound(plan, request.target, request.maps, request.roundings, request.otherUnit);
     const bool sampledAlone = request.environmentSamples > 0 && request.lobeLight.areaLights == 0;
     if (!request.lobeLight.isEmpty() && !sampledAlone) plan.lobeError = request.lobeError;
     return request.signs && plan.feasible() ? withSigns(std::move(plan), request) : plan;

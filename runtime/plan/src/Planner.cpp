@@ -226,9 +226,9 @@ private:
 
     void addUpInTarget(const std::vector<Group>& groups, const std::vector<TermFactors>& leaving)
     {
-        const bool unsignedTarget =
-            request_.target == ColourFormat::rgba8 || request_.target == ColourFormat::rgba16;
-        if (!leaving.empty() && unsignedTarget)
+        const bool mayClamp =
+            request_.target != ColourFormat::rgba32f && request_.target != ColourFormat::rgba16f;
+        if (!leaving.empty() && mayClamp)
             return refuse(std::string("a sum before its last factor does not fit into ") +
                           colourFormatName(request_.target));
         for (size_t i = 0; i < leaving.size(); ++i) {

@@ -118,10 +118,12 @@ Plan withSmallestSum(Plan plan, const Form& form, const PlanRequest& request,
                      const Capabilities& capabilities)
 {
     const auto errorOf = [&](const Plan& of) {
-        const ErrorBound error = errorBound(of, request.target, {}, request.roundings);
+        const ErrorBound error =
+            errorBound(of, request.target, {}, request.roundings, request.otherUnit);
         return error.relative + error.absolute;  // of a value of 1, beyond which UNORM clamps
     };
-    const double finest = errorOf(plan), tolerance = sumTolerance(request.target);
+    const double finest = errorOf(plan),
+                 tolerance = sumTolerance(request.target, request.otherUnit);
     const std::pair<ColourFormat, bool> formats[] = {
         {ColourFormat::rgba8, true},
         {ColourFormat::rgba16f, capabilities.halfTargets || capabilities.floatTargets},

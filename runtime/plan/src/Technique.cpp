@@ -72,8 +72,8 @@ void validate(const PlanRequest& request)
     if (!(request.lobeError >= 0.0))
         refuse(
             Found("an error of lobes of " + numberText(request.lobeError)).expected("0 or more"));
-    for (const double error :
-         {request.maps.recombination, request.maps.filtering, request.maps.absolute})
+    for (const double error : {request.maps.recombination, request.maps.filtering,
+                               request.maps.absolute, request.maps.exponent})
         if (!(error >= 0.0))
             refuse(Found("an error of maps of " + numberText(error)).expected("0 or more"));
 }

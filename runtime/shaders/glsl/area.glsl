@@ -48,7 +48,7 @@ vec2 fbrdfLobeInCap(vec2 squaredWidth, float cosine, float squaredSine)
     vec2 positive = vec2(trace.x > 0.0 ? 0.5 * (trace.x + gap.x) : 2.0 * negated.x / (gap.x - trace.x),
                          trace.y > 0.0 ? 0.5 * (trace.y + gap.y) : 2.0 * negated.y / (gap.y - trace.y));
     vec2 lean = (positive - xx) / (positive + squaredWidth * cosine2);
-    return (cosine > 0.0 ? 1.0 : -1.0) * positive / gap * sqrt(lean);
+    return (cosine > 0.0 ? 1.0 : -1.0) * positive / gap * sqrt(max(lean, vec2(0.0)));
 }
 
 // The outline of a light as a point sees it: point i of arc k is
@@ -99,12 +99,12 @@ FbrdfAreaContour fbrdfTubeContour(vec3 a, vec3 b, float radius)
     float sineA = radius * inversesqrt(dot(a, a)), sineB = radius * inversesqrt(dot(b, b));
     vec3 axisA = normalize(a), axisB = normalize(b), normal = cross(axisA, axisB);
     float sine = length(normal), cosine = dot(axisA, axisB);
-    float cosineA = sqrt(1.0 - sineA * sineA), cosineB = sqrt(1.0 - sineB * sineB);
+    float cosineA = sqrt(max(1.0 - sineA * sineA, 0.0)), cosineB = sqrt(max(1.0 - sineB * sineB, 0.0));
     float touchA = sineB - sineA * cosine, touchB = sineA - sineB * cosine;
     if (!(touchA > -cosineA * sine)) return fbrdfSphereContour(a, radius);
     if (!(touchB > -cosineB * sine)) return fbrdfSphereContour(b, radius);
     vec3 across = normal / sine;
-    vec2 angle = acos(clamp(vec2(touchA, touchB) / (vec2(cosineA, cosineB) * sine), -1.0, 1.0));
+    vec2 angle = acos(clamp(vec2(touchA, touchB) / max(vec2(cosineA, cosineB) * sine, vec2(1e-30)), -1.0, 1.0));
     return FbrdfAreaContour(axisA * cosineA, cross(axisA, across) * sineA, across * sineA,
                             axisB * cosineB, cross(across, axisB) * sineB, -across * sineB,
                             angle, vec2(fbrdfBulge(angle.x), fbrdfBulge(angle.y)), 9.0, vec3(0.0), 0.0, false);
@@ -127,7 +127,8 @@ float fbrdfSquaredDistance(vec3 a, vec3 b)
 // Four of the vectors of a light, and the point that sees it.
 FbrdfAreaContour fbrdfAreaContour(vec4 a, vec4 b, vec4 c, vec4 d, vec3 point)
 {
-    float kind = mod(d.w, 8.0);
+    // Not mod, which divides: a quotient of whole numbers that is a bit too small would be floored to the one before.
+    float kind = d.w - 8.0 * floor(0.125 * d.w);
     vec3 first = a.xyz - point;
     FbrdfAreaContour nothing = FbrdfAreaContour(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
                                                 vec2(0.0), vec2(0.0), 0.0, vec3(0.0), 0.0, false);
@@ -140,7 +141,7 @@ FbrdfAreaContour fbrdfAreaContour(vec4 a, vec4 b, vec4 c, vec4 d, vec3 point)
         if (isTube) return fbrdfTubeContour(first, second, radius);
         return fbrdfSphereContour(first, radius);
     }
-    bool isTwoSided = mod(kind, 2.0) > 0.5;
+    bool isTwoSided = kind - 2.0 * floor(0.5 * kind) > 0.5;
     vec3 second = b.xyz - point, third = c.xyz - point, fourth = d.xyz - point;
     bool isDisc = kind > 1.5;
     vec3 normal = isDisc ? cross(b.xyz, c.xyz) : cross(third - first, fourth - second);

@@ -7,10 +7,10 @@ float fbrdfThetaPosition(float sine, float cosine, float last)
     return (1.0 - pow(left, 2.0 / 3.0)) * last;
 }
 
-// Position of phi_o, folded to [0, pi / 2].
+// Position of phi_o, folded to [0, pi / 2]. 1e-30: GLSL leaves atan(0, 0) open, which normal incidence would ask for.
 float fbrdfAzimuthPosition(vec2 w, float last)
 {
-    return atan(abs(w.y), abs(w.x)) / 1.57079633 * last;
+    return atan(abs(w.y), max(abs(w.x), 1e-30)) / 1.57079633 * last;
 }
 
 // The knot before a position, and the share of the one after it.

@@ -41,7 +41,7 @@ vec4 fbrdfTexelSum(vec2 corner)
 vec4 fbrdfAlongMeridian(float column, float top, float bottom)
 {
     vec2 size = FBRDF_SOURCE_SIZE;
-    float x = (column - size.x * floor(column / size.x) + 0.5) / size.x, halfRow = 1.57079633 / size.y;
+    float x = (column - size.x * floor((column + 0.5) / size.x) + 0.5) / size.x, halfRow = 1.57079633 / size.y;
     vec4 sum = vec4(0.0);
     for (float y = min(floor(top), size.y - 1.0); y < min(bottom, size.y); y += 1.0) {
         float from = max(top, y), to = min(bottom, y + 1.0);
@@ -77,10 +77,10 @@ vec4 fbrdfSideSum(vec2 low, vec2 high)
     return sum;
 }
 
-// The azimuth of a point of the upper or lower face.
+// The azimuth of a point of the upper or lower face; GLSL leaves atan(0, 0) open.
 float fbrdfCapAzimuth(vec2 point)
 {
-    return atan(point.x, -fbrdfFace[2].y * point.y);
+    return point == vec2(0.0) ? 0.0 : atan(point.x, -fbrdfFace[2].y * point.y);
 }
 
 // The upper or lower face: meridians are rays from its centre, the same for all texels, and so many that eight cross the

@@ -342,8 +342,8 @@ std::string outputLines(const FragmentContext& c)
     if (c.spec.transfer == Transfer::toneMap) text += "    total = fbrdfToneMapped(total);\n";
     if (isCurved(c.spec.transfer))
         text += "    total = fbrdfSrgbFromLinear(min(total, vec3(1.0)));\n";
-    return text + "    fbrdfColour = vec4(total, " + (c.tinted ? "fbrdfTinted.a" : "1.0") +
-           ");\n}\n";
+    return text + "    fbrdfColour = vec4(total, " +
+           (c.tinted && !c.spec.toSurface ? "fbrdfTinted.a" : "1.0") + ");\n}\n";
 }
 
 /// Below a thousandth no sample was drawn to, as there are fewer.

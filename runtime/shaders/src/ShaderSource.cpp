@@ -154,6 +154,7 @@ ProgramSpec programSpec(const Pass& pass, int maxLights)
                      pass.gain != 1.0, false, pass.lobes};
     // Which area lights a pass adds does not change its text.
     spec.lobes.firstArea = spec.lobes.areaCount = 0;
+    spec.toSurface = pass.writes != Surface::target;
     if (pass.lightCount > 0) {
         spec.lightSlots = 1;
         while (spec.lightSlots < pass.lightCount) spec.lightSlots *= 8;

@@ -23,6 +23,8 @@ struct FilterPrecision {
 struct StoreRounding {
     double write = 1.0;  ///< without blending
     double blend = 2.0;  ///< of what is added, or of what is multiplied by at most 1
+    /// Of RGBA16F, absolute: values below its smallest normal number, 2^-14, may be taken for 0.
+    double tiny = 0x1p-14;
 };
 
 struct Capabilities {

@@ -31,6 +31,11 @@ namespace fbrdf {
 enum class ColourFormat { rgba8, rgba16, rgba16f, rgba32f, other };
 const char* colourFormatName(ColourFormat format);  ///< "RGBA8", ..., "other"
 
+/// A unit in the last place of a format: of floats relative to the value, of fixed point a step.
+struct StoreUnit {
+    double relative = 0.0, absolute = 1.0 / 255.0;
+};
+
 /// By ColourFormat.
 using StoreRoundings = std::array<StoreRounding, 5>;
 
@@ -79,6 +84,10 @@ struct Peaks {
 /// larger.
 Peaks peaksOf(const Material& material);
 
+/// The largest |log2| that shaders put through exp2 for one product: over terms, the sum over the
+/// factors whose tables are logarithmic.
+double largestExponent(const Material& material);
+
 /// What mixes the texels of a look-up: the texture unit, or the shader from single texels
 /// (MaterialOptions::precise), whose filtering is as fine as floats.
 enum class Filter { hardware, shader };
@@ -92,6 +101,9 @@ struct MapErrors {
     double filtering = 0.0;
     /// By how much that filter may move the radiance through maps that are not logarithmic.
     double absolute = 0.0;
+    /// The largest |log2| of a product of the material (largestExponent): exp2 may be off by more
+    /// units in the last place, the farther from 0 it is asked.
+    double exponent = 0.0;
 };
 
 struct PlanRequest {
@@ -106,10 +118,12 @@ struct PlanRequest {
     /// pass of their own; 0: none. Technique::single without a limit of look-ups only.
     int environmentSamples = 0;
     ColourFormat target = ColourFormat::rgba32f;
+    StoreUnit otherUnit = {};  ///< of a target whose format is `other`
     /// Accumulation and scratch surfaces may be used. Beside a multisampled target they need as
-    /// many samples (ProgramSpec::resolved): else its edges would read texels that nothing was
-    /// drawn to.
+    /// many samples (`resolves`): else its edges would read texels that nothing was drawn to.
     bool offscreen = true;
+    /// Surfaces have several samples, whose mean is read (ProgramSpec::resolved): they are floats.
+    bool resolves = false;
     Transfer transfer = Transfer::linear;  ///< a curve comes after the sum over all passes
     bool signs = false;                ///< hasSigns(material): no pass but the last may clamp at 0
     Filter filter = Filter::hardware;  ///< of the maps: does not change the plan but its error
@@ -143,7 +157,8 @@ struct Plan {
     ColourFormat accumulation = ColourFormat::rgba32f;  ///< format in which the lights add up
     /// Why that format was taken, where there was a choice; a sentence without its full stop.
     std::string whyAccumulation;
-    int maxLookups = 0;  ///< the largest Pass::lookups
+    bool resolves = false;  ///< PlanRequest::resolves
+    int maxLookups = 0;     ///< the largest Pass::lookups
     Technique technique = Technique::single;
     Filter filter = Filter::hardware;
     ErrorBound error;
@@ -161,11 +176,11 @@ constexpr double kCoarsestSum = 1.0 / 8.0;
 /// What sums in a smaller format than RGBA32F may add to the error of a stored colour: half a step
 /// of a UNORM target, and nothing of a float target. Whatever is converted to the nearest code is
 /// then at most a step off, which OpenGL grants the conversion alone.
-double sumTolerance(ColourFormat target);
+double sumTolerance(ColourFormat target, const StoreUnit& other = {});
 
-/// The error of a plan that draws into a target of a format; `other` counts as RGBA8.
+/// The error of a plan that draws into a target of a format; other: the unit of `other`.
 ErrorBound errorBound(const Plan& plan, ColourFormat target, const MapErrors& maps = {},
-                      const StoreRoundings& roundings = {});
+                      const StoreRoundings& roundings = {}, const StoreUnit& other = {});
 
 /// vec4 uniforms that a pass has for lights and lobes beside the knots of the form; may be
 /// negative.

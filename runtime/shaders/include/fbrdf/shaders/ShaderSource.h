@@ -67,6 +67,8 @@ struct ProgramSpec {
     /// What is read may be the mean of several samples that were cleared to 0 before: its alpha is
     /// the share of them that was drawn to. 1 changes nothing.
     bool resolved = false;
+    /// What is written is a surface, whose alpha is 1 whatever the tint hook gives.
+    bool toSurface = false;
 };
 
 /// The program of a pass. lightSlots is the number of lights rounded up to 1, 8, 64, ..., at most
@@ -171,7 +173,8 @@ std::string filterProbeFragmentSource(int glsl, ProbedTexture texture);
 
 /// A fragment shader for the same vertices that writes fbrdfRamp.x + fbrdfRamp.y 511 i / 2^23 with
 /// i = 4 (64 y + x) + 1 in red, one more in green, two more in blue, and alpha 1 to pixel (x, y) of
-/// 64 x 64. All of it is exact in floats for ramps (vec2) of (0, 1), (0, 1/2) and (1/4, 1/4).
+/// 64 x 64. All of it is exact in floats for ramps (vec2) of (0, 1), (0, 1/2), (0, 2^-14) and (1/4,
+/// 1/4).
 std::string roundingProbeFragmentSource(int glsl);
 
 /// The compute shader that makes the lists of LightClusters.h from ClusterWork, in GLSL 4.30: a
