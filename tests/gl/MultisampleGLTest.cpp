@@ -65,7 +65,7 @@ private:
     GLuint framebuffer_ = 0, buffers_[2] = {};
 };
 
-class Multisampled : public GlTest {
+class MultisampledTarget : public GlTest {
 protected:
     void SetUp() override
     {
@@ -101,6 +101,16 @@ protected:
     }
 
     GLint samples_ = 0;
+};
+
+class Multisampled : public MultisampledTarget {
+protected:
+    void SetUp() override
+    {
+        MultisampledTarget::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        if (!gl().VERSION_3_0) GTEST_SKIP() << "surfaces of several samples need OpenGL 3.0";
+    }
 };
 
 double largestDifference(const std::vector<float>& a, const std::vector<float>& b)
@@ -226,6 +236,19 @@ TEST_P(Multisampled, TheFramebufferToReadFromStaysBound)
     gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+TEST_P(MultisampledTarget, BeforeOpenGL30OnePassDrawsThatSaysWhy)
+{
+    if (gl().VERSION_3_0) GTEST_SKIP() << "surfaces may have several samples";
+    gl::Renderer renderer = makeRenderer();
+    const Material material = calmMaterial(formPqp(16, 0.5));
+    const Drawn drawn = draw(renderer, material, OffscreenFormat::rgba8, Technique::twoLookup);
+    EXPECT_EQ(drawn.stats.technique, Technique::single);
+    EXPECT_NE(drawn.stats.whyReplaced.find("does not fit into RGBA8"), std::string::npos)
+        << drawn.stats.whyReplaced;
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, MultisampledTarget, ::testing::ValuesIn(allVariants()),
+                         variantName);
 INSTANTIATE_TEST_SUITE_P(Backends, Multisampled, ::testing::ValuesIn(allVariants()), variantName);
 
 }  // namespace

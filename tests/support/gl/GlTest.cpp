@@ -114,14 +114,19 @@ gl::RendererOptions GlTest::hooked(Hooks& hooks)
     return options;
 }
 
-std::shared_ptr<gl::GpuMaterial> GlTest::exactMaterial(gl::Renderer& renderer,
-                                                       const Material& material)
+gl::MaterialOptions GlTest::exactOptions(gl::Renderer& renderer)
 {
     constexpr double kCoarse = 1e-4;  // octaves: float arithmetic is a hundred times finer
     gl::MaterialOptions options;
     const Material noise = noiseMaterial(formIo(), Storage::half);
     options.precise = renderer.createMaterial(noise)->filterError() > kCoarse;
-    return renderer.createMaterial(material, options);
+    return options;
+}
+
+std::shared_ptr<gl::GpuMaterial> GlTest::exactMaterial(gl::Renderer& renderer,
+                                                       const Material& material)
+{
+    return renderer.createMaterial(material, exactOptions(renderer));
 }
 
 Offscreen GlTest::makeOffscreen(int size, OffscreenFormat format)

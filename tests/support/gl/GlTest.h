@@ -48,8 +48,10 @@ protected:
     /// The same, with the hooks between the renderer and GL.
     gl::RendererOptions hooked(Hooks& hooks);
     gl::Renderer makeRenderer() { return gl::Renderer(rendererOptions()); }
-    /// A material that is drawn as exactly as floats allow: the shader filters where the context
-    /// does so coarsely.
+    /// Materials are drawn with these as exactly as floats allow: the shader filters where the
+    /// context does so coarsely.
+    gl::MaterialOptions exactOptions(gl::Renderer& renderer);
+    /// A material of these options.
     std::shared_ptr<gl::GpuMaterial> exactMaterial(gl::Renderer& renderer,
                                                    const Material& material);
     Offscreen makeOffscreen(int size = 64, OffscreenFormat format = OffscreenFormat::rgba32f);

@@ -14,9 +14,9 @@ namespace {
 
 constexpr size_t kProbes = 4096;
 constexpr size_t kNearest = 8;
-// Natural logarithms: a fifth is no other hue, and between samples a highlight may be twice as
-// bright.
-constexpr float kHueTolerance = 0.2f, kBrightTolerance = 0.7f;
+// Natural logarithms: a fifth is no other hue, and between samples a highlight may be three
+// times as bright.
+constexpr float kHueTolerance = 0.2f, kBrightTolerance = 1.1f;
 constexpr float kMostStray = 2.0f;  // black in a channel, or bright: more is not worse
 constexpr float kDarkest = std::numeric_limits<float>::min();
 constexpr float kRestraintWeight = 0.1f;  // beside samples, which count 1
@@ -141,7 +141,7 @@ Vec3f Stray::nearestWithin(const Range& range, const Vec3f& value)
     Vec3f nearest = own;
     float least = std::numeric_limits<float>::max();
     const auto offer = [&](float most) {
-        most = std::min(most, range.brightest);
+        most = std::min(most, range.brightest + kBrightTolerance);
         Vec3f to;
         float way = 0.0f;
         for (int c = 0; c < 3; ++c) {
