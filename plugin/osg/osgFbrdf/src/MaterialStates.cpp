@@ -332,6 +332,7 @@ osg::ref_ptr<osg::StateSet> MaterialStates::stateOf(const fbrdf::Pass& pass, int
         pass, fbrdf::maxLightsInUniforms(form_, assumedCapabilities(inputs.hooks), pass.lobes));
     spec.clustered = inputs.listed && pass.lit;
     spec.resolved = spec.reads;  // the target may be multisampled (Surfaces.h)
+    spec.toSurface = false;      // alpha tests of the model leave holes in surfaces as well
     osg::ref_ptr<osg::StateSet>& state = states_[keyOf(pass, spec, bin, inputs)];
     if (state) return state;
     state = new osg::StateSet;

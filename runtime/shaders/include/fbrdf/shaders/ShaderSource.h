@@ -67,7 +67,8 @@ struct ProgramSpec {
     /// What is read may be the mean of several samples that were cleared to 0 before: its alpha is
     /// the share of them that was drawn to. 1 changes nothing.
     bool resolved = false;
-    /// What is written is a surface, whose alpha is 1 whatever the tint hook gives.
+    /// What is written is a surface, whose alpha is 1 whatever the tint hook gives. Hosts whose
+    /// alpha test goes by it leave it out.
     bool toSurface = false;
 };
 
