@@ -5,13 +5,13 @@
 #include <OgreResourceGroupManager.h>
 #include <OgreString.h>
 
+#include <cstdint>
 #include <cstring>
 
 namespace ogreFbrdf {
 namespace {
 
 const char kLocation[] = "fbrdf";
-const Ogre::String kArchiveType = "FbrdfGlsl";
 
 Ogre::String group()
 {
@@ -65,16 +65,23 @@ Ogre::FileInfoListPtr GlslArchive::findFileInfo(const Ogre::String& pattern, boo
     return files;
 }
 
+// OGRE keeps the first factory of a type for good, also when the library that had it is gone. A
+// type that tells the place in memory is that of whatever factory is there now.
+GlslArchiveFactory::GlslArchiveFactory()
+    : type_("FbrdfGlsl" + std::to_string(reinterpret_cast<uintptr_t>(this)))
+{
+}
+
 GlslArchiveFactory::~GlslArchiveFactory() = default;
 
 const Ogre::String& GlslArchiveFactory::getType() const
 {
-    return kArchiveType;
+    return type_;
 }
 
 Ogre::Archive* GlslArchiveFactory::createInstance(const Ogre::String& name, bool)
 {
-    return new GlslArchive(name, kArchiveType, texts_);
+    return new GlslArchive(name, type_, texts_);
 }
 
 Ogre::String GlslArchiveFactory::dependencyOf(const std::string& text)
@@ -86,8 +93,7 @@ Ogre::String GlslArchiveFactory::dependencyOf(const std::string& text)
     texts_.emplace(name + ".glsl", text);
     // OGRE lists the files of a location once, when it is added.
     takeAway();
-    Ogre::ResourceGroupManager::getSingleton().addResourceLocation(kLocation, kArchiveType,
-                                                                   group());
+    Ogre::ResourceGroupManager::getSingleton().addResourceLocation(kLocation, type_, group());
     isLocated_ = true;
     return name;
 }

@@ -36,6 +36,9 @@ private:
 /// The resource location that has the texts. It is there from the first text on.
 class GlslArchiveFactory : public Ogre::ArchiveFactory {
 public:
+    GlslArchiveFactory();
+    GlslArchiveFactory(const GlslArchiveFactory&) = delete;
+    GlslArchiveFactory& operator=(const GlslArchiveFactory&) = delete;
     ~GlslArchiveFactory() override;
     const Ogre::String& getType() const override;
     using Ogre::ArchiveFactory::createInstance;
@@ -51,6 +54,7 @@ public:
 private:
     void takeAway();
 
+    const Ogre::String type_;
     GlslTexts texts_;
     std::map<std::string, std::string> names_;  ///< by text
     bool isLocated_ = false;
