@@ -116,7 +116,7 @@ TEST(Choice, WhatIsInventedIsAFault)
         c.whole->allMark = c.marks[0];
     }
     EXPECT_EQ(choose(candidates).index, 0u);
-    candidates[0].whole->stray.hue = 0.2;
+    candidates[0].whole->inventedHue = 0.2;
     EXPECT_EQ(choose(candidates).index, 1u);
 }
 

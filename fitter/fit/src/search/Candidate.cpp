@@ -34,13 +34,16 @@ bool isBetterOnAll(const Candidate& a, const Candidate& b)
     return above > kAllowed && above >= mostAbove(a.whole->all, b.whole->all);
 }
 
-// Candidates whose marks are above that of `best` by chance, if at all.
+// Candidates whose marks are above that of `best` by chance, if at all. More terms than its own
+// would only follow the samples better, and not what is between them.
 std::vector<const Candidate*> equalsOf(const Candidate& best,
                                        const std::vector<Candidate>& candidates)
 {
     std::vector<const Candidate*> equals;
     for (const Candidate& c : candidates)
-        if (c.mark() - best.mark() <= leadOf(best, c).error) equals.push_back(&c);
+        if (c.form.terms.size() <= best.form.terms.size() &&
+            c.mark() - best.mark() <= leadOf(best, c).error)
+            equals.push_back(&c);
     return equals;
 }
 

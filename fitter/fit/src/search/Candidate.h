@@ -43,13 +43,13 @@ struct Choice {
     std::string reason;
 };
 
-/// The cheapest of the candidates that are as good as that of the least mark. Their marks are above
-/// it by no more than the standard error, and none of the others is better on all samples: below it
-/// by more than a twentieth in one of log_median, cos_rms and cuberoot_rms, and not above it by
-/// more in another. Where each has a better one, it is the candidate of the least mark. One that
-/// leans on a prior is chosen unless the best is surely better: by twice the standard error.
-/// Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes. Precondition: there is
-/// one.
+/// The cheapest of the candidates that are as good as that of the least mark, with no more terms.
+/// Their marks are above it by no more than the standard error, and none of the others is better on
+/// all samples: below it by more than a twentieth in one of log_median, cos_rms and cuberoot_rms,
+/// and not above it by more in another. Where each has a better one, it is the candidate of the
+/// least mark. One that leans on a prior is chosen unless the best is surely better: by twice the
+/// standard error. Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes.
+/// Precondition: there is one.
 Choice choose(const std::vector<Candidate>& candidates);
 
 }  // namespace fbrdf

@@ -46,12 +46,13 @@ bool isWorthIt(const Restrained& next, const Restrained& best)
 
 double Restrained::mark() const
 {
-    return 0.5 * allMark + 2.0 * stray.hue;
+    return 0.5 * allMark + 2.0 * inventedHue;
 }
 
 Restrained fitRestrained(const FitContext& context, const Form& form, const Stray& stray)
 {
     Restrained best = measured(context, stray, fitForm(context, form));
+    const double inventedHue = best.stray.hue;
     std::vector<Sample> restraints;
     Material last = best.fitted.material;
     for (int round = 0; round < kRounds && sumOf(best.stray) > kLeastStray; ++round) {
@@ -61,6 +62,7 @@ Restrained fitRestrained(const FitContext& context, const Form& form, const Stra
         last = next.fitted.material;
         if (isWorthIt(next, best)) best = std::move(next);
     }
+    best.inventedHue = inventedHue;
     return best;
 }
 

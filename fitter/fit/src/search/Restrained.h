@@ -10,9 +10,10 @@ struct Restrained {
     SampleErrors all;    ///< on all samples
     double allMark = 0;  ///< markOf them
     Stray::Mean stray;
+    double inventedHue = 0;  ///< of the fit before it was drawn back
 
-    /// Half of allMark and twice the hue that it invents: what errors between the samples count
-    /// beside those on them.
+    /// Half of allMark and twice inventedHue: what errors between the samples count beside those on
+    /// them. A form that had to be drawn back follows its samples by what they do not say.
     double mark() const;
 };
 
