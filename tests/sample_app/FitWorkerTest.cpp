@@ -117,6 +117,18 @@ TEST(FitWorker, StopEndsALongFitAndTheNextOrderWorks)
     EXPECT_TRUE(next.material) << next.error;
 }
 
+TEST(FitWorker, AnOrderThatIsStoppedAtOnceHasAReplyWhetherItHadBegunOrNot)
+{
+    FitWorker worker;
+    for (int number = 1; number <= 50; ++number) {
+        worker.order(longOrder());
+        worker.stop();
+        const FitReply reply = nextReply(worker);
+        EXPECT_EQ(reply.number, number);
+        EXPECT_TRUE(reply.isStopped);
+    }
+}
+
 TEST(FitWorker, GoesInTheMiddleOfAFit)
 {
     FitWorker worker;

@@ -20,6 +20,15 @@ std::string keyOf(const FitOrder& order)
            (none ? "" : std::to_string(time));
 }
 
+FitReply stoppedReply(int number)
+{
+    FitReply reply;
+    reply.number = number;
+    reply.isStopped = true;
+    reply.error = FitStopped().what();
+    return reply;
+}
+
 }  // namespace
 
 FitWorker::FitWorker()
@@ -53,6 +62,8 @@ int FitWorker::order(FitOrder order)
 void FitWorker::stop()
 {
     const std::lock_guard<std::mutex> lock(mutex_);
+    // The thread may not have begun it yet: whoever ordered it waits for a reply.
+    if (waiting_ && running_ == 0) reply_ = stoppedReply(waiting_->number);
     waiting_.reset();
     stopped_ = last_;
     if (running_ == 0) doing_.clear();
@@ -125,9 +136,8 @@ FitReply FitWorker::fit(Numbered& numbered)
         order.fit.cache = cache_;
         order.fit.watch.say("opening " + order.source);
         reply = fitted(order, sourceOf(order));
-    } catch (const FitStopped& stopped) {
-        reply.isStopped = true;
-        reply.error = stopped.what();
+    } catch (const FitStopped&) {
+        reply = stoppedReply(numbered.number);
     } catch (const Error& error) {
         reply.error = error.what();
     } catch (const std::bad_alloc&) {

@@ -27,7 +27,7 @@ public:
     /// Begins the order, whose watch and cache the worker sets, or leaves it to wait. Returns its
     /// number, from 1 up; orders whose place was taken get no reply.
     int order(FitOrder order);
-    /// Forgets what waits, and stops what is being fitted: its reply says so.
+    /// Forgets what waits, and stops what is being fitted, or was about to be: its reply says so.
     void stop();
     /// The reply that came last, once.
     std::optional<FitReply> take();
