@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace fbrdf {
 namespace {
@@ -103,8 +104,9 @@ TEST(Restrained, ASumInventsLessAndStaysNearItsSamples)
     FitOptions options;
     const FitContext context = makeFitContext(readDataset(source, options), options, source.name);
     const Stray stray(source.samples, context.statistics.floor, true, kThreads);
-    for (const char* name : {"io+hdio", "gg+hdpio"}) {
-        const Form form = makeForm(name, 24);  // as many texels as samples: free between them
+    // As many texels as samples: free between them.
+    for (const auto& [name, size] : {std::pair{"io+hdio", 24}, std::pair{"gg+hdpio", 48}}) {
+        const Form form = makeForm(name, size);
         const double before = stray.of(fitForm(context, form).material, kThreads).brightness;
         EXPECT_GT(before, 0.1) << name;
         const Restrained restrained = fitRestrained(context, form, stray);

@@ -24,9 +24,16 @@ TableSpec discMap(const std::string& name, int size)
     return {name, DiscDomain::fitting(size, kGamma)};
 }
 
-TableSpec curve(const std::string& name, const AxisMap& map)
+TableSpec curve(const std::string& name, const AxisMap& map, int knots = kKnots)
 {
-    return {name, GridDomain{{{kKnots, map}}}, true};
+    return {name, GridDomain{{{knots, map}}}, true};
+}
+
+// Scattered samples that few texels of T1 are for lie on few angles of light and view; between
+// those, knots of g that none of them holds rise and fall with the opposite of T1.
+int knotsBeside(int size)
+{
+    return size < 32 ? std::max(8, size / 2) : kKnots;
 }
 
 TableSpec zenithPair(const std::string& name, int size)
@@ -42,9 +49,9 @@ Form formIo(int size)
     return {"io", {zenithPair("T2", size)}, {{{{0, kThetaIO}}}}};
 }
 
-Form formGg(int)
+Form formGg(int size)
 {
-    return {"gg", {curve("g", kGrazingAxis)}, {{{{0, kThetaO}, {0, kThetaI}}}}};
+    return {"gg", {curve("g", kGrazingAxis, knotsBeside(size))}, {{{{0, kThetaO}, {0, kThetaI}}}}};
 }
 
 Form formHdg(int size)
@@ -53,7 +60,7 @@ Form formHdg(int size)
     sizes.h = size, sizes.d = quarter(size);
     Form form = formHdio(sizes);
     form.name = "hdg";
-    form.tables[1] = curve("g", kGrazingAxis);
+    form.tables[1] = curve("g", kGrazingAxis, knotsBeside(size));
     form.terms[0].factors = {form.terms[0].factors[0], {1, kThetaO}, {1, kThetaI}};
     return form;
 }
@@ -306,7 +313,7 @@ std::vector<BaseForm> makeBaseForms()
          [](int n) { return formU(quarter(n)); }},
         {{"gg", "g(theta_i) g(theta_o)", "as io in a uniform array: no look-up; a term of sums",
           kKnots, true},
-         {formGg(kKnots)},
+         ladderOf(formGg, {8, 12, 16, 24, 32}),
          formGg},
     };
 }

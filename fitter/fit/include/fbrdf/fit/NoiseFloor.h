@@ -15,7 +15,10 @@ struct NoiseModel {
 /// Negative values are noise seen from its other side: the median of their magnitudes gives sigma.
 /// Whether they belong to f or to f cos theta_i is decided by the likelihood of half normals. Where
 /// noise was clipped to exact zeros, as many positive values are noise again as zeros were found
-/// (noise is symmetric about 0): sigma follows from the median of those.
+/// (noise is symmetric about 0): sigma follows from the median of those. Negative values whose
+/// neighbours are negative as well are colours outside the gamut of the primaries, and no noise:
+/// sigma then follows from what neighbours differ by, or is 0.004 of the median of the brightest
+/// channel if that is more.
 NoiseModel estimateNoise(const std::vector<Sample>& samples);
 
 /// The sigma of estimateNoise as a level of f; with overCosine it is the level at normal incidence.
