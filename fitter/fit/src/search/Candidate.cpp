@@ -63,14 +63,15 @@ const Candidate* cheapestUnbeaten(const Candidate& best,
 
 std::string percent(double difference)
 {
-    return fmt::format("{:.1f} %", 100.0 * std::expm1(difference));
+    return fmt::format("{:.1f} %", 100.0 * std::abs(std::expm1(difference)));
 }
 
 std::string comparison(const Candidate& best, const Candidate& other)
 {
     const Lead lead = leadOf(best, other);
-    return fmt::format("{} errors held out {} larger, give or take {}", other.form.name,
-                       percent(lead.mean), percent(lead.error));
+    return fmt::format("{} errors held out {} {}, give or take {}", other.form.name,
+                       percent(lead.mean), lead.mean < 0.0 ? "smaller" : "larger",
+                       percent(lead.error));
 }
 
 // A prior knows what materials look like, which folds of few samples do not: what is better by
