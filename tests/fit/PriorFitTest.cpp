@@ -74,8 +74,9 @@ PriorMatrix directly(const LeastSquares& problem, const std::vector<Sample>& sam
                      const TablePrior& prior, const PriorWeights& weights)
 {
     const PriorCovariance covariance(prior);
+    const PriorMatrix root = smoothnessRoot(prior.form);
     const PriorMatrix c = covariance.modes * covariance.modes.transpose() +
-                          weights.tau * weights.tau * covariance.root.transpose() * covariance.root;
+                          weights.tau * weights.tau * root.transpose() * root;
     PriorMatrix system = c.inverse();
     PriorMatrix right = system * covariance.mean.replicate(1, 3);
     std::vector<int> unknown(static_cast<size_t>(problem.maker().width()));

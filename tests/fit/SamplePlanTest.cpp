@@ -33,10 +33,10 @@ struct Simple {
 double traceAfter(const Simple& simple, const SamplePlan& plan)
 {
     constexpr double kOctave = 1.442695, kTau = 0.1 * kOctave, kNoise = 0.01 * kOctave * kOctave;
-    const PriorCovariance covariance(simple.prior);
+    const PriorMatrix root = smoothnessRoot(simple.prior.form);
     const Layout layout(simple.prior.form);
     const RowMaker maker(simple.prior.form, layout);
-    PriorMatrix precision = (kTau * kTau * covariance.root.transpose() * covariance.root).inverse();
+    PriorMatrix precision = (kTau * kTau * root.transpose() * root).inverse();
     std::vector<int> unknown(static_cast<size_t>(maker.width()));
     std::vector<float> weight(unknown.size());
     for (const auto& pair : plan) {

@@ -59,6 +59,25 @@ TEST_P(CholeskyOf, SolvesSeveralRightHandSides)
     EXPECT_GT(residualOf(m, x.data(), right.data()), kTight);
 }
 
+// A row and its column scaled by s scale the determinant by s^2.
+TEST_P(CholeskyOf, HasADeterminant)
+{
+    const BorderedMatrix m = decaying(GetParam());
+    const size_t n = m.shape.unknowns();
+    BorderedMatrix scaled = m, diagonal(m.shape);
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j <= i; ++j)
+            if (isStored(m.shape, i, j)) scaled.at(i, j) *= (1.0 + double(i)) * (1.0 + double(j));
+    double logs = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        logs += 2.0 * std::log(1.0 + double(i));
+        diagonal.at(i, i) = (1.0 + double(i)) * (1.0 + double(i));
+    }
+    EXPECT_NEAR(Cholesky(diagonal).logDeterminant(), logs, 1e-12 * logs);
+    EXPECT_NEAR(Cholesky(scaled).logDeterminant() - Cholesky(m).logDeterminant(), logs,
+                1e-12 * logs);
+}
+
 TEST_P(CholeskyOf, RefusesAnIndefiniteMatrix)
 {
     for (const size_t u : {size_t{0}, GetParam().unknowns() / 2, GetParam().unknowns() - 1}) {

@@ -2,6 +2,7 @@
 // texture, the outputs come back as pixels.
 #include "EmbeddedShaders.h"
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/brdf/HalfDifference.h>
 #include <fbrdf/brdf/LobeContour.h>
 #include <fbrdf/brdf/ShadingFrame.h>
@@ -309,7 +310,7 @@ TEST_P(Twin, Axes)
                               exponent};
             // A cosine below 0 by rounding would give NaN in either language.
             const std::string call = std::string("fbrdfAxisCoordinate(") +
-                                     (cosine ? "true" : "false") + ", " + std::to_string(exponent) +
+                                     (cosine ? "true" : "false") + ", " + fixedText(exponent) +
                                      ", max(a.x, 0.0), a.y)";
             compare(
                 "result = vec4(" + call + ");", inputs,
@@ -330,8 +331,7 @@ TEST_P(Twin, Discs)
          {DiscDomain{32, 1.0, 14.0}, DiscDomain{32, 0.5, 15.5}, DiscDomain{9, 0.8, 4.0}})
         compare(
             "result = vec4(fbrdfDiscPosition(" + std::to_string(disc.size) + ".0, " +
-                std::to_string(disc.gamma) + ", " + std::to_string(disc.radius) +
-                ", a.xyz), 0.0, 0.0);",
+                fixedText(disc.gamma) + ", " + fixedText(disc.radius) + ", a.xyz), 0.0, 0.0);",
             inputs,
             [&disc](const Inputs& i) { return Vec4(discPosition(disc, Vec3f(i.a)), 0.0f, 0.0f); },
             kTexels);
@@ -427,8 +427,8 @@ TEST_P(Twin, AreaLights)
     for (const auto& v : {ofSphere, ofTube, ofDisc, ofFacet}) {
         std::string vectors;
         for (const Vec4& k : v)
-            vectors += "vec4(" + std::to_string(k.x) + ", " + std::to_string(k.y) + ", " +
-                       std::to_string(k.z) + ", " + std::to_string(k.w) + "), ";
+            vectors += "vec4(" + fixedText(double(k.x)) + ", " + fixedText(double(k.y)) + ", " +
+                       fixedText(double(k.z)) + ", " + fixedText(double(k.w)) + "), ";
         const AreaVectors light{Vec4(0.0f), v[0], v[1], v[2], v[3]};
         const std::string contour =
             "FbrdfAreaContour contour = fbrdfAreaContour(" + vectors + "a.xyz); ";

@@ -82,10 +82,10 @@ SamplePlan planSamples(const TablePrior& prior, const KnownMaterials& known, Pla
     const PriorCovariance covariance(prior);
     const SamplePlan pool = poolOf(space);
     const PriorMatrix rows = rowsOf(pool, prior.form, Layout(prior.form));
-    const PriorMatrix inRoot = rows * covariance.root.transpose();  // of S = root^T root
+    const PriorMatrix root = smoothnessRoot(prior.form), inRoot = rows * root.transpose();
     // C a of every pair: pairs x unknowns.
     PriorMatrix covered = (rows * covariance.modes) * covariance.modes.transpose() +
-                          kTau * kTau * kOctave * kOctave * inRoot * covariance.root;
+                          kTau * kTau * kOctave * kOctave * inRoot * root;
     PriorMatrix seen = covered * seenRoot(known, covariance.mean.size());
     PriorVector variance = rows.cwiseProduct(covered).rowwise().sum();
     const double noise = kNoiseVariance * kOctave * kOctave;

@@ -1,15 +1,49 @@
 #include "prior/PriorCovariance.h"
 
 #include "prior/TableNumbers.h"
+#include "solve/NormalSystem.h"
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fbrdf {
 namespace {
 
 constexpr double kFirstOrder = 0.1, kLevel = 1e-3;
+
+// The mean of the diagonal of the inverse.
+double meanVariance(const Cholesky& cholesky, size_t unknowns)
+{
+    constexpr size_t kColumns = 32;
+    double sum = 0.0;
+    for (size_t first = 0; first < unknowns; first += kColumns) {
+        const size_t columns = std::min(kColumns, unknowns - first);
+        std::vector<double> inverse(unknowns * columns, 0.0);
+        for (size_t c = 0; c < columns; ++c) inverse[c * unknowns + first + c] = 1.0;
+        cholesky.solve(inverse.data(), columns);
+        for (size_t c = 0; c < columns; ++c) sum += inverse[c * unknowns + first + c];
+    }
+    return sum / static_cast<double>(unknowns);
+}
+
+BorderedMatrix smoothnessPrecision(const Form& form, const Layout& layout)
+{
+    BorderedMatrix precision(shapeOf(layout));
+    const size_t unknowns = precision.shape.unknowns();
+    for (const SmoothnessRow& row : smoothnessRows(form, layout, kFirstOrder))
+        for (int a = 0; a < row.count; ++a)
+            for (int b = 0; b < row.count; ++b)
+                if (row.unknown[b] <= row.unknown[a])
+                    precision.at(static_cast<size_t>(row.unknown[a]),
+                                 static_cast<size_t>(row.unknown[b])) +=
+                        row.weight[a] * row.weight[b];
+    for (size_t u = 0; u < unknowns; ++u) precision.at(u, u) += kLevel;
+    const double variance = meanVariance(Cholesky(precision), unknowns);
+    for (double& value : precision.values) value *= variance;
+    return precision;
+}
 
 }  // namespace
 
@@ -36,7 +70,7 @@ PriorMatrix smoothnessRoot(const Form& form)
 }
 
 PriorCovariance::PriorCovariance(const TablePrior& prior)
-    : form(prior.form), root(smoothnessRoot(prior.form))
+    : form(prior.form), precision(smoothnessPrecision(prior.form, Layout(prior.form)))
 {
     const std::vector<size_t> order = unknownsInOrder(form, Layout(form));
     const auto count = static_cast<Eigen::Index>(order.size());

@@ -2,24 +2,26 @@
 #pragma once
 #include "prior/PriorMatrix.h"
 #include "solve/Rows.h"
+#include "solve/Solver.h"
 
 #include <fbrdf/fit/TablePrior.h>
 
 namespace fbrdf {
 
-/// x ~ N(mean, modes modes^T + tau^2 S), of which S = root^T root is what smoothness stands for:
-/// the inverse of L^T L + kLevel I, where L are second differences along every axis of the tables
-/// and, a tenth as strong, first ones; scaled so that the mean variance is 1.
+/// x ~ N(mean, modes modes^T + tau^2 S), of which S is what smoothness stands for: the inverse of
+/// L^T L + kLevel I, where L are second differences along every axis of the tables and, a tenth as
+/// strong, first ones; scaled so that the mean variance is 1.
 struct PriorCovariance {
     Form form;
-    PriorVector mean;   ///< unknowns
-    PriorMatrix modes;  ///< unknowns x modes
-    PriorMatrix root;   ///< unknowns x unknowns, lower triangular
+    PriorVector mean;          ///< unknowns
+    PriorMatrix modes;         ///< unknowns x modes
+    BorderedMatrix precision;  ///< S^-1
 
     explicit PriorCovariance(const TablePrior& prior);
 };
 
-/// L^T L, and root, of the class comment for any form of one term.
+/// L^T L of the class comment, and a lower triangular root with root^T root = S, for any form of
+/// one term.
 PriorMatrix roughness(const Form& form, const Layout& layout);
 PriorMatrix smoothnessRoot(const Form& form);
 

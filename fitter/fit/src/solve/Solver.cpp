@@ -4,6 +4,8 @@
 
 #include "solve/SolverKernel.h"
 
+#include <cmath>
+
 namespace fbrdf {
 namespace {
 
@@ -45,6 +47,14 @@ void Cholesky::solve(double* values, size_t columns) const
 {
     FBRDF_ASSERT(ok_, ==, true);
     kernelsOfThisMachine().solve(partsOf(factor_), values, static_cast<std::ptrdiff_t>(columns));
+}
+
+double Cholesky::logDeterminant() const
+{
+    FBRDF_ASSERT(ok_, ==, true);
+    double sum = 0.0;
+    for (size_t u = 0; u < factor_.shape.unknowns(); ++u) sum += std::log(factor_.at(u, u));
+    return 2.0 * sum;
 }
 
 }  // namespace fbrdf

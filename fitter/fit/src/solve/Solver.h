@@ -61,6 +61,8 @@ public:
     bool ok() const { return ok_; }
     /// In place: right-hand side in, solution out. `values`: unknowns x columns, column contiguous.
     void solve(double* values, size_t columns) const;
+    /// The natural logarithm of the determinant of the matrix. Precondition: ok().
+    double logDeterminant() const;
     /// The memory of the matrix, for another; this object is of no use afterwards.
     SystemNumbers takeValues() { return std::move(factor_.values); }
 
