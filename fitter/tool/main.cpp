@@ -5,6 +5,7 @@
 #include "src/UsageMessage.h"
 #include "src/Version.h"
 
+#include <fbrdf/base/ClassicLocale.h>
 #include <fbrdf/base/Error.h>
 
 #include <cstdio>
@@ -71,6 +72,7 @@ int parseAndRun(int argc, char** argv)
     describeTool(app);
     addCommands(app, action);
     try {
+        const fbrdf::ClassicLocale numbers;
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return reportParse(app, error, argc > 1 ? argv[1] : nullptr);

@@ -2,6 +2,7 @@
 
 #include "viewer/CommandLine.h"
 
+#include <fbrdf/base/ClassicLocale.h>
 #include <fbrdf/base/Error.h>
 
 #include <CLI/CLI.hpp>
@@ -56,6 +57,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
                  "Light from everywhere and area lights, by lobes, against GGX by the split sum");
     app.add_flag("--json", options.json, "One object instead of tables");
     try {
+        const ClassicLocale numbers;
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         options.help = app.help();

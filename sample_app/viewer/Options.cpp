@@ -5,6 +5,7 @@
 #include "OptionTexts.h"
 #include "World.h"
 
+#include <fbrdf/base/ClassicLocale.h>
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 #include <fbrdf/brdf/LobeTable.h>
@@ -282,6 +283,7 @@ Options optionsFromArguments(int argc, const char* const* argv)
     const auto* compare = describeCompareSheet(app, texts);
     const auto* figures = describeFigures(app);
     try {
+        const ClassicLocale numbers;
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         const auto used = app.get_subcommands();

@@ -1,6 +1,7 @@
 // Numbers as text are those of the locale "C", whatever the host has set.
 #include "support/CommaLocale.h"
 
+#include <fbrdf/base/ClassicLocale.h>
 #include <fbrdf/base/Number.h>
 #include <fbrdf/base/Text.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 using namespace fbrdf;
@@ -27,27 +29,11 @@ std::string printed(const char* format, int precision, double value)
     return text;
 }
 
-/// This thread's locale is C while it lives, whatever that of the program is.
-class LocaleC {
-public:
-    LocaleC() : c_(::newlocale(LC_ALL_MASK, "C", nullptr)), before_(::uselocale(c_)) {}
-    ~LocaleC()
-    {
-        ::uselocale(before_);
-        ::freelocale(c_);
-    }
-    LocaleC(const LocaleC&) = delete;
-    LocaleC& operator=(const LocaleC&) = delete;
-
-private:
-    locale_t c_, before_;
-};
-
 }  // namespace
 
 TEST(Number, IsWhatPrintfWritesInTheLocaleC)
 {
-    const LocaleC c;
+    const ClassicLocale classic;
     for (const double value : kValues)
         for (const int precision : {1, 6, 9, 17}) {
             EXPECT_EQ(numberText(value, precision), printed("%.*g", precision, value));
@@ -71,4 +57,16 @@ TEST(Number, StaysTheSameWhereTheDecimalSignIsAComma)
         EXPECT_TRUE(parseNumber("1.5e999", number) && std::isinf(number));
     }
     EXPECT_EQ(before, after);
+}
+
+TEST(ClassicLocale, IsThatOfTheThreadWhileItLives)
+{
+    const test::CommaLocale comma;
+    const std::string there = printed("%.*f", 1, 0.5);
+    {
+        const ClassicLocale classic;
+        EXPECT_EQ(printed("%.*f", 1, 0.5), "0.5");
+        EXPECT_EQ(std::strtod("0.5", nullptr), 0.5);
+    }
+    EXPECT_EQ(printed("%.*f", 1, 0.5), there);
 }

@@ -6,9 +6,9 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <limits>
@@ -52,9 +52,10 @@ double flipOf(const fbrdf::ShownImage& image, const fbrdf::ShownImage& reference
 
 int main(int argc, char** argv)
 try {
-    char* end = nullptr;
-    const double limit = argc == 4 ? std::strtod(argv[3], &end) : 0.0;
-    if (argc != 4 || *end != '\0') {
+    const std::string text = argc == 4 ? argv[3] : "";
+    double limit = 0.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), limit);
+    if (text.empty() || parsed.ptr != text.data() + text.size()) {
         std::fprintf(stderr, "usage: picture_flip FOLDER REFERENCES LIMIT\n");
         return 2;
     }

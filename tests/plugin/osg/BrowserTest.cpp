@@ -25,16 +25,16 @@ size_t metalPixels(const Screen& screen)
 
 TEST_F(Browser, ShowsTheEffectThatIsChosenByKeys)
 {
-    ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(24)), path("ball.osgt")));
+    ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(24)), path("ball.osgb")));
     // Its name in a scene file is how the browser, which knows no option for that, loads a library.
     const osg::ref_ptr<osgFbrdf::PointLights> lights = new osgFbrdf::PointLights;
     lights->addPoint({3.0f, -3.0f, 3.0f}, {40.0f, 40.0f, 40.0f});
     lights->addPoint({-3.0f, -3.0f, 1.0f}, {40.0f, 40.0f, 40.0f});
-    ASSERT_TRUE(osgDB::writeNodeFile(*lights, path("lights.osgt")));
+    ASSERT_TRUE(osgDB::writeNodeFile(*lights, path("lights.osgb")));
     Osgviewer::Options options;
     options.width = options.height = kSize;
     options.program = "osgfxbrowser";
-    Osgviewer browser(path("ball.osgt") + ' ' + path("lights.osgt"), options);
+    Osgviewer browser(path("ball.osgb") + ' ' + path("lights.osgb"), options);
     EXPECT_TRUE(eventually([&] { return drawnPixels(browser.screen()) > kEnoughPixels; }));
     // Anisotropic Lighting, Bump Mapping and Cartoon come before it in the list.
     browser.does("key Right key Right key Right");

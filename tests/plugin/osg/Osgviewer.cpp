@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <locale>
 #include <sstream>
 
 namespace fbrdf::test {
@@ -131,6 +132,8 @@ bool Osgviewer::installed()
 Osgviewer::Osgviewer(const std::string& scene, const Options& options)
 {
     std::ostringstream server, viewer;
+    for (std::ostringstream* commands : {&server, &viewer})
+        commands->imbue(std::locale::classic());  // display 12345 is not 12.345
     server << "cd " << folder_.file("") << " && env -u LD_LIBRARY_PATH -u WAYLAND_DISPLAY "
            << "OSG_GL_ERROR_CHECKING=ONCE_PER_ATTRIBUTE OSG_LIBRARY_PATH=" << options.libraryPath
            << " xvfb-run -a -n " << displayNumber() << " -s '-noreset -fbdir " << folder_.file("");

@@ -149,11 +149,11 @@ TEST_F(RealScenes, StandsBelowLevelsOfDetailAndSwitches)
 TEST_F(RealScenes, IsPagedInWithTheMaterialBesideIt)
 {
     const TemporaryDir folder;
-    ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(24)), folder.file("ball.osgt")));
+    ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(24)), folder.file("ball.osgb")));
     writeMaterial(testMaterials()[0], folder.file("noise.fbrdf"));
     osg::ref_ptr<osg::PagedLOD> paged = new osg::PagedLOD;
     paged->setDatabasePath(folder.file(""));
-    paged->setFileName(0, "ball.osgt.[noise.fbrdf].fbrdf");
+    paged->setFileName(0, "ball.osgb.[noise.fbrdf].fbrdf");
     paged->setRange(0, 0.0f, 1000.0f);
     paged->setCenter({0.0f, 0.0f, 0.0f});
     paged->setRadius(1.0f);
