@@ -47,6 +47,23 @@ std::vector<LightVectors> inEyeSpace(const Scene& scene)
     return vectors;
 }
 
+/// The same lights as spots that shine at the plane, 0.5 rad to each side and up to 45 degrees
+/// aslant.
+std::vector<LightVectors> spotsInEyeSpace(const Scene& scene)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> slope(-0.7f, 0.7f);
+    std::vector<LightVectors> vectors;
+    for (Light light : scene.lights) {
+        light.type = Light::Type::spot;
+        light.axis = {slope(random), slope(random), -1.0f};
+        light.innerAngle = 0.2f;
+        light.outerAngle = 0.5f;
+        vectors.push_back(lightVectors(light, glm::dmat4(scene.stage.view.view)));
+    }
+    return vectors;
+}
+
 struct Averages {
     double reaching = 0.0, listed = 0.0;
 };
@@ -145,9 +162,9 @@ ReachRow measuredRow(Rig& rig, int reaching, double aspect, bool hasGpuLists)
 {
     const Scene many = rig.scene(makeStage("triangle", aspect), spreadLights(reaching, aspect)),
                 few = rig.scene(makeStage("triangle", aspect), stageLights(reaching));
-    const auto vectors = inEyeSpace(many);
-    ClusterBuilder builder, editor;
-    MovingView view(many.stage.view);
+    const auto vectors = inEyeSpace(many), spots = spotsInEyeSpace(many);
+    ClusterBuilder builder, editor, spotBuilder;
+    MovingView view(many.stage.view), spotView(many.stage.view);
     MovingLights moving(vectors);
     const glm::dmat4 projection(many.stage.view.projection);
     std::vector<Run> runs;
@@ -156,17 +173,15 @@ ReachRow measuredRow(Rig& rig, int reaching, double aspect, bool hasGpuLists)
     runs.push_back(
         {"building", [&] { builder.update(vectors, glm::dmat4(view.next().projection)); }, false});
     runs.push_back({"editing", [&] { editor.update(moving.next(), projection); }, false});
+    runs.push_back({"spots",
+                    [&] { spotBuilder.update(spots, glm::dmat4(spotView.next().projection)); },
+                    false});
     if (hasGpuLists) runs.push_back({"by the GPU", drawing(many, listsBy(gl::ListsBy::gpu))});
     time(rig, runs);
     const Averages averages = averagesOf(many, builder.clusters(), aspect);
     const auto median = [&](size_t run) { return scene::spreadOf(runs[run].frames).median; };
-    return {reaching,
-            averages.reaching,
-            averages.listed,
-            median(0),
-            median(2),
-            median(3),
-            hasGpuLists ? median(4) : 0.0,
+    return {reaching,  averages.reaching, averages.listed, median(0),
+            median(2), median(3),         median(4),       hasGpuLists ? median(5) : 0.0,
             median(1)};
 }
 
@@ -218,14 +233,16 @@ std::string asText(const ReachMeasurement& m)
 {
     std::string text = fmt::format(
         "{}, OpenGL {}, {}x{} pixels, {} time\n\n{} lights with a radius: ms a frame\n"
-        "{:>8} {:>9} {:>9} {:>10} {:>10} {:>8} {:>10} {:>10} {:>6}\n",
+        "{:>8} {:>9} {:>9} {:>10} {:>10} {:>8} {:>8} {:>10} {:>10} {:>6}\n",
         m.glRenderer, m.glVersion, m.width, m.height, clockName(m.clock), kReachLights, "wanted",
-        "reaching", "listed", "clustered", "of these", "edited", "by GPU", "one list", "ratio");
+        "reaching", "listed", "clustered", "of these", "edited", "spots", "by GPU", "one list",
+        "ratio");
     for (const ReachRow& row : m.rows)
         text += fmt::format(
-            "{:>8} {:>9.1f} {:>9.1f} {:>10.2f} {:>10.2f} {:>8.2f} {:>10} {:>10.2f} {:>6.2f}\n",
+            "{:>8} {:>9.1f} {:>9.1f} {:>10.2f} {:>10.2f} {:>8.2f} {:>8.2f} {:>10} {:>10.2f} "
+            "{:>6.2f}\n",
             row.wanted, row.reaching, row.listed, row.clustered, row.building, row.editing,
-            row.byGpu > 0.0 ? fmt::format("{:.2f}", row.byGpu) : "none", row.oneList,
+            row.spots, row.byGpu > 0.0 ? fmt::format("{:.2f}", row.byGpu) : "none", row.oneList,
             row.clustered / row.oneList);
     text += fmt::format("\n{} lights of {} are seen: their lists take {:.2f} ms\n", m.culled.seen,
                         m.culled.given, m.culled.building);
@@ -234,7 +251,8 @@ std::string asText(const ReachMeasurement& m)
            "reaching, listed: lights, of an average pixel; clustered: with lists of the CPU; of "
            "these: to make them anew; edited: where " +
            std::to_string(kMovingLights) +
-           " lights have moved; by GPU: with lists of the GPU; one list: of as many lights as "
+           " lights have moved; spots: to make those of as many spots; by GPU: with lists of the "
+           "GPU; one list: of as many lights as "
            "wanted\n";
 }
 
@@ -248,6 +266,7 @@ std::string asJson(const ReachMeasurement& m)
                         {"clustered", row.clustered},
                         {"building", row.building},
                         {"editing", row.editing},
+                        {"spots", row.spots},
                         {"one_list", row.oneList},
                         {"ratio", row.clustered / row.oneList}});
         if (row.byGpu > 0.0) rows.back()["by_gpu"] = row.byGpu;

@@ -17,6 +17,7 @@ struct ReachRow {
     double clustered = 0.0;  ///< ms a frame with all lights, in lists of the CPU that are made anew
     double building = 0.0;   ///< ms of that for the lists
     double editing = 0.0;    ///< ms for the lists where kMovingLights have moved
+    double spots = 0.0;      ///< ms to make the lists anew where all lights are spots
     double byGpu = 0.0;      ///< ms a frame with lists of the GPU; 0: it cannot make them
     double oneList = 0.0;    ///< ms a frame with `wanted` lights that reach every pixel
 };

@@ -148,7 +148,7 @@ TEST(BenchProgram, CountsTheLightsThatReachAPixel)
         const double wanted = row["wanted"], reaching = row["reaching"], listed = row["listed"];
         EXPECT_NEAR(reaching, wanted, 0.2 * wanted);  // less at the border
         EXPECT_GE(listed, reaching);
-        for (const char* time : {"clustered", "building", "editing", "one_list"})
+        for (const char* time : {"clustered", "building", "editing", "spots", "one_list"})
             EXPECT_GT(row[time], 0.0);
         EXPECT_EQ(row.contains("by_gpu"), json["why_not_by_gpu"] == "");
     }

@@ -594,21 +594,24 @@ TEST_P(Twin, IntervalDistanceAndTileExtent)
         kRounding);
 }
 
-// A box that touches a cone may be on either side by rounding; none of these does.
-TEST_P(Twin, ConeMissesBox)
+// Where a plane is nearly even its bound is far away, and what rounding changes is relative to it.
+TEST_P(Twin, ConeBounds)
 {
-    const auto inputs = boxesAndTiles();
     compare(
         "float angle = 1.6 + 1.5 * a.w;\n"
-        "result = vec4(fbrdfConeMissesBox(2.0 * a.xyz, abs(b.www) * vec3(0.5, 0.3, 0.1),\n"
-        "    normalize(b.xyz), cos(angle), sin(angle)));",
-        inputs,
+        "vec2 bounds = fbrdfConeBounds(2.0 * a.xyz, 1.5, normalize(b.xyz), cos(angle), "
+        "sin(angle),\n"
+        "    vec2(b.w, b.w + 0.3), vec2(1.0 + a.x, 2.5 + a.x), 0.01);\n"
+        "result = vec4(bounds / (1.0 + abs(bounds)), 0.0, 0.0);",
+        boxesAndTiles(),
         [](const Inputs& i) {
-            const float angle = 1.6f + 1.5f * i.a.w, half = std::abs(i.b.w);
-            return Vec4(coneMissesBox(2.0f * Vec3f(i.a), half * Vec3f(0.5f, 0.3f, 0.1f),
-                                      glm::normalize(Vec3f(i.b)), std::cos(angle), std::sin(angle))
-                            ? 1.0f
-                            : 0.0f);
+            const float angle = 1.6f + 1.5f * i.a.w;
+            const auto bounds =
+                coneBounds(2.0f * Vec3f(i.a), 1.5f, glm::normalize(Vec3f(i.b)), std::cos(angle),
+                           std::sin(angle), DistanceRange<float>{i.b.w, i.b.w + 0.3f},
+                           DistanceRange<float>{1.0f + i.a.x, 2.5f + i.a.x}, 0.01f);
+            return Vec4(bounds.low / (1.0f + std::abs(bounds.low)),
+                        bounds.high / (1.0f + std::abs(bounds.high)), 0.0f, 0.0f);
         },
         kRounding);
 }

@@ -59,7 +59,7 @@ Names twins()
             FBRDF_TWIN(&lobeInArea<float>),
             FBRDF_TWIN(&intervalDistance<float>),
             FBRDF_TWIN(&tileExtent<float>),
-            FBRDF_TWIN(&coneMissesBox<float>),
+            FBRDF_TWIN(&coneBounds<float>),
             FBRDF_TWIN(&coneFactor),
             FBRDF_TWIN(&lightList),
             FBRDF_TWIN(&lobeFrame),
@@ -116,7 +116,7 @@ const std::map<std::string, std::string> kAlone{
     {"fbrdfReaches", "skips lights of a list"},
     {"fbrdfWaitForAll", "a barrier of a work group"},
     {"fbrdfVectorsOf", "where ClusterWork.h has a light"},
-    {"fbrdfMayBeInCone", "coneMissesBox of one light"},
+    {"fbrdfBoundsOf", "coneBounds of one light"},
 };
 
 Names definedFunctions()

@@ -162,42 +162,55 @@ TEST(ClusterReach, OfTwoSidedAndRoundLightsIsASphere)
     }
 }
 
-/// Points of a box that are in a cone, by trying.
-bool anyInside(const Vec3d& toCentre, const Vec3d& half, const Vec3d& axis, double angle)
-{
-    constexpr int kSteps = 8;
-    for (int i = 0; i <= kSteps; ++i)
-        for (int j = 0; j <= kSteps; ++j)
-            for (int k = 0; k <= kSteps; ++k) {
-                const Vec3d at = toCentre + half * (2.0 * Vec3d(i, j, k) / double(kSteps) - 1.0);
-                if (glm::dot(at, axis) >= glm::length(at) * std::cos(angle)) return true;
-            }
-    return false;
-}
-
-TEST(ConeMissesBox, IsNeverWrongAndSeldomCautious)
+// Planes of a row, against points that are in it and in the cone.
+TEST(ConeBounds, HoldEveryPointOfTheCone)
 {
     Somewhere somewhere(57);
-    int missed = 0, outside = 0;
+    int inside = 0;
     for (int i = 0; i < 4000; ++i) {
-        const Vec3d toCentre = somewhere.in(0.2, 4.0) * Vec3d(somewhere.direction()),
-                    half(somewhere.in(0.01, 1.0), somewhere.in(0.01, 1.0), somewhere.in(0.01, 1.0)),
-                    axis = glm::normalize(Vec3d(somewhere.direction()));
-        const double angle = somewhere.in(0.02, 3.0);
-        const bool isMissed = coneMissesBox(toCentre, half, axis, std::cos(angle), std::sin(angle));
-        const bool isOutside = !anyInside(toCentre, half, axis, angle);
-        ASSERT_TRUE(isOutside || !isMissed) << i;
-        missed += isMissed ? 1 : 0;
-        outside += isOutside ? 1 : 0;
+        const Vec3d apex(somewhere.place()), axis = glm::normalize(Vec3d(somewhere.direction()));
+        const double angle = somewhere.in(0.02, 3.0), radius = somewhere.in(0.1, 4.0),
+                     cosine = std::cos(angle), top = apex.y + somewhere.in(-3.0, 3.0),
+                     nearest = -apex.z + somewhere.in(-3.0, 3.0);
+        const DistanceRange<double> y{top, top + somewhere.in(0.0, 1.0)},
+            distance{nearest, nearest + somewhere.in(0.0, 1.0)};
+        const auto bounds =
+            coneBounds(apex, radius, axis, cosine, std::sin(angle), y, distance, 1e-9);
+        for (int k = 0; k < 20; ++k) {
+            const Vec3d p = Vec3d(apex.x + somewhere.in(-3.0, 3.0), somewhere.in(y.low, y.high),
+                                  -somewhere.in(distance.low, distance.high)) -
+                            apex;
+            if (glm::length(p) > radius || glm::dot(p, axis) < cosine * glm::length(p)) continue;
+            ++inside;
+            ASSERT_LE(bounds.low, p.x + apex.x) << i;
+            ASSERT_GE(bounds.high, p.x + apex.x) << i;
+        }
     }
-    EXPECT_GT(missed, outside * 4 / 5);
+    EXPECT_GT(inside, 1000);
 }
 
-TEST(ConeMissesBox, IsExactForAHalfSpace)
+// In the plane of its apex and axis a cone of the half angle a has the slopes tan a.
+TEST(ConeBounds, AreExactInThePlaneOfTheAxis)
 {
-    const Vec3d axis(0.0, 0.0, 1.0), half(1.0, 2.0, 0.5);
-    EXPECT_TRUE(coneMissesBox(Vec3d(3.0, 4.0, -0.501), half, axis, 0.0, 1.0));
-    EXPECT_FALSE(coneMissesBox(Vec3d(3.0, 4.0, -0.499), half, axis, 0.0, 1.0));
+    const Vec3d apex(1.0, 2.0, -3.0), down(0.0, 0.0, -1.0);
+    const auto at = [&](double angle, double distance) {
+        return coneBounds(apex, 5.0, down, std::cos(angle), std::sin(angle), {2.0, 2.0},
+                          {distance, distance}, 0.0);
+    };
+    EXPECT_NEAR(at(0.4, 5.0).low, 1.0 - 2.0 * std::tan(0.4), 1e-12);
+    EXPECT_NEAR(at(0.4, 5.0).high, 1.0 + 2.0 * std::tan(0.4), 1e-12);
+    EXPECT_GT(at(0.4, 2.9).low, at(0.4, 2.9).high);  // behind the apex
+}
+
+TEST(ConeBounds, AreExactForAHalfSpace)
+{
+    const auto highAt = [](double cosine) {
+        return coneBounds(Vec3d(1.0, 0.0, -3.0), 5.0, Vec3d(-1.0, 0.0, 0.0), cosine, 1.0,
+                          {0.0, 1.0}, {2.0, 4.0}, 0.0)
+            .high;
+    };
+    EXPECT_NEAR(highAt(0.0), 1.0, 1e-12);
+    EXPECT_NEAR(highAt(-1e-6), 1.0 + 5e-6, 1e-9);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // ClusterGeometry.h - what decides whether a light may reach a part of the view: intervals, the
-// edges of tiles, a box against a cone. Eye space. Twins: cluster_geometry.glsl.
+// edges of tiles, planes around a cone. Eye space. Twins: cluster_geometry.glsl.
 #pragma once
 #include <fbrdf/brdf/Conventions.h>
 
@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fbrdf {
@@ -42,31 +43,64 @@ DistanceRange<T> tileExtent(const glm::vec<4, T, glm::defaultp>& lines, T tile, 
     return {std::min(std::min(a, b), std::min(c, d)), std::max(std::max(a, b), std::max(c, d))};
 }
 
-/// True where a box is certain to be outside of a cone, from which its centre is seen along
-/// toCentre; half: half of each side. cosine, sine: of the angle between the cone's axis, which is
-/// unit, and its side, 0 to pi. Twin: fbrdfConeMissesBox.
-//
-// The function cosine x (distance from the axis) - sine x (way along it) is 0 on the side of the
-// cone and above outside. Where the cosine is not negative it is at least the linear function
-// of the same value and gradient at the centre, whose least value in the box is known; otherwise
-// the distance from the axis grows by at most half of the diagonal.
+/// A half space, of all points p with dot(outwards, p) <= offset.
 template <class T>
-bool coneMissesBox(const Vec3<T>& toCentre, const Vec3<T>& half, const Vec3<T>& axis, T cosine,
-                   T sine)
+struct HalfSpace {
+    Vec3<T> outwards;  ///< unit
+    T offset;
+};
+constexpr int kConePlanes = 8;
+
+/// Half spaces that all of a cone within `radius` of its apex is in. axis: unit; cosine, sine: of
+/// the angle between it and the side, 0 to pi.
+//
+// Planes that touch a cone of up to 90 degrees have cosine x side - sine x axis outwards, for any
+// unit side across the axis; the first side here is as near to the direction of x as there is one,
+// so that two of eight planes bound the x of the cone. A wider cone is in front of a plane across
+// the axis, since dot(axis, p) is at least cosine x radius there.
+template <class T>
+std::array<HalfSpace<T>, kConePlanes> conePlanes(const Vec3<T>& apex, T radius, const Vec3<T>& axis,
+                                                 T cosine, T sine)
 {
-    const T along = glm::dot(toCentre, axis), sineAlong = sine * along;
-    const Vec3<T> across = toCentre - along * axis;
-    const T distanceSquared = glm::dot(across, across);
-    // The centre is inside: most often, and without a root.
-    if (cosine >= T(0) && sineAlong >= T(0) &&
-        square(cosine) * distanceSquared <= square(sineAlong))
-        return false;
-    const T distance = std::sqrt(distanceSquared);
-    const Vec3<T> outwards =
-        std::max(cosine, T(0)) / std::max(distance, T(1e-30)) * across - sine * axis;
-    T extent = glm::dot(glm::abs(outwards), half);
-    if (cosine < T(0)) extent -= cosine * glm::length(half);
-    return cosine * distance - sineAlong > extent;
+    constexpr T kDiagonal = T(0.70710678118654752);  // an eighth of a turn
+    const Vec3<T> along = std::abs(axis.x) > T(0.999) ? Vec3<T>(0, 1, 0) : Vec3<T>(1, 0, 0);
+    const Vec3<T> first = glm::normalize(along - glm::dot(along, axis) * axis),
+                  second = glm::cross(axis, first);
+    std::array<HalfSpace<T>, kConePlanes> planes;
+    glm::vec<2, T, glm::defaultp> turn(1, 0);
+    for (HalfSpace<T>& plane : planes) {
+        plane.outwards =
+            cosine < T(0) ? -axis : cosine * (turn.x * first + turn.y * second) - sine * axis;
+        plane.offset = glm::dot(plane.outwards, apex) - std::min(cosine, T(0)) * radius;
+        turn = {kDiagonal * (turn.x - turn.y), kDiagonal * (turn.x + turn.y)};
+    }
+    return planes;
+}
+
+// Planes that are more even bound no x.
+template <class T>
+constexpr T kEvenPlane = T(1e-6);
+
+/// The x between which some of a cone, as of conePlanes, may be for y and distances -z in
+/// intervals; low is above high where none is. slack: a length that is added to offsets. Twin:
+/// fbrdfConeBounds.
+template <class T>
+DistanceRange<T> coneBounds(const Vec3<T>& apex, T radius, const Vec3<T>& axis, T cosine, T sine,
+                            const DistanceRange<T>& y, const DistanceRange<T>& distance, T slack)
+{
+    DistanceRange<T> bounds{T(-1e30), T(1e30)};
+    for (const HalfSpace<T>& plane : conePlanes(apex, radius, axis, cosine, sine)) {
+        const Vec3<T>& out = plane.outwards;
+        if (std::abs(out.x) < kEvenPlane<T>) continue;
+        const T x = (plane.offset + slack + std::max(out.z * distance.low, out.z * distance.high) +
+                     std::max(-out.y * y.low, -out.y * y.high)) /
+                    out.x;
+        if (out.x > T(0))
+            bounds.high = std::min(bounds.high, x);
+        else
+            bounds.low = std::max(bounds.low, x);
+    }
+    return bounds;
 }
 
 }  // namespace fbrdf

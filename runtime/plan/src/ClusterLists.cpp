@@ -3,8 +3,8 @@
 #include <fbrdf/base/Error.h>
 #include <fbrdf/base/Found.h>
 
+#include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace fbrdf {
 namespace {
@@ -14,26 +14,17 @@ const Reach& reachOf(const LightClusters& clusters, const std::vector<Reach>& by
     return byPlace[static_cast<size_t>(clusters.places[slot])];
 }
 
-void setLightsOfSlices(const LightClusters& clusters, const ClusterTiles& tiles,
-                       const std::vector<Reach>& reaches, ListMemory& memory)
+/// The distances from the eye that each light of a list spans, and a bit more, as of
+/// ClusterTiles::slicesOf.
+void setDistances(const LightClusters& clusters, const std::vector<Reach>& reaches,
+                  std::vector<DistanceRange<double>>& distances)
 {
-    const auto everywhere = static_cast<size_t>(clusters.everywhere);
-    const size_t count = clusters.lights.size();
-    memory.ranges.resize(count);
-    memory.firsts.assign(static_cast<size_t>(clusters.grid.slices) + 1, 0);
-    for (size_t i = everywhere; i < count; ++i) {
-        auto& range = memory.ranges[i];
-        range = isUnlimited(clusters.lights[i]) ? std::pair{0, clusters.grid.slices}
-                                                : tiles.slicesOf(reachOf(clusters, reaches, i));
-        for (int slice = range.first; slice < range.second; ++slice)
-            ++memory.firsts[static_cast<size_t>(slice) + 1];
-    }
-    std::partial_sum(memory.firsts.begin(), memory.firsts.end(), memory.firsts.begin());
-    memory.ofSlices.resize(memory.firsts.back());
-    memory.next.assign(memory.firsts.begin(), memory.firsts.end() - 1);
-    for (size_t i = everywhere; i < count; ++i)
-        for (int slice = memory.ranges[i].first; slice < memory.ranges[i].second; ++slice)
-            memory.ofSlices[memory.next[static_cast<size_t>(slice)]++] = static_cast<int32_t>(i);
+    constexpr double kFarthest = std::numeric_limits<double>::infinity();
+    distances.resize(clusters.lights.size());
+    for (auto i = static_cast<size_t>(clusters.everywhere); i < distances.size(); ++i)
+        distances[i] = isUnlimited(clusters.lights[i])
+                           ? DistanceRange<double>{0.0, kFarthest}
+                           : withSlack(distanceOf(reachOf(clusters, reaches, i)));
 }
 
 /// Cuts slices into bands of rows until there are enough of them for threads to end together.
@@ -51,17 +42,33 @@ void setBands(const ClusterGrid& grid, std::vector<ListBand>& bands)
     }
 }
 
-void findSpans(const LightClusters& clusters, const ClusterTiles& tiles,
-               const std::vector<Reach>& reaches, const ListMemory& memory, ListBand& band)
+/// Sets the lights that may be in the slice of a band, ascending, without a branch that processors
+/// would guess wrong.
+void findCandidates(const LightClusters& clusters, const DistanceRange<double>& slice,
+                    const std::vector<DistanceRange<double>>& distances, ListBand& band)
 {
-    const auto slice = static_cast<size_t>(band.slice);
+    band.candidates.resize(distances.size());
+    int32_t* const candidates = band.candidates.data();
+    size_t count = 0;
+    for (auto i = static_cast<size_t>(clusters.everywhere); i < distances.size(); ++i) {
+        candidates[count] = static_cast<int32_t>(i);
+        const bool isBefore = distances[i].high<slice.low, isBehind = distances[i].low> slice.high;
+        count += isBefore || isBehind ? 0 : 1;
+    }
+    band.candidates.resize(count);
+}
+
+void findSpans(const LightClusters& clusters, const ClusterTiles& tiles,
+               const std::vector<Reach>& reaches,
+               const std::vector<DistanceRange<double>>& distances, ListBand& band)
+{
     band.rows.resize(static_cast<size_t>(band.last - band.first));
-    for (ListRow& row : band.rows) row.used = 0;
+    for (ListRow& row : band.rows) row.clear();
+    findCandidates(clusters, tiles[band.slice].distance, distances, band);
     RowEnds ends;
-    for (size_t k = memory.firsts[slice]; k < memory.firsts[slice + 1]; ++k) {
-        const int32_t light = memory.ofSlices[k];
+    for (const int32_t light : band.candidates) {
         const auto slot = static_cast<size_t>(light);
-        if (isUnlimited(clusters.lights[slot])) {
+        if (std::isinf(distances[slot].high)) {
             for (ListRow& row : band.rows) row.add(light, 0, clusters.grid.columns);
             continue;
         }
@@ -74,74 +81,43 @@ void findSpans(const LightClusters& clusters, const ClusterTiles& tiles,
     }
 }
 
-void countLights(const ClusterGrid& grid, ListBand& band)
-{
-    band.counts.clear();
-    band.total = 0;
-    for (const ListRow& row : band.rows) {
-        // Differences between neighbours first; their running sum are the numbers.
-        band.changes.assign(static_cast<size_t>(grid.columns) + 1, 0);
-        for (size_t k = 0; k < row.used; ++k) {
-            ++band.changes[static_cast<size_t>(row.spans[k].first)];
-            --band.changes[static_cast<size_t>(row.spans[k].last)];
-        }
-        int32_t count = 0;
-        for (size_t column = 0; column + 1 < band.changes.size(); ++column) {
-            count += band.changes[column];
-            band.counts.push_back(count);
-            band.total += static_cast<size_t>(count);
-        }
-    }
-}
-
-/// Fills the lists of a row in memory that stays in the fastest cache, and copies them out at once.
 void fillLists(LightClusters& clusters, ListBand& band)
 {
     const ClusterGrid& grid = clusters.grid;
-    auto begin = static_cast<int32_t>(band.begin);
-    size_t cluster = static_cast<size_t>((band.slice * grid.rows + band.first) * grid.columns),
-           tile = 0;
-    band.next.resize(static_cast<size_t>(grid.columns));
+    const size_t end = band.begin + band.entries();
+    size_t begin = band.begin,
+           cluster = static_cast<size_t>((band.slice * grid.rows + band.first) * grid.columns);
     for (const ListRow& row : band.rows) {
-        int32_t size = 0;
-        for (int32_t& next : band.next) {
-            clusters.lists[2 * cluster] = begin + size;
-            clusters.lists[2 * cluster + 1] = band.counts[tile];
-            next = size;
-            size += band.counts[tile];
-            ++tile, ++cluster;
-        }
-        if (band.entries.size() < static_cast<size_t>(size))
-            band.entries.resize(2 * static_cast<size_t>(size));
-        int32_t* const entries = band.entries.data();
-        int32_t* const next = band.next.data();
-        for (size_t k = 0; k < row.used; ++k) {
-            const ColumnSpan span = row.spans[k];
-            const int32_t light = span.light;
-            for (int column = span.first; column < span.last; ++column)
-                entries[next[column]++] = light;
-        }
-        std::copy_n(entries, size, clusters.indices.data() + begin);
-        begin += size;
+        band.bits.makeLists(row, grid.columns, static_cast<int32_t>(begin),
+                            static_cast<int32_t>(end), &clusters.lists[2 * cluster],
+                            clusters.indices.data());
+        begin += row.entries;
+        cluster += static_cast<size_t>(grid.columns);
     }
 }
 
 }  // namespace
 
+size_t ListBand::entries() const
+{
+    size_t sum = 0;
+    for (const ListRow& row : rows) sum += row.entries;
+    return sum;
+}
+
 void setLists(LightClusters& clusters, const ClusterTiles& tiles,
               const std::vector<Reach>& reachesByPlace, Workers& workers, ListMemory& memory)
 {
-    setLightsOfSlices(clusters, tiles, reachesByPlace, memory);
+    setDistances(clusters, reachesByPlace, memory.distances);
     setBands(clusters.grid, memory.bands);
     // Bands share nothing, so threads make them side by side.
     workers.run(memory.bands.size(), [&](size_t k) {
-        findSpans(clusters, tiles, reachesByPlace, memory, memory.bands[k]);
-        countLights(clusters.grid, memory.bands[k]);
+        findSpans(clusters, tiles, reachesByPlace, memory.distances, memory.bands[k]);
     });
     size_t total = 0;
     for (ListBand& band : memory.bands) {
         band.begin = total;
-        total += band.total;
+        total += band.entries();
     }
     // Programs read places in the lists as int.
     constexpr size_t kMost = std::numeric_limits<int32_t>::max();

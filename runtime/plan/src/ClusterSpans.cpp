@@ -1,5 +1,7 @@
 #include "ClusterSpans.h"
 
+#include "ConeTiles.h"
+
 #include <cmath>
 
 namespace fbrdf {
@@ -7,29 +9,17 @@ namespace {
 
 /// What one sphere has in common in all rows of a slice.
 struct SliceDisc {
-    double x, y, radiusSquared;  ///< of its largest section parallel to the picture
+    double x, y, radius, radiusSquared;  ///< of its largest section parallel to the picture
 };
 
-/// The largest coordinate of the edges of rows.
-double farthestOf(const TileAxis& rows, const RowEnds& ends)
-{
-    const DistanceRange<double> a = rows.extent(ends.row),
-                                b = rows.extent(ends.row + ends.count - 1);
-    return std::max(std::max(std::abs(a.low), std::abs(a.high)),
-                    std::max(std::abs(b.low), std::abs(b.high)));
-}
-
 /// True where floats have room for what setEnds computes.
-bool fitsFloats(const Tiles& tiles, const SliceDisc& disc, const RowEnds& ends)
+bool fitsFloats(const Tiles& tiles, const SliceDisc& disc)
 {
     constexpr double kLarge = 1e30, kSmall = 1e-30;
     const TileAxis& columns = tiles.columns;
     return disc.radiusSquared > kSmall && disc.radiusSquared < kLarge &&
-           square(std::abs(disc.y) + farthestOf(tiles.rows, ends)) < kLarge &&
-           (std::abs(disc.x) + std::abs(columns.lines.x) + std::abs(columns.lines.z) +
-            std::sqrt(disc.radiusSquared)) *
-                   (std::abs(columns.perNear) + std::abs(columns.perFar)) <
-               kLarge;
+           square(std::abs(disc.y) + tiles.rows.farthest) < kLarge &&
+           (std::abs(disc.x) + columns.farthest + disc.radius) * columns.mostPer < kLarge;
 }
 
 /// Nothing in the loop branches, and floats let processors take four rows in a step. Whatever
@@ -42,8 +32,7 @@ void setEnds(const Tiles& tiles, const SliceDisc& disc, RowEnds& ends)
     const float* const highs = &tiles.rows.floatHighs[static_cast<size_t>(ends.row)];
     const double nearMiddle = (disc.x - columns.lines.x) * columns.perNear,
                  farMiddle = (disc.x - columns.lines.z) * columns.perFar;
-    const auto slack = static_cast<float>(kRounding *
-                                          (std::abs(disc.y) + farthestOf(tiles.rows, ends))),
+    const auto slack = static_cast<float>(kRounding * (std::abs(disc.y) + tiles.rows.farthest)),
                margin = static_cast<float>(
                    kTileMargin +
                    kRounding * (1.0 + std::max(std::abs(nearMiddle), std::abs(farMiddle)))),
@@ -94,44 +83,26 @@ void setEndsTileByTile(const Tiles& tiles, const SliceDisc& disc, RowEnds& ends)
     }
 }
 
-/// A cone in a row of tiles.
-class ConeInRow {
-public:
-    ConeInRow(const Tiles& tiles, const Reach& cone, int row) : columns_(tiles.columns), cone_(cone)
-    {
-        const DistanceRange<double> y = tiles.rows.extent(row);
-        centre_ = {0.0, 0.5 * (y.low + y.high), -0.5 * (tiles.distance.low + tiles.distance.high)};
-        half_ = {0.0, 0.5 * (y.high - y.low), 0.5 * (tiles.distance.high - tiles.distance.low)};
+/// The same as trimToCone there.
+void trimToConeTileByTile(const Tiles& tiles, const Reach& reach, RowEnds& ends)
+{
+    constexpr double kRounding = 1e-6;
+    const double slack = kRounding * (std::abs(reach.apex.x) + std::abs(reach.apex.y) +
+                                      std::abs(reach.apex.z) + reach.radius + tiles.distance.high);
+    for (int i = 0; i < ends.count; ++i) {
+        const DistanceRange<double> bounds =
+            coneBounds(reach.apex, reach.radius, reach.axis, reach.cosine, reach.sine,
+                       tiles.rows.extent(ends.row + i), tiles.distance, slack);
+        const auto isMet = [&](int column) {
+            const DistanceRange<double> x = tiles.columns.extent(column);
+            return x.low <= bounds.high && x.high >= bounds.low;
+        };
+        int &first = ends.first[i], &last = ends.last[i];
+        if (bounds.low > bounds.high) last = first;
+        while (first < last && !isMet(first)) ++first;
+        while (first < last && !isMet(last - 1)) --last;
     }
-
-    /// Drops tiles at either end of [first, last) that the cone misses.
-    void trim(int& first, int& last)
-    {
-        if (first >= last) return;
-        // Most often all of them are missed, or none at the ends.
-        if (!mayBeIn(first, last - 1)) last = first;
-        if (last - first <= 1) return;
-        while (first < last && !mayBeIn(first, first)) ++first;
-        while (first < last && !mayBeIn(last - 1, last - 1)) --last;
-    }
-
-private:
-    /// True where some of the cone may be in the tiles from one to another.
-    bool mayBeIn(int from, int to)
-    {
-        // The columns of a mirrored projection descend.
-        const DistanceRange<double> a = columns_.extent(from), b = columns_.extent(to);
-        const double low = std::min(a.low, b.low), high = std::max(a.high, b.high);
-        centre_.x = 0.5 * (low + high);
-        half_.x = 0.5 * (high - low);
-        return !coneMissesBox(centre_ - cone_.apex, half_ * kDistanceMargin, cone_.axis,
-                              cone_.cosine, cone_.sine);
-    }
-
-    const TileAxis& columns_;
-    const Reach& cone_;
-    Vec3d centre_{0.0}, half_{0.0};
-};
+}
 
 }  // namespace
 
@@ -141,8 +112,8 @@ SpanFinder::SpanFinder(const Tiles& tiles, int firstRow, int lastRow, const Reac
     radiusSquared_ = square(reach.radius * kDistanceMargin) -
                      square(intervalDistance(tiles.distance, -reach.centre.z));
     if (radiusSquared_ < 0.0 || tiles.distance.low > tiles.distance.high) return;
-    const double half = std::sqrt(radiusSquared_);
-    const auto [first, last] = tiles.rows.metBy(reach.centre.y - half, reach.centre.y + half);
+    radius_ = std::sqrt(radiusSquared_);
+    const auto [first, last] = tiles.rows.metBy(reach.centre.y - radius_, reach.centre.y + radius_);
     row_ = std::max(first, firstRow);
     end_ = std::min(last, lastRow);
 }
@@ -153,14 +124,14 @@ bool SpanFinder::next(RowEnds& ends)
     ends.row = row_;
     ends.count = std::min(RowEnds::kMost, end_ - row_);
     row_ += ends.count;
-    const SliceDisc disc{reach_.centre.x, reach_.centre.y, radiusSquared_};
-    if (tiles_.columns.isOrdered() && fitsFloats(tiles_, disc, ends))
+    const SliceDisc disc{reach_.centre.x, reach_.centre.y, radius_, radiusSquared_};
+    if (tiles_.columns.isOrdered() && fitsFloats(tiles_, disc)) {
         setEnds(tiles_, disc, ends);
-    else
-        setEndsTileByTile(tiles_, disc, ends);
-    if (reach_.hasCone())
-        for (int i = 0; i < ends.count; ++i)
-            ConeInRow(tiles_, reach_, ends.row + i).trim(ends.first[i], ends.last[i]);
+        if (reach_.hasCone()) trimToCone(tiles_, reach_, ends);
+        return true;
+    }
+    setEndsTileByTile(tiles_, disc, ends);
+    if (reach_.hasCone()) trimToConeTileByTile(tiles_, reach_, ends);
     return true;
 }
 

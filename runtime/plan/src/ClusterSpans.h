@@ -32,7 +32,8 @@ public:
 private:
     const Tiles& tiles_;
     const Reach& reach_;
-    double radiusSquared_;  ///< of the largest section of the sphere parallel to the picture
+    double radius_ = 0.0,
+           radiusSquared_;  ///< of the sphere's largest section parallel to the picture
     int row_ = 0, end_ = 0;
 };
 

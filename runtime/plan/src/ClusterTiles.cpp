@@ -30,10 +30,14 @@ TileAxis axisOf(const glm::dmat4& p, int axis, int count, const DistanceRange<do
     result.lines = glm::dvec4(lineAt(-distance.low), lineAt(-distance.high));
     result.perNear = 1.0 / result.lines.y;
     result.perFar = 1.0 / result.lines.w;
+    result.mostPer = std::max(std::abs(result.perNear), std::abs(result.perFar));
+    result.farthest = std::max(std::abs(result.lines.x), std::abs(result.lines.z));
     for (int i = 0; i < count; ++i) {
         const auto extent = tileExtent(result.lines, static_cast<double>(i), kTileMargin);
         result.lows.push_back(extent.low);
         result.highs.push_back(extent.high);
+        result.farthest =
+            std::max(result.farthest, std::max(std::abs(extent.low), std::abs(extent.high)));
         result.floatLows.push_back(static_cast<float>(extent.low));
         result.floatHighs.push_back(static_cast<float>(extent.high));
     }
@@ -47,6 +51,13 @@ TileAxis axisOf(const glm::dmat4& p, int axis, int count, const DistanceRange<do
 DistanceRange<double> distanceOf(const Reach& reach)
 {
     return {-reach.centre.z - reach.radius, -reach.centre.z + reach.radius};
+}
+
+DistanceRange<double> withSlack(const DistanceRange<double>& distance)
+{
+    const double slack =
+        (kDistanceMargin - 1.0) * (std::abs(distance.low) + std::abs(distance.high));
+    return {distance.low - slack, distance.high + slack};
 }
 
 ClusterTiles::ClusterTiles(const LightClusters& clusters, const glm::dmat4& projection,
@@ -67,13 +78,11 @@ ClusterTiles::ClusterTiles(const LightClusters& clusters, const glm::dmat4& proj
 
 std::pair<int, int> ClusterTiles::slicesOf(const Reach& reach) const
 {
-    const DistanceRange<double> distance = distanceOf(reach);
-    const double slack =
-        (kDistanceMargin - 1.0) * (std::abs(distance.low) + std::abs(distance.high));
+    const DistanceRange<double> distance = withSlack(distanceOf(reach));
     // Few slices are searched sooner one by one than by halves.
     size_t first = 0, last = slices_.size();
-    while (first < last && highs_[first] < distance.low - slack) ++first;
-    while (first < last && lows_[last - 1] > distance.high + slack) --last;
+    while (first < last && highs_[first] < distance.low) ++first;
+    while (first < last && lows_[last - 1] > distance.high) --last;
     return {static_cast<int>(first), static_cast<int>(last)};
 }
 

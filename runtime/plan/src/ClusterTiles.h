@@ -17,6 +17,8 @@ constexpr double kTileMargin = 1e-4;
 
 /// The distances from the eye that a sphere spans.
 DistanceRange<double> distanceOf(const Reach& reach);
+/// More than that by what comparing it with slices may round.
+DistanceRange<double> withSlack(const DistanceRange<double>& distance);
 
 /// So many rows are looked at in a step.
 constexpr int kFloatsAtOnce = 4;
@@ -25,6 +27,8 @@ constexpr int kFloatsAtOnce = 4;
 struct TileAxis {
     glm::dvec4 lines{0.0};                     ///< see tileExtent
     double perNear = 0.0, perFar = 0.0;        ///< 1 / lines.y and 1 / lines.w
+    double mostPer = 0.0;                      ///< the larger of both, without its sign
+    double farthest = 0.0;                     ///< the largest coordinate of an edge or of lines
     std::vector<double> lows, highs;           ///< extent of each tile
     std::vector<float> floatLows, floatHighs;  ///< the nearest floats, and kFloatsAtOnce zeros
 

@@ -7,11 +7,6 @@
 
 namespace fbrdf {
 
-bool isUnlimited(const LightVectors& light)
-{
-    return light[0].w == 0.0f;
-}
-
 double influenceRadius(const LightVectors& light)
 {
     FBRDF_ASSERT(light[0].w, >, 0.0f);

@@ -17,7 +17,10 @@ struct Reach {
     double cosine = -1.0, sine = 0.0;
     bool hasCone() const { return cosine > -1.0; }
 };
-bool isUnlimited(const LightVectors& light);
+inline bool isUnlimited(const LightVectors& light)
+{
+    return light[0].w == 0.0f;
+}
 /// Expects a light with a radius.
 double influenceRadius(const LightVectors& light);
 /// Expects a light with a radius. The sphere of a spot is smaller than its radius.

@@ -125,11 +125,13 @@ ReachSums lookAfresh(const std::vector<LightVectors>& lights, const glm::dmat4& 
     known.reaches.resize(lights.size());
     std::vector<ReachSums> sums(blocksOf(lights));
     workers.run(sums.size(), [&](size_t block) {
+        ReachSums sum;  // threads that write beside each other would wait for each other
         lookAtBlock(view, lights, block, [&](size_t i, bool mayBeSeen) {
             const bool isSeen = mayBeSeen && isSeenWith(view, lights[i], known.reaches[i]);
             known.slots[i] = isSeen ? 0 : -1;
-            if (isSeen && !isUnlimited(lights[i])) sums[block].add(known.reaches[i], projection);
+            if (isSeen && !isUnlimited(lights[i])) sum.add(known.reaches[i], projection);
         });
+        sums[block] = sum;
     });
     return sumOf(sums);
 }
@@ -149,19 +151,21 @@ Comparison compareLights(const std::vector<LightVectors>& lights, const glm::dma
     result.changes.resize(blocksOf(lights));
     std::vector<ReachSums> sums(result.changes.size());
     workers.run(sums.size(), [&](size_t block) {
+        ReachSums sum;
         lookAtBlock(view, lights, block, [&](size_t i, bool mayBeSeen) {
             const int32_t slot = known.slots[i];
             const LightVectors& light = lights[i];
             if (!mayBeSeen && slot < 0) return;
             if (slot >= 0 && isEqual(clusters.lights[static_cast<size_t>(slot)], light)) {
-                if (!isUnlimited(light)) sums[block].add(known.reaches[i], projection);
+                if (!isUnlimited(light)) sum.add(known.reaches[i], projection);
                 return;
             }
             LightChange change{static_cast<int32_t>(i)};
             change.isSeen = mayBeSeen && isSeenWith(view, light, change.reach);
-            if (change.isSeen && !isUnlimited(light)) sums[block].add(change.reach, projection);
+            if (change.isSeen && !isUnlimited(light)) sum.add(change.reach, projection);
             if (change.isSeen || slot >= 0) result.changes[block].push_back(change);
         });
+        sums[block] = sum;
     });
     result.sums = sumOf(sums);
     return result;

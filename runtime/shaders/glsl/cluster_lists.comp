@@ -16,6 +16,7 @@ uniform float fbrdfTileMargin;
 
 shared uint fbrdfMet[2];         // which of 64 lights meet the row
 shared vec2 fbrdfDiscs[64];      // of those: centre and squared radius, in the plane of the row
+shared vec2 fbrdfBounds[64];     // and x between which their cones are in the row
 shared int fbrdfCounts[64];
 shared int fbrdfFirst;
 
@@ -30,15 +31,15 @@ int fbrdfVectorsOf(int light)
     return 3 * (fbrdfClusterGrid.z + light);
 }
 
-// True where the cone of a light, if it has one, may be in a box.
-bool fbrdfMayBeInCone(int light, vec3 centre, vec3 halves)
+// Low is above high where the cone of a light does not meet the row.
+vec2 fbrdfBoundsOf(int light, float radius, vec2 y, vec2 z)
 {
     vec4 apex = fbrdfWork[fbrdfVectorsOf(light) + 1];
-    if (apex.w <= -1.0) return true;
+    if (apex.w <= -1.0) return vec2(-1e30, 1e30);
     vec4 axis = fbrdfWork[fbrdfVectorsOf(light) + 2];
-    // More than the rounding of what is subtracted.
-    vec3 slack = 4e-6 * (abs(centre) + abs(apex.xyz));
-    return !fbrdfConeMissesBox(centre - apex.xyz, halves + slack, axis.xyz, apex.w, axis.w);
+    // More than what sums of a few products round.
+    float slack = 1e-6 * (dot(abs(apex.xyz), vec3(1.0)) + radius + max(abs(y.x), abs(y.y)) + z.y);
+    return fbrdfConeBounds(apex.xyz, radius, axis.xyz, apex.w, axis.w, y, z, slack);
 }
 
 void main()
@@ -50,7 +51,6 @@ void main()
     vec2 z = fbrdfWork[3 * cell.z].xy;
     vec2 x = fbrdfTileExtent(fbrdfWork[3 * cell.z + 1], float(cell.x), fbrdfTileMargin);
     vec2 y = fbrdfTileExtent(fbrdfWork[3 * cell.z + 2], float(cell.y), fbrdfTileMargin);
-    vec3 centre = 0.5 * vec3(x.x + x.y, y.x + y.y, -z.x - z.y), halves = 0.5 * vec3(x.y - x.x, y.y - y.x, z.y - z.x);
     int first = fbrdfListed.x, lights = fbrdfListed.y, all = lights - first;
     // A cluster whose list finds no room has this one: nothing is lost.
     if (gl_WorkGroupID == uvec3(0))
@@ -64,15 +64,18 @@ void main()
                 vec4 sphere = fbrdfWork[fbrdfVectorsOf(base + lane)];
                 float depth = fbrdfIntervalDistance(z, -sphere.z), height = fbrdfIntervalDistance(y, sphere.y);
                 float left = sphere.w * sphere.w - depth * depth - height * height;
+                vec2 bounds = fbrdfBoundsOf(base + lane, sphere.w, y, z);
                 fbrdfDiscs[lane] = vec2(sphere.x, left);
-                if (left >= 0.0 && z.x <= z.y) atomicOr(fbrdfMet[lane / 32], 1u << uint(lane % 32));
+                fbrdfBounds[lane] = bounds;
+                if (left >= 0.0 && z.x <= z.y && bounds.x <= bounds.y) atomicOr(fbrdfMet[lane / 32], 1u << uint(lane % 32));
             }
             fbrdfWaitForAll();
             for (int word = 0; word < 2; ++word)
                 for (uint met = isCluster ? fbrdfMet[word] : 0u; met != 0u; met &= met - 1u) {
                     int k = 32 * word + findLSB(met);
                     float width = fbrdfIntervalDistance(x, fbrdfDiscs[k].x);
-                    if (width * width > fbrdfDiscs[k].y || !fbrdfMayBeInCone(base + k, centre, halves)) continue;
+                    bool isBeside = x.x > fbrdfBounds[k].y || x.y < fbrdfBounds[k].x;
+                    if (isBeside || width * width > fbrdfDiscs[k].y) continue;
                     if (turn == 1) fbrdfIndices[next++] = base + k;
                     else ++count;
                 }
