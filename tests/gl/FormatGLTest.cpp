@@ -191,16 +191,10 @@ TEST_P(Formats, OfIntegersAreRefused)
 INSTANTIATE_TEST_SUITE_P(Backends, Formats, ::testing::ValuesIn(modernVariants()), variantName);
 
 /// Halves below the smallest normal one become 0 when they are written, as on many GPUs.
-std::string flushing(std::string text)
+ShaderRewriter flushing()
 {
-    const std::string main = "void main()";
-    const size_t at = text.rfind(main);
-    if (text.find("fbrdfColour = ") == std::string::npos || at == std::string::npos) return text;
-    text.replace(at, main.size(), "void fbrdfWholeMain()");
-    return text +
-           "void main()\n{\n    fbrdfWholeMain();\n"
-           "    fbrdfColour.rgb *= vec3(greaterThanEqual(fbrdfColour.rgb, "
-           "vec3(6.103515625e-5)));\n}\n";
+    return afterMain(
+        "    fbrdfColour.rgb *= vec3(greaterThanEqual(fbrdfColour.rgb, vec3(6.103515625e-5)));\n");
 }
 
 class TinyHalves : public Formats {};
@@ -218,7 +212,7 @@ TEST_P(TinyHalves, AreWithinTheBoundWhereverTheyAreTakenForZero)
     EXPECT_LE(kept.ofBound, 1.0);
     EXPECT_LE(kept.stats.error.absolute, 0x1p-23) << "llvmpipe keeps them";
     gl::RendererOptions options = rendererOptions();
-    options.load = rewritingShaders(context().options().backend, flushing);
+    options.load = rewritingShaders(context().options().backend, flushing());
     gl::Renderer flushed(options);
     const Share lost = dim(flushed);
     EXPECT_LE(lost.ofBound, 1.0);

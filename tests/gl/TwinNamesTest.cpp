@@ -1,6 +1,6 @@
-// A GLSL function fbrdfX and the C++ function x compute the same, step by step. TwinGLTest.cpp
-// compares their values; this file checks that both exist under these names and that no function of
-// the shader snippets was forgotten.
+// A GLSL function fbrdfX and the C++ function x compute the same, step by step. TwinGLTest.cpp and
+// TwinLightGLTest.cpp compare their values; this file checks that both exist under these names and
+// that no function of the shader snippets was forgotten.
 #include <fbrdf/brdf/LobeContour.h>
 #include <fbrdf/brdf/LobeSampling.h>
 #include <fbrdf/brdf/Projection.h>
@@ -155,9 +155,12 @@ TEST(TwinNames, EveryGlslFunctionHasATwinOrAReason)
 // the pictures of SampledEnvironmentGLTest.cpp.
 TEST(TwinNames, EveryTwinIsCompared)
 {
-    std::ifstream file("tests/gl/TwinGLTest.cpp");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    ASSERT_FALSE(text.empty());
+    std::string text;
+    for (const char* const name : {"tests/gl/TwinGLTest.cpp", "tests/gl/TwinLightGLTest.cpp"}) {
+        std::ifstream file(name);
+        ASSERT_TRUE(file) << name;
+        text.append(std::istreambuf_iterator<char>(file), {});
+    }
     Names compared = twins();
     compared.insert(kAngles.begin(), kAngles.end());
     for (const char* const elsewhere : {"fbrdfLightList", "fbrdfSamplePoint", "fbrdfLevelOfCell",

@@ -17,26 +17,15 @@ const char* storedValue(ByteStore store)
     return "x";
 }
 
-std::string coarselyStored(std::string text, ByteStore store)
-{
-    const std::string main = "void main()";
-    const size_t at = text.rfind(main);
-    if (text.find("fbrdfColour = ") == std::string::npos || at == std::string::npos) return text;
-    text.replace(at, main.size(), "void fbrdfWholeMain()");
-    return text +
-           "void main()\n{\n    fbrdfWholeMain();\n"
-           "    vec3 x = clamp(fbrdfColour.rgb, 0.0, 1.0);\n"
-           "    vec3 last = exp2(floor(log2(max(x, 6.103515625e-5))) - 10.0);\n"
-           "    fbrdfColour.rgb = " +
-           storedValue(store) + ";\n}\n";
-}
-
 }  // namespace
 
 HeadlessContext::Load coarselyStoring(Backend backend, ByteStore store)
 {
     return rewritingShaders(
-        backend, [store](std::string text) { return coarselyStored(std::move(text), store); });
+        backend, afterMain("    vec3 x = clamp(fbrdfColour.rgb, 0.0, 1.0);\n"
+                           "    vec3 last = exp2(floor(log2(max(x, 6.103515625e-5))) - 10.0);\n"
+                           "    fbrdfColour.rgb = " +
+                           std::string(storedValue(store)) + ";\n"));
 }
 
 }  // namespace fbrdf::test

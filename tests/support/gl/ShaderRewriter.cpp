@@ -47,6 +47,18 @@ HeadlessContext::Load rewritingBy(ShaderRewriter rewrite)
 
 }  // namespace
 
+ShaderRewriter afterMain(const std::string& statements)
+{
+    return [statements](std::string text) {
+        const std::string main = "void main()";
+        const size_t at = text.rfind(main);
+        if (text.find("fbrdfColour = ") == std::string::npos || at == std::string::npos)
+            return text;
+        text.replace(at, main.size(), "void fbrdfWholeMain()");
+        return text + "void main()\n{\n    fbrdfWholeMain();\n" + statements + "}\n";
+    };
+}
+
 HeadlessContext::Load rewritingShaders(Backend backend, ShaderRewriter rewrite)
 {
     return backend == Backend::egl ? rewritingBy<Backend::egl>(std::move(rewrite))
