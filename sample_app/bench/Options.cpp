@@ -21,6 +21,7 @@ constexpr int kMostLights = 65536;
 
 Options optionsFromArguments(int argc, const char* const* argv)
 {
+    const ClassicLocale numbers;
     Options options;
     std::string size, mesh, clock, device;
     CLI::App app(
@@ -57,7 +58,6 @@ Options optionsFromArguments(int argc, const char* const* argv)
                  "Light from everywhere and area lights, by lobes, against GGX by the split sum");
     app.add_flag("--json", options.json, "One object instead of tables");
     try {
-        const ClassicLocale numbers;
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         options.help = app.help();

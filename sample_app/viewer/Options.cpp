@@ -269,6 +269,7 @@ void understand(const Texts& texts, Options& options)
 
 Options optionsFromArguments(int argc, const char* const* argv)
 {
+    const ClassicLocale numbers;
     Options options;
     Texts texts;
     CLI::App app(
@@ -283,7 +284,6 @@ Options optionsFromArguments(int argc, const char* const* argv)
     const auto* compare = describeCompareSheet(app, texts);
     const auto* figures = describeFigures(app);
     try {
-        const ClassicLocale numbers;
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         const auto used = app.get_subcommands();

@@ -1,6 +1,7 @@
 // Orders are fitted one after the other on a thread; what the tests wait for comes on any machine.
 #include <gtest/gtest.h>
 
+#include <fbrdf/base/Number.h>
 #include <fbrdf/fitting/FitWorker.h>
 
 #include "support/TemporaryDir.h"
@@ -15,7 +16,7 @@ namespace {
 FitOrder ggx(double alpha)
 {
     FitOrder order;
-    order.source = "ggx:alpha=" + std::to_string(alpha) + ",f0=0.9/0.6/0.3,kd=0.1";
+    order.source = "ggx:alpha=" + fixedText(alpha) + ",f0=0.9/0.6/0.3,kd=0.1";
     order.fit.form = "io";
     order.fit.heldOut = false;
     order.fit.smoothness = 1e-3;

@@ -29,8 +29,8 @@ void OsgviewerTest::SetUp()
 std::string OsgviewerTest::written(osg::Group* root)
 {
     root->addChild(osgLights(testLights(64)));
-    EXPECT_TRUE(osgDB::writeNodeFile(*root, path("scene.osgt")));
-    return path("scene.osgt");
+    EXPECT_TRUE(osgDB::writeNodeFile(*root, path("scene.osgb")));
+    return path("scene.osgb");
 }
 
 osg::ref_ptr<osg::Node> OsgviewerTest::read(const std::string& scene)

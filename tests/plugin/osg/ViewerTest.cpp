@@ -194,7 +194,7 @@ protected:
     {
         OsgviewerTest::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
-        ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(24)), path("ball.osgt")));
+        ASSERT_TRUE(osgDB::writeNodeFile(*osgMesh(sphereMesh(24)), path("ball.osgb")));
         ASSERT_TRUE(osgDB::writeNodeFile(*ball(0), path("page.osgb")));
     }
 
@@ -339,7 +339,7 @@ TEST_F(RealScene, IsSeenByTwoViewsInTwoContexts)
 TEST_F(RealScene, IsHitAsTheModelAloneIs)
 {
     const std::string scene = written(groupOf({ball(0)}));
-    const auto node = read(scene), plain = read(path("ball.osgt"));
+    const auto node = read(scene), plain = read(path("ball.osgb"));
     ViewerTwin twin(context().loader(), node, 160, 160);
     ViewerTwin withoutEffect(context().loader(), plain, 160, 160);
     Osgviewer viewer(scene, {});

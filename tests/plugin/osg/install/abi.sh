@@ -12,7 +12,8 @@ cd "$work"
 library=$(find prefix -name libosgFbrdf.so)
 folder=$(dirname "$library")
 version=$(basename "$(readlink "$library")")
-converts() { env -u LD_LIBRARY_PATH OSG_LIBRARY_PATH="$folder" osgconv grey.fbrdf ball.osgt >log 2>&1 && [ -s ball.osgt ]; }
+# The words of the system are looked for in English.
+converts() { env -u LD_LIBRARY_PATH LC_ALL=C OSG_LIBRARY_PATH="$folder" osgconv grey.fbrdf ball.osgt >log 2>&1 && [ -s ball.osgt ]; }
 fail() { echo "$1"; cat log; exit 1; }
 converts || fail "found no material with $version, expected one"
 rm ball.osgt
