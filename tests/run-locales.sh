@@ -2,8 +2,9 @@
 # Runs tests of build-tests in locales that trip programs up: de_DE, whose decimal sign is a comma, and tr_TR, whose capital
 # i has a dot. The locales are compiled into build-tests, so that none has to be installed, and a preloaded library makes each
 # program a host that has set its locale. This is not part of CI. Usage: tests/run-locales.sh [ARGUMENT OF CTEST...]; with
-# -R . the whole suite runs, without an argument the tests of readers, writers, numbers and the tool. Those that draw by OGRE
-# fail in the whole suite, whose own shaders do not compile where std::locale::global has a decimal comma.
+# -R . the whole suite runs, without an argument the tests of readers, writers, numbers and the tool. Of the whole
+# suite those fail that draw by OGRE or read plain nodes of OSG's text files: their shaders and numbers have the comma that
+# std::locale::global has.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 cd "$root"

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <locale>
 #include <thread>
 
 namespace fbrdf::fitting {
@@ -165,6 +166,7 @@ TEST(FitWorker, ReadsAFileAgainThatHasChanged)
     const std::string path = folder.file("scan.csv");
     const auto write = [&path](double value) {
         std::ofstream file(path);
+        file.imbue(std::locale::classic());
         file << "wi_x,wi_y,wi_z,wo_x,wo_y,wo_z,r,g,b\n";
         for (int i = 0; i < 40; ++i)
             for (int k = 0; k < 40; ++k) {

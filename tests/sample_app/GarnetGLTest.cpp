@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <string>
 
 namespace fbrdf::scene {
@@ -67,6 +68,7 @@ private:
 Vec3d alphaOf(const std::string& path)
 {
     std::ifstream file(path);
+    file.imbue(std::locale::classic());
     std::string line;
     std::getline(file, line);  // title
     std::getline(file, line);  // kind
