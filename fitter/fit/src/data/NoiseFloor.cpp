@@ -75,12 +75,14 @@ struct Neighbours {
 
 Neighbours neighboursOfNegatives(const std::vector<Sample>& samples, int channel, bool overCosine)
 {
-    constexpr size_t kLooked = 256;
+    constexpr size_t kLooked = 256, kFewLooked = 16;
+    constexpr size_t kCompared = size_t{1} << 24;  // pairs: a fraction of a second
     std::vector<size_t> below;
     for (size_t i = 0; i < samples.size(); ++i)
         if (samples[i].f[channel] < 0.0f) below.push_back(i);
     Neighbours result;
-    const size_t looked = std::min(kLooked, below.size());
+    const size_t looked =
+        std::min(below.size(), std::clamp(kCompared / samples.size(), kFewLooked, kLooked));
     for (size_t k = 0; k < looked; ++k) {
         const size_t at = below[k * below.size() / looked];
         const float other = valueOf(samples[nearestTo(samples, at)], channel, overCosine);
