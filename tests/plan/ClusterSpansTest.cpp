@@ -23,6 +23,19 @@ double distanceFrom(const Tiles& tiles, int row, int column, const Vec3d& point,
                              intervalDistance(tiles.distance, -point.z)));
 }
 
+/// By row and column, 1 where a slice has the light in the list of a tile.
+std::vector<char> listedIn(const ClusterTiles& all, int slice, const LightClusters& clusters,
+                           const Reach& reach)
+{
+    std::vector<LightSpan> spans;
+    addSpans(all, slice, 0, clusters.grid.rows, 7, reach, spans);
+    std::vector<char> listed(static_cast<size_t>(clusters.grid.rows * clusters.grid.columns));
+    for (const LightSpan& span : spans)
+        for (int column = span.first; column < span.last; ++column)
+            listed[static_cast<size_t>(span.row * clusters.grid.columns + column)] = 1;
+    return listed;
+}
+
 struct SpanCounts {
     size_t listed = 0, lost = 0, idle = 0;
 };
@@ -50,13 +63,7 @@ SpanCounts countsOf(const glm::dmat4& projection, double scale)
     for (const Reach& sphere : spheres)
         for (int slice = 0; slice < clusters.grid.slices; ++slice) {
             const Tiles& tiles = all[slice];
-            std::vector<LightSpan> spans;
-            addSpans(all, slice, 0, clusters.grid.rows, 7, sphere, spans);
-            std::vector<char> listed(
-                static_cast<size_t>(clusters.grid.rows * clusters.grid.columns));
-            for (const LightSpan& span : spans)
-                for (int column = span.first; column < span.last; ++column)
-                    listed[static_cast<size_t>(span.row * clusters.grid.columns + column)] = 1;
+            const std::vector<char> listed = listedIn(all, slice, clusters, sphere);
             for (int row = 0; row < clusters.grid.rows; ++row)
                 for (int column = 0; column < clusters.grid.columns; ++column) {
                     const bool isListed =
@@ -178,13 +185,7 @@ ConeCounts conesIn(const glm::dmat4& projection, double scale, double angle, dou
         const Reach cone = coneOf(scale * apex, axis, radius, angle),
                     asked = coneOf(scale * apex, axis, radius, spanAngle);
         for (int slice = 0; slice < clusters.grid.slices; ++slice) {
-            std::vector<LightSpan> spans;
-            addSpans(all, slice, 0, clusters.grid.rows, 7, asked, spans);
-            std::vector<char> listed(
-                static_cast<size_t>(clusters.grid.rows * clusters.grid.columns));
-            for (const LightSpan& span : spans)
-                for (int column = span.first; column < span.last; ++column)
-                    listed[static_cast<size_t>(span.row * clusters.grid.columns + column)] = 1;
+            const std::vector<char> listed = listedIn(all, slice, clusters, asked);
             countTiles(all[slice], listed, cone, random, counts);
         }
     }
