@@ -107,6 +107,17 @@ TEST(Choice, OfEqualsTheOneIsTakenThatIsBetterOnAllSamples)
     EXPECT_EQ(choose(candidates).index, 0u);
 }
 
+TEST(Choice, WhereTrialsHaveAPartOfTheSamplesTheErrorsHeldOutDecide)
+{
+    std::vector<Candidate> candidates{candidate("hdio", {0.99, 0.98, 1.00, 1.01, 0.97}),
+                                      candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02})};
+    for (Candidate& c : candidates)
+        c.held.errors.logMedian = c.held.errors.cosRms = c.held.errors.cubeRootRms = 0.1;
+    EXPECT_EQ(choose(candidates).index, 1u);
+    candidates[1].held.errors.cosRms = 0.13;
+    EXPECT_EQ(choose(candidates).index, 0u);
+}
+
 TEST(Choice, WhatIsInventedIsAFault)
 {
     std::vector<Candidate> candidates{candidate("hdio", {0.8, 0.8, 0.8, 0.8, 0.8}),

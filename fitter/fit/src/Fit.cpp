@@ -112,7 +112,8 @@ void measure(const Source& source, const FitContext& context, const Fitted& fitt
     const auto probe = probeOf(context);
     const auto values = evaluateAt(fitted.material, probe, context.options.threads);
     summary.all = sampleErrors(probe, values, context.statistics.floor);
-    summary.misfits = misfitRegions(probe, values, context.statistics.floor, context.dataset.exact);
+    summary.misfits = misfitRegions(probe, values, context.statistics.floor, context.dataset.exact,
+                                    context.options.threads);
     if (!context.dataset.exact) summary.coverage = coverageOf(probe);
     summary.used = context.dataset.rows;
     for (const Sample& s : probe)

@@ -2,6 +2,7 @@
 
 #include <fbrdf/base/Assert.h>
 #include <fbrdf/base/Number.h>
+#include <fbrdf/base/Parallel.h>
 #include <fbrdf/brdf/HalfDifference.h>
 
 #include <algorithm>
@@ -206,19 +207,23 @@ std::string channelNames(const std::array<bool, 3>& channels)
 
 std::vector<MisfitRegion> misfitRegions(const std::vector<Sample>& samples,
                                         const std::vector<Vec3f>& fitted, const Vec3f& noiseFloor,
-                                        bool exact)
+                                        bool exact, int threads)
 {
     FBRDF_ASSERT(fitted.size(), ==, samples.size());
     std::vector<ChannelResiduals> channels(3, ChannelResiduals(brightestOf(samples)));
-    for (size_t i = 0; i < samples.size(); ++i) {
-        const Sample& s = samples[i];
-        const HalfDifference angles = halfDifferenceFromPair({Vec3d(s.wo), Vec3d(s.wi)});
-        for (int c = 0; c < 3; ++c)
+    std::vector<HalfDifference> angles(samples.size());
+    parallelFor(samples.size(), threads, [&](size_t i) {
+        angles[i] = halfDifferenceFromPair({Vec3d(samples[i].wo), Vec3d(samples[i].wi)});
+    });
+    parallelTasks(channels.size(), threads, [&](size_t task) {
+        const auto c = static_cast<int>(task);
+        for (size_t i = 0; i < samples.size(); ++i) {
+            const Sample& s = samples[i];
             if (static_cast<double>(s.f[c]) > kSurelyAbove * static_cast<double>(noiseFloor[c]))
-                channels[static_cast<size_t>(c)].add(angles, static_cast<double>(s.wi.z),
-                                                     static_cast<double>(s.f[c]),
-                                                     static_cast<double>(fitted[i][c]));
-    }
+                channels[task].add(angles[i], static_cast<double>(s.wi.z),
+                                   static_cast<double>(s.f[c]), static_cast<double>(fitted[i][c]));
+        }
+    });
     double seen = 0.0;
     for (const ChannelResiduals& channel : channels) seen += channel.seen() / 3.0;
     std::vector<MisfitRegion> regions(kRegions);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace fbrdf {
 namespace {
@@ -76,20 +77,23 @@ Frame frameOf(int pixel, int size)
     return frameAt(centre(pixel % size, size), -centre(pixel / size, size));
 }
 
-double exposureFor(int size)
+double exposureFor(int size, int threads)
 {
     const auto lambertian = [](const Vec3d&, const Vec3d&) { return Vec3d(0.5 / kPi); };
-    double sum = 0.0;
-    size_t pixels = 0;
-    for (int row = 0; row < size; ++row)
+    std::vector<double> rows(static_cast<size_t>(size));
+    std::vector<size_t> pixels(rows.size());
+    parallelTasks(rows.size(), threads, [&](size_t row) {
         for (int column = 0; column < size; ++column) {
-            if (!isCovered(column, row, size)) continue;
-            const Vec3d l =
-                radianceAt(frameAt(centre(column, size), -centre(row, size)), lambertian);
-            sum += (l.x + l.y + l.z) / 3.0;
-            ++pixels;
+            if (!isCovered(column, static_cast<int>(row), size)) continue;
+            const int pixel = static_cast<int>(row) * size + column;
+            const Vec3d l = radianceAt(frameOf(pixel, size), lambertian);
+            rows[row] += (l.x + l.y + l.z) / 3.0;
+            ++pixels[row];
         }
-    return kMeanOfHalfLambertian * static_cast<double>(pixels) / sum;
+    });
+    return kMeanOfHalfLambertian *
+           static_cast<double>(std::accumulate(pixels.begin(), pixels.end(), size_t{0})) /
+           std::accumulate(rows.begin(), rows.end(), 0.0);
 }
 
 }  // namespace
@@ -104,7 +108,7 @@ SphereImage renderStandardSphere(const BrdfFunction& brdf, int size, int threads
     image.covered.assign(count, false);
     for (size_t i = 0; i < count; ++i)
         image.covered[i] = isCovered(static_cast<int>(i) % size, static_cast<int>(i) / size, size);
-    const double exposure = exposureFor(size);
+    const double exposure = exposureFor(size, threads);
     parallelTasks(static_cast<size_t>(size), threads, [&](size_t row) {
         for (size_t i = row * static_cast<size_t>(size); i < (row + 1) * static_cast<size_t>(size);
              ++i) {
@@ -119,7 +123,7 @@ SphereImage renderStandardSphere(const BrdfFunction& brdf, int size, int threads
 std::vector<SphereTerm> standardSphereTerms(int size)
 {
     FBRDF_ASSERT(size, >, 0);
-    const double exposure = exposureFor(size);
+    const double exposure = exposureFor(size, 0);
     std::vector<SphereTerm> terms;
     for (int pixel = 0; pixel < size * size; ++pixel) {
         if (!isCovered(pixel % size, pixel / size, size)) continue;

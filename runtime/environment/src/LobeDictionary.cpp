@@ -100,34 +100,36 @@ void LobeDictionary::factorCovariance()
     const MirrorQuadrature& at = quadrature_;
     const size_t count = at.nodes.size();
     rank_ = std::min(kRank, count);
-    root_.assign(count * rank_, 0.0f);
+    std::vector<std::vector<float>> columns;  // of the root
     std::vector<double> left(count);
     std::vector<double> importance(count);
     for (size_t i = 0; i < count; ++i) importance[i] = std::pow(at.weights[i], kImportance);
     for (size_t i = 0; i < count; ++i) left[i] = covarianceOf(at.nodes[i], at.nodes[i]);
-    for (size_t k = 0; k < rank_; ++k) {
+    std::vector<double> known(count);
+    while (columns.size() < rank_) {
         size_t pivot = 0;
         for (size_t i = 1; i < count; ++i)
             if (left[i] * importance[i] > left[pivot] * importance[pivot]) pivot = i;
+        known.assign(count, 0.0);
+        for (const std::vector<float>& column : columns) {
+            const auto ofPivot = double(column[pivot]);
+            for (size_t i = 0; i < count; ++i) known[i] += double(column[i]) * ofPivot;
+        }
         const double scale = 1.0 / std::sqrt(left[pivot]);
-        const float* const pivotRow = &root_[pivot * rank_];
+        std::vector<float>& column = columns.emplace_back(count);
         for (size_t i = 0; i < count; ++i) {
-            float* const row = &root_[i * rank_];
-            double known = 0.0;
-            for (size_t m = 0; m < k; ++m) known += double(row[m]) * double(pivotRow[m]);
             const double covariance = covarianceOf(at.nodes[i], at.nodes[pivot]);
-            if (i != pivot) row[k] = static_cast<float>((covariance - known) * scale);
+            column[i] = static_cast<float>((covariance - known[i]) * scale);
         }
-        root_[pivot * rank_ + k] = static_cast<float>(1.0 / scale);
-        for (size_t i = 0; i < count; ++i) {
-            const auto value = double(root_[i * rank_ + k]);
-            left[i] = std::max(0.0, left[i] - value * value);
-        }
+        column[pivot] = static_cast<float>(1.0 / scale);
+        for (size_t i = 0; i < count; ++i)
+            left[i] = std::max(0.0, left[i] - double(column[i]) * double(column[i]));
         left[pivot] = 0.0;
     }
+    root_.resize(count * rank_);
     for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < rank_; ++k)
-            root_[i * rank_ + k] *= static_cast<float>(at.weights[i]);
+            root_[i * rank_ + k] = columns[k][i] * static_cast<float>(at.weights[i]);
 }
 
 Projected LobeDictionary::project(const std::vector<double>& values) const

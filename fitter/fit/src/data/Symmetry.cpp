@@ -46,10 +46,9 @@ bool isIsotropicSource(const Source& source)
     return true;
 }
 
-bool isReciprocalSource(const Source& source)
+bool isReciprocalSource(const Source& source, double within)
 {
-    constexpr double kSame = 1e-2;
-    return source.evaluate && medianReciprocityError(source.evaluate, 1, kPairs) < kSame;
+    return source.evaluate && medianReciprocityError(source.evaluate, 1, kPairs) < within;
 }
 
 bool isMirrorSymmetricSource(const Source& source)

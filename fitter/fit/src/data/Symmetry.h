@@ -9,10 +9,10 @@ namespace fbrdf {
 /// or found on 65,536 pairs of directions of its function.
 bool isIsotropicSource(const Source& source);
 
-/// True when the function is known to be unchanged when wo and wi change places, within a hundredth
-/// in the median. Scattered samples seldom contain both pairs, and measurements are seldom
-/// reciprocal: false where there is no function.
-bool isReciprocalSource(const Source& source);
+/// True when the function is known to be unchanged when wo and wi change places: the median of
+/// |ln f(a, b) / f(b, a)| is below `within`. Scattered samples seldom contain both pairs, and
+/// measurements are seldom reciprocal: false where there is no function.
+bool isReciprocalSource(const Source& source, double within);
 
 /// True when the function of an isotropic source is known to be its own mirror image at the plane
 /// of incidence, within a twentieth in the median: networks differ by less for want of training.

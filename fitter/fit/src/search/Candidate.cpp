@@ -24,14 +24,20 @@ auto costOf(const Candidate& c)
     return std::make_tuple(c.lookups, c.form.terms.size(), c.bytes);
 }
 
+// Samples so many that trials are fitted to a part of them are held out by the thousand, and their
+// errors are as good as those on all.
+const SampleErrors& errorsOnAll(const Candidate& c)
+{
+    return c.whole ? c.whole->all : c.held.errors;
+}
+
 // Whether `a` is below `b` by more than a twentieth in an error on all samples, and nowhere above
 // it by more.
 bool isBetterOnAll(const Candidate& a, const Candidate& b)
 {
     constexpr double kAllowed = 1.05;
-    if (!a.whole || !b.whole) return false;
-    const double above = mostAbove(b.whole->all, a.whole->all);
-    return above > kAllowed && above >= mostAbove(a.whole->all, b.whole->all);
+    const double above = mostAbove(errorsOnAll(b), errorsOnAll(a));
+    return above > kAllowed && above >= mostAbove(errorsOnAll(a), errorsOnAll(b));
 }
 
 // Candidates whose marks are above that of `best` by chance, if at all. More terms than its own
@@ -66,12 +72,20 @@ std::string percent(double difference)
     return fmt::format("{:.1f} %", 100.0 * std::abs(std::expm1(difference)));
 }
 
+// A form may stand beside itself at another size, or with other warps.
+std::string nameBeside(const Candidate& c, const Candidate& other)
+{
+    if (c.form.name != other.form.name) return c.form.name;
+    if (c.bytes == other.bytes) return c.form.name + " with other warps";
+    return fmt::format("{} of {} bytes", c.form.name, c.bytes);
+}
+
 std::string comparison(const Candidate& best, const Candidate& other)
 {
     const Lead lead = leadOf(best, other);
-    return fmt::format("{} errors held out {} {}, give or take {}", other.form.name,
-                       percent(lead.mean), lead.mean < 0.0 ? "smaller" : "larger",
-                       percent(lead.error));
+    return fmt::format("{} errors {} {} {}, give or take {}", nameBeside(other, best),
+                       best.isFinal ? "on all samples" : "held out", percent(lead.mean),
+                       lead.mean < 0.0 ? "smaller" : "larger", percent(lead.error));
 }
 
 // A prior knows what materials look like, which folds of few samples do not: what is better by
@@ -95,7 +109,8 @@ std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate&
         return text + "what known materials look like decides; without it, " +
                comparison(best, chosen);
     if (&chosen != &best)
-        return text + "as good as " + best.form.name + " on samples held out and " +
+        return text + "as good as " + nameBeside(best, chosen) + " on " +
+               (best.isFinal ? "all samples" : "samples held out") + " and " +
                (costOf(chosen) < costOf(best) ? "cheaper" : "better on all") + "; without it, " +
                comparison(best, chosen);
     const Candidate* second = nullptr;

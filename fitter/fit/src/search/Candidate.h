@@ -16,6 +16,9 @@ struct Candidate {
     HeldOut held;
     std::vector<double> marks;        ///< markOf each part of the samples that were held out
     std::optional<Restrained> whole;  ///< fitted to all data; where that is known before the choice
+    /// The marks are those of `whole` on parts of all samples: there are so many that what is held
+    /// out would say the same.
+    bool isFinal = false;
 
     /// The mean of the marks; where a fit to all data is known, half of it and the mark of that.
     double mark() const;
@@ -45,8 +48,9 @@ struct Choice {
 
 /// The cheapest of the candidates that are as good as that of the least mark, with no more terms.
 /// Their marks are above it by no more than the standard error, and none of the others is better on
-/// all samples: below it by more than a twentieth in one of log_median, cos_rms and cuberoot_rms,
-/// and not above it by more in another. Where each has a better one, it is the candidate of the
+/// all samples (or, where trials are fitted to a part of them, on those held out): below it by more
+/// than a twentieth in one of log_median, cos_rms and cuberoot_rms, and not above it by more in
+/// another. Where each has a better one, it is the candidate of the
 /// least mark. One that leans on a prior is chosen unless the best is surely better: by twice the
 /// standard error. Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes.
 /// Precondition: there is one.

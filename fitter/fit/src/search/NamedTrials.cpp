@@ -6,6 +6,10 @@
 namespace fbrdf {
 namespace {
 
+// How much f(a, b) differs from f(b, a) where a table that is not symmetric takes errors away, and
+// where one over the third angle does.
+constexpr double kSeenIfOneWay = 1e-3, kPlainlyOneWay = 1e-2;
+
 // The form at its size, or nothing where it is not within the options.
 std::optional<Form> sized(const TrialRuns& runs, const std::string& name)
 {
@@ -28,13 +32,12 @@ std::vector<std::string> candidateNames(const Source& source, int terms)
         if (count <= terms) names.insert(names.end(), forms.begin(), forms.end());
     };
     if (isIsotropicSource(source)) {
-        const bool isReciprocal = isReciprocalSource(source);
         add(1, {"hdio", "hdg", "hdpio"});
-        if (!isReciprocal) add(1, {"hdpu"});
+        if (!isReciprocalSource(source, kSeenIfOneWay)) add(1, {"hdpu"});
         // Scattered samples show that they are isotropic only where they are near each other.
         if (!source.evaluate) add(1, {"hdp", "pqpr", "qdio"});
         // Files that interpolate have enough samples for the third angle over half a turn.
-        if (source.evaluate && !isReciprocal) {
+        if (source.evaluate && !isReciprocalSource(source, kPlainlyOneWay)) {
             add(1, {"hdsu"});
             add(2, {"u+hdsu"});
         }

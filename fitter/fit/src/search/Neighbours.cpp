@@ -2,6 +2,7 @@
 
 #include "forms/FormVariants.h"
 #include "forms/NamedForms.h"
+#include "search/SeenErrors.h"
 
 #include <cmath>
 
@@ -14,6 +15,8 @@ constexpr double kWorthWarp = 0.01, kWorthTexels = 0.05, kAllowed = 0.01;
 // A geometric mean of errors so small that nothing is left to see: neither more texels nor other
 // warps help.
 constexpr double kFine = 4e-3;
+// A mark can stay where it is while one of its errors rises; none may by more than this factor.
+constexpr double kMostRise = 1.02;
 constexpr double kSizeStep = 1.5, kWarpStep = 1.4;
 
 // Neither texels nor warps of uniform arrays are worth a trial: they are fine, and free.
@@ -46,13 +49,18 @@ bool isFine(const Candidate& candidate)
     return candidate.mark() < std::log(kFine);
 }
 
-// Takes the variant when it lowers the mark by `worth`.
+bool rises(const Candidate& candidate, const Candidate& above)
+{
+    return mostAbove(candidate.held.errors, above.held.errors) > kMostRise;
+}
+
+// Takes the variant when it lowers the mark by `worth`, and no error rises.
 bool take(TrialRuns& runs, Candidate& best, const std::optional<Form>& variant, const char* stage,
           double worth)
 {
     if (!variant || isFine(best) || !runs.isWithin(*variant) || runs.isOver()) return false;
     auto next = runs.attempt(*variant, stage, best, worth);
-    if (!next) return false;
+    if (!next || rises(*next, best)) return false;
     best = std::move(*next);
     return true;
 }
@@ -84,7 +92,7 @@ void shrink(TrialRuns& runs, Candidate& best)
         while (const auto smaller = resized(best.form, table, 1.0 / kSizeStep)) {
             if (runs.isOver()) return;
             auto next = runs.attempt(*smaller, "size", reference, -kAllowed);
-            if (!next) break;
+            if (!next || rises(*next, reference)) break;
             best = std::move(*next);
         }
 }

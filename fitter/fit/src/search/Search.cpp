@@ -66,13 +66,19 @@ Fitted searchForm(const Source& source, const FitContext& context, std::vector<T
     TrialRuns runs(context, part, isotropic, trials);
     std::vector<Candidate> named = tryNamed(runs, namesFor(source, context.options));
     if (named.empty()) refuseBudget(context.options, runs.budget());
-    const Choice choice = choose(named);
-    reason = choice.reason + untried(trials);
-    Candidate best = std::move(named[choice.index]);
+    Choice choice = choose(named);
+    Candidate best = named[choice.index];
     if (goesOn(context)) improve(runs, best);
+    if (runs.hasPlenty() && isSearched(context.options)) {
+        std::vector<Candidate> finals = runs.finals(std::move(best), std::move(named));
+        const Choice last = choose(finals);
+        if (finals.size() > 1) choice.reason = last.reason;
+        best = std::move(finals[last.index]);
+    }
+    reason = choice.reason + untried(trials);
     runs.choose(best);
     if (!best.whole) return fitForm(context, best.form, &best.held.solution);
-    const bool isStated = isIsotropic(best.form) || !part.turnsHeldOut;
+    const bool isStated = runs.isWhole() && (isIsotropic(best.form) || !part.turnsHeldOut);
     if (!context.dataset.exact && isStated) best.whole->fitted.heldOut = best.held.errors;
     return std::move(best.whole->fitted);
 }

@@ -15,7 +15,9 @@ namespace {
 constexpr size_t kAutoBytes = 32768;  // without --max-bytes
 constexpr size_t kMaxTrials = 32, kMaxTrialsOfBest = 96;
 constexpr size_t kFewRows = 20000;    // that forms are fitted to side by side
-constexpr double kTrialsShare = 0.5;  // of the seconds; the rest is for the last fit
+constexpr double kTrialsShare = 0.5;  // of the seconds; the rest is for the last fits
+constexpr double kFinalsShare = 0.75;
+constexpr size_t kPlenty = size_t{1} << 18;
 
 FitOptions withOneThread(FitOptions options)
 {
@@ -91,13 +93,22 @@ size_t TrialRuns::budget() const
     return all_.options.maxBytes > 0 ? all_.options.maxBytes : kAutoBytes;
 }
 
+bool TrialRuns::hasPlenty() const
+{
+    return !isWhole() && all_.dataset.rows >= kPlenty;
+}
+
 // Processes that fit together must try the same forms, whatever their clocks are.
+bool TrialRuns::isLate(double share) const
+{
+    return all_.options.seconds > 0.0 && all_.options.ranks.count == 1 &&
+           clock_.seconds() > share * all_.options.seconds;
+}
+
 bool TrialRuns::isOver() const
 {
-    const bool isLate = all_.options.seconds > 0.0 && all_.options.ranks.count == 1 &&
-                        clock_.seconds() > kTrialsShare * all_.options.seconds;
     const bool isBestOf = all_.options.form == kBestOf;
-    return isLate || rows_.size() >= (isBestOf ? kMaxTrialsOfBest : kMaxTrials);
+    return isLate(kTrialsShare) || rows_.size() >= (isBestOf ? kMaxTrialsOfBest : kMaxTrials);
 }
 
 Candidate TrialRuns::added(const Form& form, const std::string& stage)
@@ -187,6 +198,45 @@ std::vector<Candidate> TrialRuns::tryAll(std::vector<Candidate> candidates)
     return untilOver(
         std::move(candidates),
         [this](const FitContext& context, Candidate& candidate) { complete(context, candidate); });
+}
+
+void TrialRuns::fitWhole(Candidate& candidate)
+{
+    all_.options.watch.say("fitting " + candidate.form.name + " to all samples");
+    const Clock clock;
+    Restrained& whole = candidate.whole.emplace();
+    whole.fitted = fitForm(all_, candidate.form, &candidate.held.solution);
+    HeldOut on;
+    on.samples = probeOf(all_);
+    on.fitted = evaluateAt(whole.fitted.material, on.samples, all_.options.threads);
+    whole.all = sampleErrors(on.samples, on.fitted, all_.statistics.floor);
+    whole.allMark = markOf(on.samples, on.fitted, all_.statistics.floor, all_.options.metric);
+    candidate.marks = marksOf(on, all_);
+    candidate.isFinal = true;
+    rows_[candidate.trial].seconds += clock.seconds();
+}
+
+std::vector<Candidate> TrialRuns::finals(Candidate best, std::vector<Candidate> others)
+{
+    constexpr double kNear = 0.2;  // marks apart
+    constexpr size_t kMost = 5;
+    const double mark = best.mark();
+    others.erase(std::remove_if(others.begin(), others.end(),
+                                [&](const Candidate& c) {
+                                    return c.trial == best.trial || c.form.terms.size() > 1 ||
+                                           c.mark() > mark + kNear;
+                                }),
+                 others.end());
+    std::sort(others.begin(), others.end(), isBetter);
+    std::vector<Candidate> finals;
+    finals.push_back(std::move(best));
+    fitWhole(finals.front());
+    for (Candidate& other : others) {
+        if (finals.size() == kMost || isLate(kFinalsShare)) break;
+        finals.push_back(std::move(other));
+        fitWhole(finals.back());
+    }
+    return finals;
 }
 
 std::optional<Candidate> TrialRuns::attempt(const Form& variant, const std::string& stage,

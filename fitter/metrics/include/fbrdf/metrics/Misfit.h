@@ -33,10 +33,10 @@ std::string describe(const MisfitRegion& region);
 /// Regions in which the form does not follow the data, the one with most light first; empty where
 /// it follows them everywhere. `exact`: the values are those of a function, and every residual is
 /// structural. A channel at or below the floor takes no part. Precondition: as many values as
-/// samples.
+/// samples. `threads`: 0 for one a core.
 std::vector<MisfitRegion> misfitRegions(const std::vector<Sample>& samples,
                                         const std::vector<Vec3f>& fitted, const Vec3f& noiseFloor,
-                                        bool exact);
+                                        bool exact, int threads = 0);
 
 /// The directions that the data have.
 struct Coverage {
