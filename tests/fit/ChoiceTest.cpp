@@ -118,6 +118,33 @@ TEST(Choice, WhereTrialsHaveAPartOfTheSamplesTheErrorsHeldOutDecide)
     EXPECT_EQ(choose(candidates).index, 0u);
 }
 
+TEST(Choice, FitsToAllOfManySamplesAreBeatenByWhatIsBetterOnThem)
+{
+    // The marks, which pictures have a part in, are surely lower for hdg.
+    std::vector<Candidate> candidates{candidate("hdio", {0.99, 0.98, 1.00, 1.01, 0.97}),
+                                      candidate("hdg", {0.89, 0.88, 0.90, 0.91, 0.87})};
+    for (Candidate& c : candidates) {
+        c.whole.emplace();
+        c.whole->all.logMedian = c.whole->all.cosRms = c.whole->all.cubeRootRms = 0.1;
+        c.isFinal = true;
+    }
+    EXPECT_EQ(choose(candidates).index, 1u);
+    candidates[1].whole->all.cosRms = 0.13;
+    const Choice choice = choose(candidates);
+    EXPECT_EQ(choice.index, 0u);
+    EXPECT_NE(choice.reason.find("better on all samples than hdg"), std::string::npos)
+        << choice.reason;
+    candidates[0].whole->all.logMedian = 0.15;  // each is better in one error
+    EXPECT_EQ(choose(candidates).index, 1u);
+}
+
+TEST(SeenErrors, APictureIsAFourthError)
+{
+    EXPECT_LT(withPicture(-4.0, 0.5), withPicture(-4.0, 2.0));
+    EXPECT_LT(withPicture(-4.5, 1.0), withPicture(-4.0, 1.0));
+    EXPECT_EQ(withPicture(std::log(1e-3), 0.0), std::log(1e-3));
+}
+
 TEST(Choice, WhatIsInventedIsAFault)
 {
     std::vector<Candidate> candidates{candidate("hdio", {0.8, 0.8, 0.8, 0.8, 0.8}),

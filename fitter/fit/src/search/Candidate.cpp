@@ -31,25 +31,16 @@ const SampleErrors& errorsOnAll(const Candidate& c)
     return c.whole ? c.whole->all : c.held.errors;
 }
 
-// Whether `a` is below `b` by more than a twentieth in an error on all samples, and nowhere above
-// it by more.
-bool isBetterOnAll(const Candidate& a, const Candidate& b)
-{
-    constexpr double kAllowed = 1.05;
-    const double above = mostAbove(errorsOnAll(b), errorsOnAll(a));
-    return above > kAllowed && above >= mostAbove(errorsOnAll(a), errorsOnAll(b));
-}
-
 // Candidates whose marks are above that of `best` by chance, if at all. More terms than its own
 // would only follow the samples better, and not what is between them.
 std::vector<const Candidate*> equalsOf(const Candidate& best,
-                                       const std::vector<Candidate>& candidates)
+                                       const std::vector<const Candidate*>& candidates)
 {
     std::vector<const Candidate*> equals;
-    for (const Candidate& c : candidates)
-        if (c.form.terms.size() <= best.form.terms.size() &&
-            c.mark() - best.mark() <= leadOf(best, c).error)
-            equals.push_back(&c);
+    for (const Candidate* c : candidates)
+        if (c->form.terms.size() <= best.form.terms.size() &&
+            c->mark() - best.mark() <= leadOf(best, *c).error)
+            equals.push_back(c);
     return equals;
 }
 
@@ -101,6 +92,22 @@ const Candidate* leaningOnPrior(const std::vector<Candidate>& candidates, const 
     return nullptr;
 }
 
+bool isPlainlyBetter(const Candidate& a, const Candidate& b)
+{
+    return a.isFinal && isBetterOnAll(a, b);
+}
+
+// Of those that `best` is ahead of, by its mark or on all samples, the one of the least mark.
+const Candidate* nextOf(const std::vector<Candidate>& candidates, const Candidate& best)
+{
+    const Candidate* next = nullptr;
+    for (const Candidate& c : candidates) {
+        if (&c == &best || (isBetter(c, best) && !isPlainlyBetter(best, c))) continue;
+        if (!next || isBetter(c, *next)) next = &c;
+    }
+    return next;
+}
+
 std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate& chosen,
                       const Candidate& best)
 {
@@ -113,11 +120,26 @@ std::string reasonFor(const std::vector<Candidate>& candidates, const Candidate&
                (best.isFinal ? "all samples" : "samples held out") + " and " +
                (costOf(chosen) < costOf(best) ? "cheaper" : "better on all") + "; without it, " +
                comparison(best, chosen);
-    const Candidate* second = nullptr;
-    for (const Candidate& c : candidates)
-        if (&c != &best && (!second || c.mark() < second->mark())) second = &c;
-    return text + (second ? "the least errors; of the next, " + comparison(best, *second)
-                          : "no other form came near it on samples held out");
+    const Candidate* next = nextOf(candidates, best);
+    if (!next) return text + "no other form came near it on samples held out";
+    if (isPlainlyBetter(best, *next))
+        return text + "better on all samples than " + nameBeside(*next, best);
+    return text + "the least errors; of the next, " + comparison(best, *next);
+}
+
+// Of fits to all of many samples, those that no other is better than. All of them where there is
+// none, and where trials are fitted to few samples or to a part of them.
+std::vector<const Candidate*> eligible(const std::vector<Candidate>& candidates)
+{
+    std::vector<const Candidate*> all, unbeaten;
+    for (const Candidate& c : candidates) {
+        all.push_back(&c);
+        const bool isBeaten =
+            std::any_of(candidates.begin(), candidates.end(),
+                        [&c](const Candidate& other) { return isPlainlyBetter(other, c); });
+        if (!isBeaten) unbeaten.push_back(&c);
+    }
+    return unbeaten.empty() ? all : unbeaten;
 }
 
 }  // namespace
@@ -130,6 +152,13 @@ double Candidate::mark() const
 bool isBetter(const Candidate& a, const Candidate& b)
 {
     return a.mark() < b.mark();
+}
+
+bool isBetterOnAll(const Candidate& a, const Candidate& b)
+{
+    constexpr double kAllowed = 1.05;
+    const double above = mostAbove(errorsOnAll(b), errorsOnAll(a));
+    return above > kAllowed && above >= mostAbove(errorsOnAll(a), errorsOnAll(b));
 }
 
 Lead leadOf(const Candidate& better, const Candidate& worse)
@@ -150,12 +179,13 @@ Lead leadOf(const Candidate& better, const Candidate& worse)
 Choice choose(const std::vector<Candidate>& candidates)
 {
     FBRDF_ASSERT(candidates.size(), >, size_t{0});
-    const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
-    if (const Candidate* leaning = leaningOnPrior(candidates, *best))
-        return {static_cast<size_t>(leaning - candidates.data()),
-                reasonFor(candidates, *leaning, *best)};
-    const Candidate* chosen = cheapestUnbeaten(*best, equalsOf(*best, candidates));
-    return {static_cast<size_t>(chosen - candidates.data()), reasonFor(candidates, *chosen, *best)};
+    const std::vector<const Candidate*> pool = eligible(candidates);
+    const Candidate& best =
+        **std::min_element(pool.begin(), pool.end(),
+                           [](const Candidate* a, const Candidate* b) { return isBetter(*a, *b); });
+    const Candidate* chosen = leaningOnPrior(candidates, best);
+    if (!chosen) chosen = cheapestUnbeaten(best, equalsOf(best, pool));
+    return {static_cast<size_t>(chosen - candidates.data()), reasonFor(candidates, *chosen, best)};
 }
 
 }  // namespace fbrdf

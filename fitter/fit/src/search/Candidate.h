@@ -27,6 +27,11 @@ struct Candidate {
 /// True when the mark of `a` is the smaller.
 bool isBetter(const Candidate& a, const Candidate& b);
 
+/// Whether `a` is below `b` by more than a twentieth in one of log_median, cos_rms and cuberoot_rms
+/// on all samples, and not above it by more in another. Where trials are fitted to a part of the
+/// samples, the errors are those on samples held out.
+bool isBetterOnAll(const Candidate& a, const Candidate& b);
+
 /// Parts of what is held out: the folds, or as many parts of the only one.
 constexpr size_t kMarkParts = static_cast<size_t>(kFolds);
 
@@ -47,13 +52,12 @@ struct Choice {
 };
 
 /// The cheapest of the candidates that are as good as that of the least mark, with no more terms.
+/// Fits to all of many samples (isFinal) take part only where no other is better on all samples.
 /// Their marks are above it by no more than the standard error, and none of the others is better on
-/// all samples (or, where trials are fitted to a part of them, on those held out): below it by more
-/// than a twentieth in one of log_median, cos_rms and cuberoot_rms, and not above it by more in
-/// another. Where each has a better one, it is the candidate of the
-/// least mark. One that leans on a prior is chosen unless the best is surely better: by twice the
-/// standard error. Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes.
-/// Precondition: there is one.
+/// all samples (isBetterOnAll). Where each has a better one, it is the candidate of the least mark.
+/// One that leans on a prior is chosen unless the best is surely better: by twice the standard
+/// error. Cheaper is: fewer look-ups a light, then fewer terms, then fewer bytes. Precondition:
+/// there is one.
 Choice choose(const std::vector<Candidate>& candidates);
 
 }  // namespace fbrdf

@@ -1,6 +1,7 @@
 #include "search/Search.h"
 
 #include "data/Symmetry.h"
+#include "search/Finals.h"
 #include "search/NamedTrials.h"
 #include "search/Neighbours.h"
 
@@ -70,7 +71,8 @@ Fitted searchForm(const Source& source, const FitContext& context, std::vector<T
     Candidate best = named[choice.index];
     if (goesOn(context)) improve(runs, best);
     if (runs.hasPlenty() && isSearched(context.options)) {
-        std::vector<Candidate> finals = runs.finals(std::move(best), std::move(named));
+        std::vector<Candidate> finals =
+            tryFinals(runs, source.evaluate, std::move(best), std::move(named));
         const Choice last = choose(finals);
         if (finals.size() > 1) choice.reason = last.reason;
         best = std::move(finals[last.index]);

@@ -6,7 +6,7 @@
 // held out is none: then errors on all samples decide, and then the cost (Candidate.h). From a form
 // that was found on many samples without noise the search goes on to the forms next to it, one
 // table or axis at a time (Neighbours.h); on few or noisy ones only `best-of` does. Where samples
-// are plenty, the best forms are then fitted to all and compared on all (TrialRuns::finals). The
+// are plenty, the best forms are then fitted to all and compared on all (Finals.h). The
 // result depends on data, options and seed alone, not on the number of threads; with
 // FitOptions::seconds also on what the machine did in that time.
 #pragma once

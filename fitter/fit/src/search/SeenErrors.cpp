@@ -79,6 +79,12 @@ double markOf(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitt
         orNothing(metric == Metric::cubeRoot ? errors.cubeRootRms : errors.nbrdfLoss));
 }
 
+double withPicture(double mark, double deltaE)
+{
+    constexpr double kJustSeen = 0.01;
+    return 0.75 * mark + 0.25 * logOfError(kJustSeen * deltaE);
+}
+
 double mostAbove(const SampleErrors& a, const SampleErrors& b)
 {
     constexpr double kNothing = 1e-4;

@@ -27,6 +27,10 @@ double markOf(const std::vector<Sample>& samples, const std::vector<Vec3f>& fitt
               const Vec3f& floor, Metric metric);
 double markOf(const SeenErrors& errors);
 
+/// A mark of three errors, and as a fourth the difference of two pictures: `deltaE` is the mean
+/// Delta-E ITP, of which 1 is just seen, as 1 % is of the other errors.
+double withPicture(double mark, double deltaE);
+
 /// The largest factor by which log_median, cos_rms or cuberoot_rms of `a` is above that of `b`.
 double mostAbove(const SampleErrors& a, const SampleErrors& b);
 

@@ -16,8 +16,7 @@ constexpr size_t kAutoBytes = 32768;  // without --max-bytes
 constexpr size_t kMaxTrials = 32, kMaxTrialsOfBest = 96;
 constexpr size_t kFewRows = 20000;    // that forms are fitted to side by side
 constexpr double kTrialsShare = 0.5;  // of the seconds; the rest is for the last fits
-constexpr double kFinalsShare = 0.75;
-constexpr size_t kPlenty = size_t{1} << 18;
+constexpr size_t kPlenty = size_t{1} << 17;
 
 FitOptions withOneThread(FitOptions options)
 {
@@ -214,29 +213,6 @@ void TrialRuns::fitWhole(Candidate& candidate)
     candidate.marks = marksOf(on, all_);
     candidate.isFinal = true;
     rows_[candidate.trial].seconds += clock.seconds();
-}
-
-std::vector<Candidate> TrialRuns::finals(Candidate best, std::vector<Candidate> others)
-{
-    constexpr double kNear = 0.2;  // marks apart
-    constexpr size_t kMost = 5;
-    const double mark = best.mark();
-    others.erase(std::remove_if(others.begin(), others.end(),
-                                [&](const Candidate& c) {
-                                    return c.trial == best.trial || c.form.terms.size() > 1 ||
-                                           c.mark() > mark + kNear;
-                                }),
-                 others.end());
-    std::sort(others.begin(), others.end(), isBetter);
-    std::vector<Candidate> finals;
-    finals.push_back(std::move(best));
-    fitWhole(finals.front());
-    for (Candidate& other : others) {
-        if (finals.size() == kMost || isLate(kFinalsShare)) break;
-        finals.push_back(std::move(other));
-        fitWhole(finals.back());
-    }
-    return finals;
 }
 
 std::optional<Candidate> TrialRuns::attempt(const Form& variant, const std::string& stage,

@@ -29,6 +29,9 @@ public:
     /// No more trials: what is left of the time is for the last fits.
     bool isOver() const;
 
+    /// More than this share of FitOptions::seconds has gone.
+    bool isLate(double share) const;
+
     /// What forms may be fitted with; null: none.
     const std::shared_ptr<const PriorCovariance>& prior() const { return prior_; }
 
@@ -42,15 +45,11 @@ public:
     /// more than chance would have it. `gain` may be negative.
     std::optional<Candidate> attempt(const Form& variant, const std::string& stage,
                                      const Candidate& reference, double gain);
-    /// `best` and the forms of one term whose marks are near its own, fitted to all of the data,
-    /// the least mark first, until the time is up: at least `best`. On a part of the data a form of
-    /// many texels looks worse than it is. Precondition: hasPlenty().
-    std::vector<Candidate> finals(Candidate best, std::vector<Candidate> others);
+    /// Fits to all of the data, and marks the fit on it. Precondition: hasPlenty().
+    void fitWhole(Candidate& candidate);
     void choose(const Candidate& candidate) { rows_[candidate.trial].chosen = true; }
 
 private:
-    /// More than this share of FitOptions::seconds has gone.
-    bool isLate(double share) const;
     /// The context that a candidate is fitted in.
     FitContext contextFor(const FitContext& context, const Candidate& candidate) const;
     /// Holds out folds until `folds` have been, with the threads of `context`, which has the
@@ -58,8 +57,6 @@ private:
     void holdOutMore(const FitContext& context, Candidate& candidate, int folds);
     /// All folds, and a fit to all of the data where trials are.
     void complete(const FitContext& context, Candidate& candidate);
-    /// Fits to all of the data, and marks the fit on it.
-    void fitWhole(Candidate& candidate);
     void record(const Candidate& candidate);
     /// Steps on few rows are so short that threads cost more than they save: forms are fitted at
     /// the same time in place of the parts of a form.
