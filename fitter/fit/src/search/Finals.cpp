@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNear = 0.2;    // marks apart
 constexpr size_t kMost = 5;      // forms
-constexpr double kShare = 0.75;  // of the seconds
+constexpr double kShare = 0.85;  // of the seconds
 constexpr int kSize = 64;        // of the sphere, pixels
 
 // The picture that fits are compared with; nothing where there is no function, or where another
@@ -51,14 +51,17 @@ std::vector<Candidate> tryFinals(TrialRuns& runs, const BrdfFunction& function, 
     const FitOptions& options = runs.all().options;
     const std::optional<SphereImage> reference = pictureOf(function, options);
     std::vector<Candidate> finals;
+    double seconds = 0.0;  // of the last one: the next may take as long
     const auto enter = [&](Candidate candidate) {
+        const Clock clock;
         runs.fitWhole(candidate);
+        seconds = clock.seconds();
         if (reference) markPicture(candidate, *reference, options.threads);
         finals.push_back(std::move(candidate));
     };
     enter(std::move(best));
     for (Candidate& other : others) {
-        if (finals.size() == kMost || runs.isLate(kShare)) break;
+        if (finals.size() == kMost || runs.isLate(kShare, seconds)) break;
         enter(std::move(other));
     }
     return finals;

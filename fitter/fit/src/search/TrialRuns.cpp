@@ -98,10 +98,10 @@ bool TrialRuns::hasPlenty() const
 }
 
 // Processes that fit together must try the same forms, whatever their clocks are.
-bool TrialRuns::isLate(double share) const
+bool TrialRuns::isLate(double share, double ahead) const
 {
     return all_.options.seconds > 0.0 && all_.options.ranks.count == 1 &&
-           clock_.seconds() > share * all_.options.seconds;
+           clock_.seconds() + ahead > share * all_.options.seconds;
 }
 
 bool TrialRuns::isOver() const

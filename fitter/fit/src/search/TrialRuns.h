@@ -29,8 +29,8 @@ public:
     /// No more trials: what is left of the time is for the last fits.
     bool isOver() const;
 
-    /// More than this share of FitOptions::seconds has gone.
-    bool isLate(double share) const;
+    /// More than this share of FitOptions::seconds will have gone `ahead` seconds from now.
+    bool isLate(double share, double ahead = 0.0) const;
 
     /// What forms may be fitted with; null: none.
     const std::shared_ptr<const PriorCovariance>& prior() const { return prior_; }
