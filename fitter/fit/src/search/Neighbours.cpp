@@ -65,6 +65,12 @@ bool take(TrialRuns& runs, Candidate& best, const std::optional<Form>& variant, 
     return true;
 }
 
+// A sum takes long to fit to a grid, and longer with more texels than what is left of the time.
+bool hasTimeFor(const TrialRuns& runs, const Form& form)
+{
+    return form.terms.size() == 1 || !runs.hasPlenty() || runs.all().options.seconds <= 0.0;
+}
+
 void grow(TrialRuns& runs, Candidate& best)
 {
     for (const size_t table : maps(best.form))
@@ -102,7 +108,7 @@ void shrink(TrialRuns& runs, Candidate& best)
 void improve(TrialRuns& runs, Candidate& best)
 {
     const bool sizesVary = runs.all().options.resolution == 0;
-    if (sizesVary) grow(runs, best);
+    if (sizesVary && hasTimeFor(runs, best.form)) grow(runs, best);
     warp(runs, best);
     if (sizesVary) shrink(runs, best);
 }
