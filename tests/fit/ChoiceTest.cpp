@@ -31,6 +31,13 @@ Candidate candidate(const std::string& form, std::vector<double> marks)
     return c;
 }
 
+SampleErrors equalErrors()
+{
+    SampleErrors errors;
+    errors.logMedian = errors.cosRms = errors.cubeRootRms = 0.1;
+    return errors;
+}
+
 TEST(SeenErrors, AHighlightThatIsWrongInOneChannelIsSeen)
 {
     const auto samples = plastic(2000);
@@ -80,7 +87,7 @@ TEST(Choice, OneErrorOnAllSamplesIsNotGivenAwayForCheapness)
                                       candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02})};
     for (Candidate& c : candidates) {
         c.whole.emplace();
-        c.whole->all.logMedian = c.whole->all.cosRms = c.whole->all.cubeRootRms = 0.1;
+        c.whole->all = equalErrors();
     }
     candidates[1].whole->all.cosRms = 0.13;
     EXPECT_EQ(choose(candidates).index, 0u);
@@ -96,7 +103,7 @@ TEST(Choice, OfEqualsTheOneIsTakenThatIsBetterOnAllSamples)
                                       candidate("hdio", {0.98, 0.98, 0.99, 1.01, 0.98})};
     for (Candidate& c : candidates) {
         c.whole.emplace();
-        c.whole->all.logMedian = c.whole->all.cosRms = c.whole->all.cubeRootRms = 0.1;
+        c.whole->all = equalErrors();
     }
     EXPECT_EQ(choose(candidates).index, 0u);
     candidates[0].whole->all.cosRms = 0.13;
@@ -111,8 +118,7 @@ TEST(Choice, WhereTrialsHaveAPartOfTheSamplesTheErrorsHeldOutDecide)
 {
     std::vector<Candidate> candidates{candidate("hdio", {0.99, 0.98, 1.00, 1.01, 0.97}),
                                       candidate("hdg", {1.01, 0.96, 1.02, 0.99, 1.02})};
-    for (Candidate& c : candidates)
-        c.held.errors.logMedian = c.held.errors.cosRms = c.held.errors.cubeRootRms = 0.1;
+    for (Candidate& c : candidates) c.held.errors = equalErrors();
     EXPECT_EQ(choose(candidates).index, 1u);
     candidates[1].held.errors.cosRms = 0.13;
     EXPECT_EQ(choose(candidates).index, 0u);
@@ -125,7 +131,7 @@ TEST(Choice, FitsToAllOfManySamplesAreBeatenByWhatIsBetterOnThem)
                                       candidate("hdg", {0.89, 0.88, 0.90, 0.91, 0.87})};
     for (Candidate& c : candidates) {
         c.whole.emplace();
-        c.whole->all.logMedian = c.whole->all.cosRms = c.whole->all.cubeRootRms = 0.1;
+        c.whole->all = equalErrors();
         c.isFinal = true;
     }
     EXPECT_EQ(choose(candidates).index, 1u);

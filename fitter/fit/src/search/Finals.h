@@ -6,9 +6,9 @@
 namespace fbrdf {
 
 /// `best` and those of `others` of one term whose marks are near its own, fitted to all of the
-/// data, the least mark first, until the time is up: at least `best`. Those to which another is
-/// better on all samples are left out (isBetterOnAll). Where there is a function, the difference of
-/// pictures of the standard sphere is a quarter of each mark. Precondition: runs.hasPlenty().
+/// data, the least mark first, until the time is up: at least `best`. Where there is a function,
+/// the difference of pictures of the standard sphere is a quarter of each mark. Precondition:
+/// runs.hasPlenty().
 std::vector<Candidate> tryFinals(TrialRuns& runs, const BrdfFunction& function, Candidate best,
                                  std::vector<Candidate> others);
 

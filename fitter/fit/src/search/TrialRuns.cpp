@@ -1,5 +1,6 @@
 #include "search/TrialRuns.h"
 
+#include "data/Symmetry.h"
 #include "prior/PriorUse.h"
 #include "search/SeenErrors.h"
 
@@ -207,7 +208,9 @@ void TrialRuns::fitWhole(Candidate& candidate)
     whole.fitted = fitForm(all_, candidate.form, &candidate.held.solution);
     HeldOut on;
     on.samples = probeOf(all_);
-    on.fitted = evaluateAt(whole.fitted.material, on.samples, all_.options.threads);
+    on.fitted =
+        evaluateAt(whole.fitted.material, part_.turnsHeldOut ? turned(on.samples) : on.samples,
+                   all_.options.threads);
     whole.all = sampleErrors(on.samples, on.fitted, all_.statistics.floor);
     whole.allMark = markOf(on.samples, on.fitted, all_.statistics.floor, all_.options.metric);
     candidate.marks = marksOf(on, all_);

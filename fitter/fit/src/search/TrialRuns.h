@@ -45,7 +45,8 @@ public:
     /// more than chance would have it. `gain` may be negative.
     std::optional<Candidate> attempt(const Form& variant, const std::string& stage,
                                      const Candidate& reference, double gain);
-    /// Fits to all of the data, and marks the fit on it. Precondition: hasPlenty().
+    /// Fits to all of the data, and marks the fit on it, turned as what is held out. Precondition:
+    /// hasPlenty().
     void fitWhole(Candidate& candidate);
     void choose(const Candidate& candidate) { rows_[candidate.trial].chosen = true; }
 
